@@ -11,7 +11,10 @@
 #include "app/session/LiveWindow.h"
 #include "app/session/ShippedScene.h"
 #include "core/Error.h"
+#include "ui/window/WindowMenus.h"
 #include "vtkplugins/pictures/Display.h"
+
+#include <QAction>
 
 #include <CLI/CLI.hpp>
 #include <exception>
@@ -81,6 +84,21 @@ void recordOrQuit(Session& session, const std::filesystem::path& input,
     QObject::connect(&session.runs(), &RunControl::begun, once, &QObject::deleteLater);
 }
 
+/// Where an earlier session cannot be opened any more, the scene that comes with the program is.
+void openSession(Session& session, const std::filesystem::path& file) {
+    auto* const once = new QObject(&session);
+    QObject::connect(&session.scenes(), &SceneControl::openFailed, once, [&session, once] {
+        once->deleteLater();
+        const std::filesystem::path shipped = defaultSceneFile();
+        if (session.run() == nullptr && !shipped.empty()) {
+            session.scenes().open(shipped);
+        }
+    });
+    QObject::connect(&session.runs(), &RunControl::begun, once, &QObject::deleteLater);
+    showShippedInstead(session);
+    session.scenes().open(file);
+}
+
 int execWith(LiveWindow& live, const std::filesystem::path& input, const SceneOverrides& overrides,
              bool isRecorded) {
     std::exception_ptr reason;
@@ -91,6 +109,17 @@ int execWith(LiveWindow& live, const std::filesystem::path& input, const SceneOv
         std::rethrow_exception(reason);
     }
     return status;
+}
+
+/// Without a file: the last session, or the scene that comes with the program.
+int execAsBefore(LiveWindow& live) {
+    const std::filesystem::path before = live.session().saving().before();
+    if (!before.empty() && live.window().menus().startWithSession->isChecked()) {
+        openSession(live.session(), before);
+        return live.exec();
+    }
+    const std::filesystem::path shipped = defaultSceneFile();
+    return shipped.empty() ? live.exec() : execWith(live, shipped, {}, false);
 }
 
 }  // namespace
@@ -136,9 +165,14 @@ int openWindow(const WindowOptions& options) {
     if (!options.record.empty()) {
         recordFromTheStart(live.session(), {options.record, options.force, options.format});
     }
+    live.session().saving().keepIn(sessionFolder());
+    const bool isRecorded = !options.record.empty();
+    if (options.input.empty() && !isRecorded) {
+        return execAsBefore(live);
+    }
     const std::filesystem::path input =
         options.input.empty() ? defaultSceneFile() : std::filesystem::path(options.input);
-    return input.empty() ? live.exec() : execWith(live, input, overrides, !options.record.empty());
+    return input.empty() ? live.exec() : execWith(live, input, overrides, isRecorded);
 }
 
 }  // namespace asperity

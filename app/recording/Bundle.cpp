@@ -216,4 +216,23 @@ void unpackBundle(const std::filesystem::path& bundle, const std::filesystem::pa
     reportTo(progress, 1.0);
 }
 
+std::filesystem::path keptBundle(const std::filesystem::path& bundle,
+                                 const std::filesystem::path& parent, Progress* progress) {
+    constexpr std::size_t kDigits = 12;  // of the hash
+    ProgressPart hashing(progress, 0.0, 0.2);
+    const std::string hash = sha256Of(FileBytes(bundle), &hashing);
+    const std::filesystem::path folder =
+        parent / (bundle.stem().string() + "_" + hash.substr(0, kDigits));
+    const std::filesystem::path mark = folder / kDirectory;  // written last: it is whole
+    if (!isThere(mark)) {
+        std::filesystem::create_directories(folder);
+        ProgressPart unpacking(progress, 0.2, 1.0);
+        unpackBundle(bundle, folder, &unpacking);
+        const FileBytes bytes(bundle);
+        const ZipArchive archive(bytes);
+        writeTextFile(mark, archive.decoded(*archive.find(kDirectory), kMostDirectory));
+    }
+    return folder;
+}
+
 }  // namespace asperity

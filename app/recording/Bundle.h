@@ -25,4 +25,11 @@ void writeBundle(const std::filesystem::path& run, const std::filesystem::path& 
 void unpackBundle(const std::filesystem::path& bundle, const std::filesystem::path& folder,
                   Progress* progress = nullptr);
 
+/// The same into a folder of `parent` that is named by its content, where it stays: a scene that is
+/// opened from it names its scan there. One that is there already is used again.
+/// @return the folder @throw as unpackBundle()
+[[nodiscard]] std::filesystem::path keptBundle(const std::filesystem::path& bundle,
+                                               const std::filesystem::path& parent,
+                                               Progress* progress = nullptr);
+
 }  // namespace asperity

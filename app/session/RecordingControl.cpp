@@ -70,7 +70,9 @@ void RecordingControl::advance() {
 
 void RecordingControl::record(bool on) {
     if (on && runs_.run() != nullptr) {
-        start({folderOfThisMoment(folder_)});
+        const bool isCompact = window_.menus().compactRecordings->isChecked();
+        start({.folder = folderOfThisMoment(folder_),
+               .format = isCompact ? RunFormat::Hdf5 : RunFormat::Csv});
     } else {
         finish();
     }

@@ -49,12 +49,13 @@ RunControl::RunControl(MainWindow& window) : window_(window) {
     });
 }
 
-void RunControl::use(LoadedScene scene) {
-    const Vector3 place = startPlace(scene.scene);
+void RunControl::use(LoadedScene scene, const std::optional<Vector2>& place) {
+    const bool isOnScan = place && scene.scene.surface.contains(place->x(), place->y());
+    const Vector3 above = isOnScan ? waitingPlace(scene.scene, *place) : startPlace(scene.scene);
     Settings settings = scene.scene.settings;
     settings.forcesOn = run_ ? forcesMayAct() : window_.controls().forcesOn();
     end();
-    begin(std::move(scene), place, settings);
+    begin(std::move(scene), above, settings);
     start();
 }
 

@@ -28,8 +28,8 @@ public:
     void fetch() { run_->fetch(sink_); }
 
     /// Shows a scene that is loaded, and starts its loop. Forces that are off, or that a fault
-    /// keeps away, stay off.
-    void use(LoadedScene scene);
+    /// keeps away, stay off. @param place above which the tip waits, where that is on the scan [m]
+    void use(LoadedScene scene, const std::optional<Vector2>& place = std::nullopt);
     /// The loop begins again above the same place, or another one, with the same knobs, on the
     /// scene changed. There is a run. @param place world [m]
     void replace(LoadedScene scene, const std::optional<Vector2>& place = std::nullopt);

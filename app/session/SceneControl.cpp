@@ -1,21 +1,39 @@
 #include "app/session/SceneControl.h"
 
+#include "app/recording/Bundle.h"
+#include "app/runs/RunFolder.h"
+#include "app/session/WindowSection.h"
 #include "core/Error.h"
 #include "core/PathText.h"
 #include "core/PrintableText.h"
 #include "core/io/heightmap/MissingScale.h"
-#include "core/io/scene/SceneSaving.h"
-#include "core/scene/SettingFields.h"
 #include "core/surface/MergedScale.h"
 #include "ui/panels/LoadingBar.h"
 #include "ui/window/MainWindow.h"
 #include "ui/window/WindowMenus.h"
 
 #include <QAction>
+#include <QStandardPaths>
 
+#include <memory>
 #include <utility>
 
 namespace asperity {
+
+namespace {
+
+/// What is loaded of a file: of a bundle its scene, unpacked to stay.
+std::filesystem::path sceneIn(const std::filesystem::path& input, Progress& progress) {
+    if (!isBundle(input)) {
+        return input;
+    }
+    const QString place = QStandardPaths::writableLocation(QStandardPaths::AppDataLocation);
+    ProgressPart unpacking(&progress, 0.0, 0.3);
+    return keptBundle(input, std::filesystem::path(place.toStdString()) / "bundles", &unpacking) /
+           run_files::kScene;
+}
+
+}  // namespace
 
 SceneControl::SceneControl(MainWindow& window, RunControl& runs, SceneEdits& edits)
     : window_(window), runs_(runs), edits_(edits), scales_(window) {
@@ -28,8 +46,6 @@ SceneControl::SceneControl(MainWindow& window, RunControl& runs, SceneEdits& edi
     connect(&window.loading(), &LoadingBar::cancelRequested, this, &SceneControl::cancelOpen);
     connect(menus.undo, &QAction::triggered, &edits, &SceneEdits::undo);
     connect(menus.redo, &QAction::triggered, &edits, &SceneEdits::redo);
-    connect(&window, &MainWindow::sceneFileChosen, this,
-            [this](const QString& file) { save(std::filesystem::path(file.toStdString())); });
     connect(&menus, &WindowMenus::channelChosen, this, &SceneControl::chooseChannel);
     connect(&scales_, &ScaleControl::given, this, [this](const GivenScale& scale) {
         const Retry retry = retry_;
@@ -55,10 +71,22 @@ void SceneControl::open(const std::filesystem::path& input, const SceneOverrides
     asked_ = input;
     askedWith_ = overrides;
     const QString name = QString::fromStdString(printable(input.filename().string()));
+    const auto kept = std::make_shared<QVariantMap>();
     edits_.open({.name = name,
-                 .load = [input, overrides](
-                             Progress& progress) { return loadScene(input, overrides, &progress); },
-                 .opened = [this, input] { Q_EMIT opened(input); },
+                 .load =
+                     [input, overrides, kept](Progress& progress) {
+                         const std::filesystem::path scene = sceneIn(input, progress);
+                         *kept = windowSectionOf(scene);
+                         return loadScene(scene, overrides, &progress);
+                     },
+                 .place = [kept] { return tipPlaceIn(*kept); },
+                 .opened =
+                     [this, input, kept] {
+                         Q_EMIT opened(input);
+                         if (!kept->isEmpty()) {
+                             Q_EMIT sessionOpened(input, *kept);
+                         }
+                     },
                  .failed = [this](const std::exception_ptr& reason) { fail(reason); },
                  .canceled =
                      [this, name] {
@@ -77,23 +105,6 @@ void SceneControl::fail(const std::exception_ptr& reason) {
     const QString words = reasonOf(reason);
     window_.complain(words);
     Q_EMIT openFailed(words);
-}
-
-void SceneControl::save(const std::filesystem::path& file) {
-    if (runs_.run() == nullptr) {
-        return;
-    }
-    SceneDescription scene = runs_.run()->scene().description;
-    scene.settings = ofScene(runs_.run()->sensingSettings());
-    const std::filesystem::path target =
-        file.has_extension() ? file : std::filesystem::path(file.string() + ".toml");
-    try {
-        saveScene(scene, target);
-        window_.setSceneFile(QString::fromStdString(target.string()));
-        window_.tell(tr("Saved as %1").arg(QString::fromStdString(printable(target.string()))));
-    } catch (const Error& error) {
-        window_.complain(QString::fromUtf8(error.what()));
-    }
 }
 
 bool SceneControl::asksFor(const std::exception_ptr& reason) {

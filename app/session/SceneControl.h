@@ -4,6 +4,8 @@
 #include "app/session/ScaleControl.h"
 #include "app/session/SceneEdits.h"
 
+#include <QVariantMap>
+
 #include <filesystem>
 
 namespace asperity {
@@ -22,14 +24,14 @@ public:
     [[nodiscard]] ScaleControl& scales() { return scales_; }
     /// Cancels what is being loaded; the scene stays as it is.
     void cancelOpen();
-    /// Writes the scene as it is now, with its knobs, to a file that opens as the same.
-    void save(const std::filesystem::path& file);
     /// Why the last scene that failed to open did so; null: none did.
     [[nodiscard]] std::exception_ptr openError() const { return openError_; }
 
 Q_SIGNALS:
     /// A file was opened, and is shown.
     void opened(std::filesystem::path file);
+    /// After opened(), of a session: how the window showed the scene.
+    void sessionOpened(std::filesystem::path file, QVariantMap kept);
     void openFailed(QString reason);
     void openCanceled();
     /// The user is asked for the scale of the file before it can be opened.

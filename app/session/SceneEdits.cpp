@@ -224,7 +224,7 @@ void SceneEdits::useOpened(LoadedScene& scene) {
         rememberPlace();
     }
     using_ = true;
-    runs_.use(std::move(scene));
+    runs_.use(std::move(scene), opening.place());
     using_ = false;
     if (before) {
         history_.add(tr("Open %1").arg(opening.name), {}, *before, after);

@@ -38,6 +38,8 @@ public:
     struct Opening {
         QString name;  ///< of the file
         LongWork<LoadedScene>::Work load;
+        /// Of the tip, once it is loaded [m]; none: as at first.
+        std::function<std::optional<Vector2>()> place = [] { return std::nullopt; };
         std::function<void()> opened;  ///< and it is shown
         std::function<void(const std::exception_ptr& reason)> failed;
         std::function<void()> canceled;

@@ -39,6 +39,8 @@ Session::Session(MainWindow& window)
     , messages_(window, runs_)
     , clipboard_(window, runs_, views_)
     , help_(window)
+    , saving_(window, runs_, scenes_)
+    , bundles_(window, runs_, recordings_, views_)
     , entries_(window, runs_, devices_, edits_) {
     runs_.setSink([this](const TickSample& sample) {
         views_.take(sample);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/session/BundleControl.h"
 #include "app/session/ClipboardControl.h"
 #include "app/session/ColorControl.h"
 #include "app/session/DeviceControl.h"
@@ -20,6 +21,7 @@
 #include "app/session/SceneControl.h"
 #include "app/session/SceneEdits.h"
 #include "app/session/ScenePanelControl.h"
+#include "app/session/SessionControl.h"
 #include "app/session/ViewControl.h"
 
 #include <QTimer>
@@ -44,10 +46,12 @@ public:
     /// Materials and probes of the user's own.
     [[nodiscard]] LibraryControl& materials() { return materials_; }
     [[nodiscard]] LibraryControl& probes() { return probes_; }
+    [[nodiscard]] SessionControl& saving() { return saving_; }
     [[nodiscard]] OpenControl& files() { return files_; }
     [[nodiscard]] DeviceControl& devices() { return devices_; }
     [[nodiscard]] PathControl& paths() { return paths_; }
     [[nodiscard]] RecordingControl& recordings() { return recordings_; }
+    [[nodiscard]] BundleControl& bundles() { return bundles_; }
     [[nodiscard]] MeasureControl& measuring() { return measuring_; }
     [[nodiscard]] const ViewControl& views() const { return views_; }
 
@@ -79,6 +83,8 @@ private:
     MessageControl messages_;
     ClipboardControl clipboard_;
     HelpControl help_;
+    SessionControl saving_;
+    BundleControl bundles_;
     EntryControl entries_;
     QTimer frames_;
     double lastFrame_ = 0.0;  ///< [s]

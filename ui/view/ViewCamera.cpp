@@ -40,6 +40,11 @@ void ViewCamera::turn(double azimuth, double elevation) {
                             std::max(kMaxElevation, elevation_));
 }
 
+void ViewCamera::setDirection(double azimuth, double elevation) {
+    azimuth_ = std::remainder(azimuth, 2.0 * std::numbers::pi);
+    elevation_ = std::clamp(elevation, -kRightAngle, kRightAngle);
+}
+
 void ViewCamera::lookFrom(ViewDirection side) {
     elevation_ = side == ViewDirection::Top      ? kRightAngle
                  : side == ViewDirection::Bottom ? -kRightAngle

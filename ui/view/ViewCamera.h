@@ -38,6 +38,11 @@ public:
     void turn(double azimuth, double elevation);
     /// Looks along an axis of the scan.
     void lookFrom(ViewDirection side);
+    /// Of the eye, from x and above the horizontal [rad].
+    [[nodiscard]] double azimuth() const { return azimuth_; }
+    [[nodiscard]] double elevation() const { return elevation_; }
+    /// Looks from there; an elevation beyond the vertical is none.
+    void setDirection(double azimuth, double elevation);
     void setPerspective(bool perspective) { perspective_ = perspective; }
     [[nodiscard]] bool hasPerspective() const { return perspective_; }
     void reset() { *this = {}; }

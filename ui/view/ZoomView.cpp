@@ -134,6 +134,12 @@ void ZoomView::lookFrom(ViewDirection side) {
     renderSoon();
 }
 
+void ZoomView::setDirection(double azimuth, double elevation) {
+    camera_.setDirection(azimuth, elevation);
+    disturb();
+    renderSoon();
+}
+
 void ZoomView::setPerspective(bool perspective) {
     camera_.setPerspective(perspective);
     disturb();

@@ -47,6 +47,8 @@ public:
     /// Back to the direction and the width that a scene starts with.
     void resetCamera();
     void lookFrom(ViewDirection side);
+    /// See ViewCamera [rad].
+    void setDirection(double azimuth, double elevation);
     void setPerspective(bool perspective);
 
     void setOptions(const ViewOptions& options);

@@ -10,8 +10,8 @@ namespace asperity {
 
 QStringList scanFilters(const std::vector<ScanFileType>& types) {
     const QChar blank(' ');
-    QStringList all{QStringLiteral("*.toml")};
-    QStringList single{QObject::tr("Scenes (*.toml)")};
+    QStringList all{QStringLiteral("*.toml"), QStringLiteral("*.zip")};
+    QStringList single{QObject::tr("Scenes (*.toml)"), QObject::tr("Bundles (*.zip)")};
     for (const ScanFileType& type : types) {
         all << type.patterns;
         const QString name = type.name.left(1).toUpper() + type.name.mid(1);
@@ -28,8 +28,9 @@ QString askForPath(QWidget* window) {
 }
 
 QString askForRecording(QWidget* window) {
-    return QFileDialog::getOpenFileName(window, QObject::tr("Replay a recording"), {},
-                                        QObject::tr("Force logs (force_log.csv *.csv)"));
+    return QFileDialog::getOpenFileName(
+        window, QObject::tr("Replay a recording"), {},
+        QObject::tr("Force logs (force_log.csv recording.h5 *.csv)"));
 }
 
 QString askForPicture(QWidget* window) {

@@ -230,7 +230,7 @@ void MainWindow::connectMenus() {
     const auto askSceneFile = [this](QWidget* window) {
         return askForSceneFile(window, sceneFile_);
     };
-    on(menus_->saveScene, ask(askSceneFile, &MainWindow::sceneFileChosen));
+    on(menus_->saveSessionAs, ask(askSceneFile, &MainWindow::sceneFileChosen));
     on(menus_->savePicture, ask(askForPicture, &MainWindow::pictureFileChosen));
     const auto askPath = ask(askForPath, &MainWindow::pathFileChosen);
     on(menus_->followPathFile, askPath);

@@ -9,7 +9,6 @@
 #include "ui/window/WindowMenus.h"
 
 #include <QAction>
-#include <QSettings>
 
 #include <algorithm>
 #include <array>
@@ -32,56 +31,55 @@ QString key(const QString& group, const char* name) {
     return group + QLatin1Char('/') + QLatin1String(name);
 }
 
-double numberAt(const QSettings& settings, const QString& name, double usual) {
+double numberAt(const QVariantMap& kept, const QString& name, double usual) {
     bool isNumber = false;
-    const double number = settings.value(name).toDouble(&isNumber);
+    const double number = kept.value(name).toDouble(&isNumber);
     return isNumber && std::isfinite(number) ? number : usual;
 }
 
 template <HasEnumTable Value>
-Value valueAt(const QSettings& settings, const QString& name, Value usual) {
-    return fromKey<Value>(settings.value(name).toString().toStdString()).value_or(usual);
+Value valueAt(const QVariantMap& kept, const QString& name, Value usual) {
+    return fromKey<Value>(kept.value(name).toString().toStdString()).value_or(usual);
 }
 
-ViewOptions optionsIn(const QSettings& settings, const QString& group) {
+ViewOptions optionsIn(const QVariantMap& kept, const QString& group) {
     ViewOptions options;
     for (const auto& [name, option] : kSwitches) {
-        options.*option = settings.value(key(group, name), options.*option).toBool();
+        options.*option = kept.value(key(group, name), options.*option).toBool();
     }
     options.heightScale =
-        std::clamp(numberAt(settings, key(group, "heightScale"), 1.0), 1.0, kMaxHeightScale);
-    options.light.azimuth = numberAt(settings, key(group, "lightAzimuth"), options.light.azimuth);
-    options.light.elevation =
-        numberAt(settings, key(group, "lightElevation"), options.light.elevation);
+        std::clamp(numberAt(kept, key(group, "heightScale"), 1.0), 1.0, kMaxHeightScale);
+    options.light.azimuth = numberAt(kept, key(group, "lightAzimuth"), options.light.azimuth);
+    options.light.elevation = numberAt(kept, key(group, "lightElevation"), options.light.elevation);
     return options;
 }
 
-void write(QSettings& settings, const QString& group, const ViewOptions& options) {
+void write(QVariantMap& kept, const QString& group, const ViewOptions& options) {
     for (const auto& [name, option] : kSwitches) {
-        settings.setValue(key(group, name), options.*option);
+        kept.insert(key(group, name), options.*option);
     }
-    settings.setValue(key(group, "heightScale"), options.heightScale);
-    settings.setValue(key(group, "lightAzimuth"), options.light.azimuth);
-    settings.setValue(key(group, "lightElevation"), options.light.elevation);
+    kept.insert(key(group, "heightScale"), options.heightScale);
+    kept.insert(key(group, "lightAzimuth"), options.light.azimuth);
+    kept.insert(key(group, "lightElevation"), options.light.elevation);
 }
 
 QString groupOf(SurfaceQuantity quantity) {
     return QStringLiteral("views/colors/") + QLatin1String(keyOf(quantity));
 }
 
-SurfaceLook lookIn(const QSettings& settings) {
+SurfaceLook lookIn(const QVariantMap& kept) {
     SurfaceLook look;
-    look.quantity = valueAt(settings, QStringLiteral("views/colorBy"), look.quantity);
+    look.quantity = valueAt(kept, QStringLiteral("views/colorBy"), look.quantity);
     if (look.quantity == SurfaceQuantity::Channel) {  // of another file, it is another one
         look.quantity = SurfaceQuantity::Height;
     }
     for (const SurfaceQuantity quantity : kValues<SurfaceQuantity>) {
         QuantityColors& colors = look.of(quantity);
         const QString group = groupOf(quantity);
-        colors.map = valueAt(settings, key(group, "map"), colors.map);
-        colors.low = numberAt(settings, key(group, "low"), colors.low);
-        colors.high = numberAt(settings, key(group, "high"), colors.high);
-        colors.rule = valueAt(settings, key(group, "range"), colors.rule);
+        colors.map = valueAt(kept, key(group, "map"), colors.map);
+        colors.low = numberAt(kept, key(group, "low"), colors.low);
+        colors.high = numberAt(kept, key(group, "high"), colors.high);
+        colors.rule = valueAt(kept, key(group, "range"), colors.rule);
         if (colors.rule == RangeRule::Own && !(colors.low < colors.high)) {
             colors.rule = RangeRule::Full;
         }
@@ -89,51 +87,70 @@ SurfaceLook lookIn(const QSettings& settings) {
     return look;
 }
 
-void write(QSettings& settings, const SurfaceLook& look) {
-    settings.setValue(QStringLiteral("views/colorBy"), QLatin1String(keyOf(look.quantity)));
+void write(QVariantMap& kept, const SurfaceLook& look) {
+    kept.insert(QStringLiteral("views/colorBy"), QLatin1String(keyOf(look.quantity)));
     for (const SurfaceQuantity quantity : kValues<SurfaceQuantity>) {
         const QuantityColors& colors = look.of(quantity);
         const QString group = groupOf(quantity);
-        settings.setValue(key(group, "map"), QLatin1String(keyOf(colors.map)));
-        settings.setValue(key(group, "range"), QLatin1String(keyOf(colors.rule)));
-        settings.setValue(key(group, "low"), colors.low);
-        settings.setValue(key(group, "high"), colors.high);
+        kept.insert(key(group, "map"), QLatin1String(keyOf(colors.map)));
+        kept.insert(key(group, "range"), QLatin1String(keyOf(colors.rule)));
+        kept.insert(key(group, "low"), colors.low);
+        kept.insert(key(group, "high"), colors.high);
     }
 }
 
 const QString kLarge = QStringLiteral("views/large");
 const QString kSecond = QStringLiteral("views/second");
+const QString kAzimuth = QStringLiteral("stand/azimuth_rad");
+const QString kElevation = QStringLiteral("stand/elevation_rad");
+const QString kHalfWidth = QStringLiteral("stand/half_width_m");
 
 }  // namespace
 
-void restoreViews(MainWindow& window, const QSettings& settings) {
+void restoreViews(MainWindow& window, const QVariantMap& kept) {
     WindowMenus& menus = window.menus();
-    menus.colors().choose(lookIn(settings));
-    menus.viewOptions().setOptions(optionsIn(settings, kLarge));
+    menus.colors().choose(lookIn(kept));
+    menus.viewOptions().setOptions(optionsIn(kept, kLarge));
     window.view().setOptions(menus.viewOptions().options());
-    const bool perspective = settings.value(key(kLarge, "perspective"), false).toBool();
+    const bool perspective = kept.value(key(kLarge, "perspective"), false).toBool();
     menus.directions().setPerspective(perspective);
     window.view().setPerspective(perspective);
     SecondViewSettings second;
-    second.content = valueAt(settings, key(kSecond, "content"), second.content);
-    second.options = optionsIn(settings, kSecond);
-    second.azimuth = std::clamp(numberAt(settings, key(kSecond, "azimuth"), 0.0), -180.0, 180.0);
-    second.heightFactor = numberAt(settings, key(kSecond, "heightFactor"), second.heightFactor);
+    second.content = valueAt(kept, key(kSecond, "content"), second.content);
+    second.options = optionsIn(kept, kSecond);
+    second.azimuth = std::clamp(numberAt(kept, key(kSecond, "azimuth"), 0.0), -180.0, 180.0);
+    second.heightFactor = numberAt(kept, key(kSecond, "heightFactor"), second.heightFactor);
     window.second().setSettings(second);
-    menus.secondView->setChecked(settings.value(key(kSecond, "shown"), false).toBool());
+    menus.secondView->setChecked(kept.value(key(kSecond, "shown"), false).toBool());
 }
 
-void saveViews(MainWindow& window, QSettings& settings) {
+void keepViews(MainWindow& window, QVariantMap& kept) {
     WindowMenus& menus = window.menus();
-    write(settings, menus.colors().look());
-    write(settings, kLarge, window.view().options());
-    settings.setValue(key(kLarge, "perspective"), window.view().camera().hasPerspective());
+    write(kept, menus.colors().look());
+    write(kept, kLarge, window.view().options());
+    kept.insert(key(kLarge, "perspective"), window.view().camera().hasPerspective());
     const SecondViewSettings second = window.second().settings();
-    settings.setValue(key(kSecond, "content"), QLatin1String(keyOf(second.content)));
-    write(settings, kSecond, second.options);
-    settings.setValue(key(kSecond, "azimuth"), second.azimuth);
-    settings.setValue(key(kSecond, "heightFactor"), second.heightFactor);
-    settings.setValue(key(kSecond, "shown"), menus.secondView->isChecked());
+    kept.insert(key(kSecond, "content"), QLatin1String(keyOf(second.content)));
+    write(kept, kSecond, second.options);
+    kept.insert(key(kSecond, "azimuth"), second.azimuth);
+    kept.insert(key(kSecond, "heightFactor"), second.heightFactor);
+    kept.insert(key(kSecond, "shown"), menus.secondView->isChecked());
+}
+
+void restoreStand(MainWindow& window, const QVariantMap& kept) {
+    const ViewCamera& camera = window.view().camera();
+    window.view().setDirection(numberAt(kept, kAzimuth, camera.azimuth()),
+                               numberAt(kept, kElevation, camera.elevation()));
+    const double halfWidth = numberAt(kept, kHalfWidth, 0.0);
+    if (halfWidth > 0.0) {
+        window.view().setHalfWidth(halfWidth);
+    }
+}
+
+void keepStand(MainWindow& window, QVariantMap& kept) {
+    kept.insert(kAzimuth, window.view().camera().azimuth());
+    kept.insert(kElevation, window.view().camera().elevation());
+    kept.insert(kHalfWidth, window.view().halfWidth());
 }
 
 }  // namespace asperity

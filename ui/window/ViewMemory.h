@@ -1,15 +1,20 @@
 #pragma once
 
-class QSettings;
+#include <QVariantMap>
 
 namespace asperity {
 
 class MainWindow;
 
-/// Has the views look as `settings` remember them: colors, ranges, what is drawn, the second view.
-/// What cannot be read stays as it is.
-void restoreViews(MainWindow& window, const QSettings& settings);
-/// Writes how the views look now. Pinned ranges are of a scan, and are not kept.
-void saveViews(MainWindow& window, QSettings& settings);
+/// Has the views look as `kept` says: colors, ranges, what is drawn, the second view. What cannot
+/// be read stays as it is.
+void restoreViews(MainWindow& window, const QVariantMap& kept);
+/// Adds how the views look now. Pinned ranges are of a scan, and are not kept.
+void keepViews(MainWindow& window, QVariantMap& kept);
+
+/// Has the large view look at its scene from where and as wide as `kept` says.
+void restoreStand(MainWindow& window, const QVariantMap& kept);
+/// Adds from where the large view looks at its scene, and how wide.
+void keepStand(MainWindow& window, QVariantMap& kept);
 
 }  // namespace asperity

@@ -1,17 +1,16 @@
 #include "ui/window/WindowMemory.h"
 
 #include "ui/Theme.h"
-#include "ui/panels/Card.h"
+#include "ui/window/LayoutMemory.h"
 #include "ui/window/MainWindow.h"
 #include "ui/window/Maximizer.h"
-#include "ui/window/PageTabs.h"
 #include "ui/window/ViewMemory.h"
 #include "ui/window/WindowLayout.h"
+#include "ui/window/WindowMenus.h"
 
+#include <QAction>
 #include <QGuiApplication>
 #include <QScreen>
-#include <QSplitter>
-#include <QVariantList>
 
 #include <array>
 #include <utility>
@@ -21,11 +20,9 @@ namespace asperity {
 namespace {
 
 const QString kGeometry = QStringLiteral("window/geometry");
-const QString kFolded = QStringLiteral("window/foldedPanels");
-const QString kShown = QStringLiteral("window/shown/");
-const QString kSplitter = QStringLiteral("window/splitter/");
+const QString kStart = QStringLiteral("session/startWithLast");
+const QString kCompact = QStringLiteral("recordings/compact");
 const QString kTheme = QStringLiteral("window/theme");
-const QString kOnTop = QStringLiteral("window/onTop/");
 
 /// A screen that has become smaller than the window, or has gone, must not hide parts of it.
 void bringOnScreen(QWidget& window) {
@@ -72,59 +69,29 @@ WindowMemory::WindowMemory(MainWindow& window, std::unique_ptr<QSettings> settin
         !window_.isMaximized() && !window_.isFullScreen()) {
         bringOnScreen(window_);
     }
-    const QStringList folded = settings_->value(kFolded).toStringList();
-    for (Card* card : window_.cards()) {
-        card->setFolded(folded.contains(card->title()));
+    QVariantMap kept;
+    for (const QString& key : settings_->allKeys()) {
+        kept.insert(key, settings_->value(key));
     }
-    restoreViews(window_, *settings_);  // first: which of them share the room
-    restoreLayout();
+    restoreViews(window_, kept);  // first: which of them share the room
+    restoreLayout(window_, kept);
     restoreTheme(*settings_);
-}
-
-void WindowMemory::restoreLayout() {
-    WindowLayout& layout = window_.layout();
-    for (const PanelSwitch& part : layout.switches()) {
-        part.setShown(settings_->value(kShown + part.key, part.shownAtFirst).toBool());
-    }
-    for (QSplitter* splitter : layout.splitters()) {
-        // Of as many panels as there are now.
-        const QVariantList kept = settings_->value(kSplitter + splitter->objectName()).toList();
-        if (kept.size() == 2 && kept.front().toInt() == splitter->count()) {
-            splitter->restoreState(kept.back().toByteArray());
-        }
-    }
-    for (PageTabs* pages : {&layout.tools(), &layout.sidePages()}) {
-        pages->putOnTop(settings_->value(kOnTop + pages->objectName()).toString());
-    }
-}
-
-void WindowMemory::keepLayout() {
-    WindowLayout& layout = window_.layout();
-    layout.maximizer().restore();
-    for (const PanelSwitch& part : layout.switches()) {
-        settings_->setValue(kShown + part.key, part.isShown());
-    }
-    for (const QSplitter* splitter : layout.splitters()) {
-        settings_->setValue(kSplitter + splitter->objectName(),
-                            QVariantList{splitter->count(), splitter->saveState()});
-    }
-    for (const PageTabs* pages : {&layout.tools(), &layout.sidePages()}) {
-        settings_->setValue(kOnTop + pages->objectName(), pages->pageOnTop());
-    }
+    window_.menus().startWithSession->setChecked(settings_->value(kStart, true).toBool());
+    window_.menus().compactRecordings->setChecked(settings_->value(kCompact, false).toBool());
 }
 
 WindowMemory::~WindowMemory() {
-    keepLayout();
-    keepTheme(*settings_);
-    saveViews(window_, *settings_);
-    QStringList folded;
-    for (const Card* card : window_.cards()) {
-        if (card->isFolded()) {
-            folded << card->title();
-        }
+    window_.layout().maximizer().restore();
+    QVariantMap kept;
+    keepLayout(window_, kept);
+    keepViews(window_, kept);
+    for (auto value = kept.cbegin(); value != kept.cend(); ++value) {
+        settings_->setValue(value.key(), value.value());
     }
+    keepTheme(*settings_);
+    settings_->setValue(kStart, window_.menus().startWithSession->isChecked());
+    settings_->setValue(kCompact, window_.menus().compactRecordings->isChecked());
     settings_->setValue(kGeometry, window_.saveGeometry());
-    settings_->setValue(kFolded, folded);
 }
 
 std::unique_ptr<QSettings> userSettings() {

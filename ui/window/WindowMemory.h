@@ -21,9 +21,6 @@ public:
     WindowMemory& operator=(const WindowMemory&) = delete;
 
 private:
-    void restoreLayout();
-    void keepLayout();
-
     MainWindow& window_;
     std::unique_ptr<QSettings> settings_;
 };

@@ -54,10 +54,19 @@ void WindowMenus::explainAll() {
         {open, tr("Open a height-map file or a scene")},
         {aboutScan, tr("Where the scan comes from, and what was done to it")},
         {cancelLoading, tr("Stop loading; the scene stays as it is")},
-        {saveScene, tr("Write the scene as it is now to a file (.toml)")},
+        {saveSession,
+         tr("Write scene, views and panels as they are now to the file of the session")},
+        {saveSessionAs, tr("Write scene, views and panels as they are now to a file (.toml), which "
+                           "opens as they are")},
+        {restoreSession, tr("Open the session before this one as it was at its end")},
+        {startWithSession, tr("Without a file, the program opens the last session")},
         {savePicture, tr("Save the whole window as a picture")},
         {record, tr("Write every tick to a folder, until it is chosen again")},
+        {compactRecordings, tr("Recordings are packed at their end into an HDF5 file of a tenth of "
+                               "the size, for Python, which replays as well")},
         {saveLastSeconds, tr("Save the last 10 s of the run as a recording")},
+        {bundle, tr("Put the last recording, or the last 10 s, with scan and picture into one file "
+                    "(.zip), which opens and replays on any machine")},
         {quit, tr("End the run and close the window")},
         {undo, tr("The scene as it was before its last change")},
         {redo, tr("The scene as it was before the last undo")},
@@ -104,14 +113,25 @@ void WindowMenus::addFileMenu(QMenuBar& bar) {
     setChannels({}, {});
     aboutScan = menu->addAction(tr("About &this scan…"));
     cancelLoading = menu->addAction(tr("C&ancel loading"));
-    saveScene = menu->addAction(tr("Save s&cene as…"));
-    saveScene->setShortcut(tr("Ctrl+Shift+S"));
-    savePicture = menu->addAction(tr("&Save picture of the window…"));
-    savePicture->setShortcut(QKeySequence::Save);
+    saveSession = menu->addAction(tr("&Save session"));
+    saveSession->setShortcut(QKeySequence::Save);
+    saveSessionAs = menu->addAction(tr("Save s&ession as…"));
+    saveSessionAs->setShortcut(tr("Ctrl+Shift+S"));
+    restoreSession = menu->addAction(tr("Restore the session &before"));
+    startWithSession = menu->addAction(tr("Start with the last sessi&on"));
+    startWithSession->setCheckable(true);
+    startWithSession->setChecked(true);
+    menu->addSeparator();
+    savePicture = menu->addAction(tr("Save &picture of the window…"));
+    savePicture->setShortcut(tr("F12"));
     record = menu->addAction(tr("&Record"));
     record->setCheckable(true);
     record->setShortcut(tr("Ctrl+R"));
+    compactRecordings = menu->addAction(tr("Compact recordin&gs (HDF5)"));
+    compactRecordings->setCheckable(true);
     saveLastSeconds = menu->addAction(tr("Save the &last 10 s (black box)"));
+    bundle = menu->addAction(tr("B&undle the last recording"));
+    bundle->setShortcut(tr("Ctrl+B"));
     menu->addSeparator();
     quit = menu->addAction(tr("&Quit"));
     quit->setShortcut(QKeySequence::Quit);

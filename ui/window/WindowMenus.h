@@ -34,10 +34,15 @@ public:
     RecentMenu* recent;
     QAction* aboutScan;
     QAction* cancelLoading;
-    QAction* saveScene;
+    QAction* saveSession;
+    QAction* saveSessionAs;
+    QAction* restoreSession;
+    QAction* startWithSession;  ///< checkable
     QAction* savePicture;
-    QAction* record;  ///< checkable
+    QAction* record;             ///< checkable
+    QAction* compactRecordings;  ///< checkable
     QAction* saveLastSeconds;
+    QAction* bundle;
     QAction* quit;
 
     QAction* undo;

@@ -197,7 +197,7 @@ void readRest(const toml::table& table, const std::filesystem::path& path,
 void refuseUnknownSections(const toml::table& table, const std::filesystem::path& path) {
     TomlSection root(table, path, "");
     for (const char* name : {"sample", "tip", "probe", "truth", "physics", "fidelity", "haptics",
-                             "approach", "view", kMarkers}) {
+                             "approach", "view", "window", kMarkers}) {
         root.allow(name);
     }
     root.refuseUnknownKeys();

@@ -18,7 +18,8 @@ bool haveFolderInCommon(const std::filesystem::path& a, const std::filesystem::p
 
 }  // namespace
 
-void saveScene(const SceneDescription& scene, const std::filesystem::path& file) {
+void saveScene(const SceneDescription& scene, const std::filesystem::path& file,
+               const std::string& window) {
     const std::filesystem::path folder = std::filesystem::absolute(file).parent_path();
     SceneDescription saved = scene;
     const std::filesystem::path scan = scene.sample.file;
@@ -26,7 +27,7 @@ void saveScene(const SceneDescription& scene, const std::filesystem::path& file)
         saved.sample.file = scan.lexically_relative(folder.lexically_normal()).string();
     }
     OutputFile output(file);
-    output.stream() << sceneText(saved);
+    output.stream() << sceneText(saved) << window;
     output.commitToDisk();
 }
 

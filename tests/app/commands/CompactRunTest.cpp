@@ -75,7 +75,7 @@ TEST_F(CompactRun, IsConvertedToTextAndBackToTheSameBytes) {
 TEST_F(CompactRun, IsNotConvertedInVain) {
     const auto same = run("convert " + in("compact") + " " + in("same") + " --format h5");
     EXPECT_EQ(same.exitCode, 1);
-    EXPECT_THAT(same.output, HasSubstr("has this format already"));
+    EXPECT_THAT(same.output, HasSubstr("have this format already"));
     const auto itself = run("convert " + in("compact") + " " + in("compact") + " --format csv");
     EXPECT_EQ(itself.exitCode, 1);
     const auto noRun = run("convert " + scratch->path().string() + " " + in("x") + " --format csv");

@@ -30,9 +30,9 @@ TEST(Dialogs, AllThatIsReadComesFirstThenEachTypeThenAnyFile) {
                                              {"TIFF", {"*.tiff", "*.tif"}},
                                              {"text matrix", {"*.txt", "*.tif"}}});
     EXPECT_EQ(filters,
-              (QStringList{"Scans and scenes (*.toml *.gwy *.tiff *.tif *.txt)", "Scenes (*.toml)",
-                           "Gwyddion .gwy (*.gwy)", "TIFF (*.tiff *.tif)",
-                           "Text matrix (*.txt *.tif)", "All files (*)"}));
+              (QStringList{"Scans and scenes (*.toml *.zip *.gwy *.tiff *.tif *.txt)",
+                           "Scenes (*.toml)", "Bundles (*.zip)", "Gwyddion .gwy (*.gwy)",
+                           "TIFF (*.tiff *.tif)", "Text matrix (*.txt *.tif)", "All files (*)"}));
 }
 
 }  // namespace

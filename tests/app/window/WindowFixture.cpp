@@ -36,7 +36,9 @@ bool Window::eventually(const std::function<bool()>& holds, int milliseconds) {
 void Window::live(int milliseconds) { QTest::qWait(milliseconds); }
 
 void Window::SetUp() {
-    qputenv("XDG_CONFIG_HOME", folder.path().c_str());  // of programs that are started
+    for (const char* const home : {"XDG_CONFIG_HOME", "XDG_DATA_HOME"}) {
+        qputenv(home, folder.path().c_str());  // of programs that are started
+    }
     session.recordings().setFolder(folder.path() / "recordings");
     session.materials().setFolder(folder.path() / "materials");
     session.probes().setFolder(folder.path() / "probes");

@@ -1,0 +1,188 @@
+#include "app/session/SessionControl.h"
+
+#include "app/session/WindowSection.h"
+#include "core/io/scene/SceneFile.h"
+#include "tests/app/window/WindowFixture.h"
+#include "tests/support/ShippedScene.h"
+#include "ui/view/ZoomView.h"
+#include "ui/window/WindowLayout.h"
+#include "ui/window/WindowMenus.h"
+
+#include <QAction>
+#include <QtTest>
+
+#include <filesystem>
+
+namespace asperity::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+class SavedSession : public Window {
+protected:
+    void open(const fs::path& file) {
+        const LiveRun* const before = session.run();
+        session.scenes().open(file);
+        ASSERT_TRUE(
+            eventually([&] { return session.run() != nullptr && session.run() != before; }));
+    }
+    void openShipped() { open(shippedScene("polystyrene")); }
+
+    PanelSwitch panel(MainWindow& of) { return of.layout().switches().front(); }
+
+    /// Changes scene, view and panels.
+    void change() {
+        SceneDescription next = *session.edits().wanted();
+        next.setpoint = 3e-9;
+        next.markers.push_back({.name = "here", .x = 50e-9, .y = 60e-9});
+        session.edits().change("Setpoint", next);
+        window.view().setDirection(0.5, 0.7);
+        window.view().setHalfWidth(30e-9);
+        panel(window).setShown(false);
+    }
+
+    /// What another window shows of the file.
+    void expectChanged(const fs::path& file) {
+        MainWindow other;
+        Session reopened(other);
+        other.show();
+        reopened.scenes().open(file);
+        ASSERT_TRUE(eventually([&] { return reopened.run() != nullptr; }));
+        EXPECT_EQ(reopened.run()->scene().description.setpoint, 3e-9);
+        ASSERT_EQ(reopened.run()->scene().description.markers.size(), 1U);
+        EXPECT_EQ(reopened.run()->scene().description.markers[0].name, "here");
+        EXPECT_NEAR(other.view().camera().azimuth(), 0.5, 1e-12);
+        EXPECT_NEAR(other.view().camera().elevation(), 0.7, 1e-12);
+        EXPECT_NEAR(other.view().halfWidth(), 30e-9, 1e-12);
+        EXPECT_FALSE(panel(other).isShown());
+        const Vector2 here = session.run()->basePosition().head<2>();
+        EXPECT_LT((reopened.run()->basePosition().head<2>() - here).norm(), 1e-12);
+    }
+
+    [[nodiscard]] fs::path kept() const { return folder.file("kept"); }
+    /// Whether the session that is kept by itself has this setpoint.
+    bool keeps(double setpoint) {
+        return eventually([&] {
+            return fs::exists(kept() / "session.toml") &&
+                   readScene(kept() / "session.toml").setpoint == setpoint;
+        });
+    }
+};
+
+TEST_F(SavedSession, OpensAsItWas) {
+    openShipped();
+    ASSERT_NO_FATAL_FAILURE(change());
+    session.saving().saveAs(folder.file("mine"));
+    EXPECT_NE(told().find("mine.toml"), std::string::npos);
+    expectChanged(folder.file("mine.toml"));
+}
+
+TEST_F(SavedSession, IsAScene) {
+    openShipped();
+    change();
+    session.saving().saveAs(folder.file("mine.toml"));
+    EXPECT_EQ(readScene(folder.file("mine.toml")).setpoint, 3e-9);
+}
+
+TEST_F(SavedSession, CtrlSWritesToTheFileThatItHas) {
+    openShipped();
+    session.saving().saveAs(folder.file("mine.toml"));
+    change();
+    QTest::keyClick(&window, Qt::Key_S, Qt::ControlModifier);
+    ASSERT_TRUE(
+        eventually([this] { return readScene(folder.file("mine.toml")).setpoint == 3e-9; }));
+    open(folder.file("mine.toml"));
+    SceneDescription next = *session.edits().wanted();
+    next.setpoint = 4e-9;
+    session.edits().change("Setpoint", next);
+    QTest::keyClick(&window, Qt::Key_S, Qt::ControlModifier);
+    EXPECT_TRUE(
+        eventually([this] { return readScene(folder.file("mine.toml")).setpoint == 4e-9; }));
+}
+
+TEST_F(SavedSession, IsKeptByItselfAndTheOneBeforeStays) {
+    openShipped();
+    session.saving().keepIn(kept());
+    EXPECT_TRUE(session.saving().before().empty());
+    EXPECT_FALSE(window.menus().restoreSession->isEnabled());
+    change();
+    ASSERT_TRUE(keeps(3e-9));
+    session.runs().end();  // as at the end of the program
+    {
+        MainWindow next;
+        Session another(next);
+        another.saving().keepIn(kept());
+        EXPECT_TRUE(another.saving().before().empty()) << "the first one keeps the folder";
+    }
+}
+
+TEST_F(SavedSession, TheOneBeforeIsOffered) {
+    openShipped();
+    {
+        MainWindow first;
+        Session earlier(first);
+        earlier.saving().keepIn(kept());
+        earlier.scenes().open(shippedScene("silicon"));
+        ASSERT_TRUE(keeps(readScene(shippedScene("silicon")).setpoint));
+    }
+    session.saving().keepIn(kept());
+    EXPECT_EQ(session.saving().before(), kept() / "session_before.toml");
+    ASSERT_TRUE(window.menus().restoreSession->isEnabled());
+    const std::string before = contentOf(session.saving().before());
+    window.menus().restoreSession->trigger();
+    ASSERT_TRUE(eventually([this] {
+        return session.run()->scene().description.sample.material.name.find("silicon") !=
+               std::string::npos;
+    }));
+    EXPECT_TRUE(keeps(session.run()->scene().description.setpoint));
+    EXPECT_EQ(contentOf(session.saving().before()), before);
+}
+
+TEST(WindowSection, ComesBackAsItWas) {
+    const ScratchFolder scratch;
+    const QVariantMap kept{{"views/large/axes", true},
+                           {"stand/azimuth_rad", -1.25},
+                           {"count", 3},
+                           {"name", QStringLiteral("größe \"x\"")},
+                           {"bytes", QByteArray("\0\xff\x01", 3)},
+                           {"list", QVariantList{2, QByteArray("ab")}},
+                           {"names", QStringList{"a", "b"}}};
+    const QVariantMap back =
+        windowSectionOf(scratch.write("a.toml", "[sample]\n" + windowSection(kept)));
+    EXPECT_EQ(back.keys(), kept.keys());
+    EXPECT_EQ(back["views/large/axes"].toBool(), true);
+    EXPECT_EQ(back["stand/azimuth_rad"].toDouble(), -1.25);
+    EXPECT_EQ(back["name"].toString(), kept["name"].toString());
+    EXPECT_EQ(back["bytes"].toByteArray(), kept["bytes"].toByteArray());
+    EXPECT_EQ(back["list"].toList()[0].toInt(), 2);
+    EXPECT_EQ(back["list"].toList()[1].toByteArray(), QByteArray("ab"));
+    EXPECT_EQ(back["names"].toStringList(), kept["names"].toStringList());
+    EXPECT_TRUE(windowSectionOf(scratch.write("b.toml", "[window\n")).isEmpty());
+    EXPECT_TRUE(windowSectionOf(scratch.file("none.toml")).isEmpty());
+}
+
+TEST(LatestFile, HoldsTheLastText) {
+    const ScratchFolder scratch;
+    {
+        LatestFile file(scratch.file("a"));
+        for (int i = 0; i <= 200; ++i) {
+            file.write(std::to_string(i));
+        }
+    }
+    EXPECT_EQ(contentOf(scratch.file("a")), "200");
+}
+
+TEST(LatestFile, SaysWhyItCannotBeWritten) {
+    const ScratchFolder scratch;
+    LatestFile file(scratch.file("none") / "a");
+    file.write("x");
+    std::string failure;
+    ASSERT_TRUE(QTest::qWaitFor([&] {
+        failure = file.takeFailure();
+        return !failure.empty();
+    }));
+    EXPECT_NE(failure.find("none"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace asperity::test

@@ -1,0 +1,44 @@
+// A window whose scene changes every few milliseconds, until the program is killed. It says in a
+// file which changes were made, and when. Usage: SessionEditor FOLDER SCENE LOG
+
+#include "app/session/LiveWindow.h"
+
+#include <QTimer>
+
+#include <chrono>
+#include <cstdio>
+#include <fcntl.h>
+#include <unistd.h>
+
+namespace {
+
+constexpr int kPeriod = 20;  // [ms]
+
+double now() {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch())
+        .count();
+}
+
+}  // namespace
+
+int main(int /*argc*/, char** argv) {
+    const int log = open(argv[3], O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0644);
+    asperity::LiveWindow live;
+    asperity::Session& session = live.session();
+    session.saving().keepIn(argv[1]);
+    session.scenes().open(argv[2]);
+    QTimer edits;
+    int count = 0;
+    QObject::connect(&edits, &QTimer::timeout, [&] {
+        if (const asperity::SceneDescription* const present = session.edits().wanted()) {
+            asperity::SceneDescription next = *present;
+            next.setpoint = ++count * 1e-12;
+            session.edits().change(QStringLiteral("Setpoint"), next);
+            if (session.run()->scene().description.setpoint == next.setpoint) {
+                dprintf(log, "%d %.6f\n", count, now());
+            }
+        }
+    });
+    edits.start(kPeriod);
+    return live.exec();
+}
