@@ -9,6 +9,7 @@
 #include "ui/window/WindowMenus.h"
 
 #include <QAction>
+#include <QSignalSpy>
 #include <QtTest>
 
 #include <filesystem>
@@ -59,6 +60,12 @@ protected:
         EXPECT_LT((reopened.run()->basePosition().head<2>() - here).norm(), 1e-12);
     }
 
+    /// Once the entry works.
+    void pressSave() {
+        ASSERT_TRUE(eventually([this] { return window.menus().saveSession->isEnabled(); }));
+        QTest::keyClick(&window, Qt::Key_S, Qt::ControlModifier);
+    }
+
     [[nodiscard]] fs::path kept() const { return folder.file("kept"); }
     /// Whether the session that is kept by itself has this setpoint.
     bool keeps(double setpoint) {
@@ -88,14 +95,14 @@ TEST_F(SavedSession, CtrlSWritesToTheFileThatItHas) {
     openShipped();
     session.saving().saveAs(folder.file("mine.toml"));
     change();
-    QTest::keyClick(&window, Qt::Key_S, Qt::ControlModifier);
+    ASSERT_NO_FATAL_FAILURE(pressSave());
     ASSERT_TRUE(
         eventually([this] { return readScene(folder.file("mine.toml")).setpoint == 3e-9; }));
     open(folder.file("mine.toml"));
     SceneDescription next = *session.edits().wanted();
     next.setpoint = 4e-9;
     session.edits().change("Setpoint", next);
-    QTest::keyClick(&window, Qt::Key_S, Qt::ControlModifier);
+    ASSERT_NO_FATAL_FAILURE(pressSave());
     EXPECT_TRUE(
         eventually([this] { return readScene(folder.file("mine.toml")).setpoint == 4e-9; }));
 }
