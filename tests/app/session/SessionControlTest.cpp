@@ -22,10 +22,9 @@ namespace fs = std::filesystem;
 class SavedSession : public Window {
 protected:
     void open(const fs::path& file) {
-        const LiveRun* const before = session.run();
+        QSignalSpy opened(&session.scenes(), &SceneControl::opened);
         session.scenes().open(file);
-        ASSERT_TRUE(
-            eventually([&] { return session.run() != nullptr && session.run() != before; }));
+        ASSERT_TRUE(eventually([&] { return opened.count() == 1; }));
     }
     void openShipped() { open(shippedScene("polystyrene")); }
 
