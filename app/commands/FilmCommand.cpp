@@ -80,7 +80,8 @@ void film(const FilmOptions& options) {
         ProgressPart finding(&line, 0.0, 0.1);
         ticks = filmTicks(*input.run(), request, &finding);
         ProgressPart drawing(&line, 0.1, 1.0);
-        const std::unique_ptr<FilmArtist> artist = filmArtist(input.scene(), request);
+        const std::unique_ptr<FilmArtist> artist =
+            filmArtist(input.scene(), spatialLook(request.view, request.spec));
         isVideo(options.out)
             ? writeVideo(*input.run(), *artist, request, ticks, options.out, &drawing)
             : writeFrames(*input.run(), *artist, request, ticks, options.out, options.force,

@@ -32,8 +32,7 @@ using FrameSink = std::function<void(std::size_t frame, const TickSample&, const
 
 class OffscreenArtist : public FilmArtist {
 public:
-    OffscreenArtist(const Scene& scene, const FilmRequest& request)
-        : zoom_(scene, spatialLook(request.view, request.spec)) {}
+    OffscreenArtist(const Scene& scene, const OffscreenZoomLook& look) : zoom_(scene, look) {}
 
     void foresee(const TickSample& sample) override { zoom_.foresee(sample); }
     void keepScales() override { zoom_.keepScales(); }
@@ -99,9 +98,8 @@ void requireFree(const std::filesystem::path& folder, const FolderContent& conte
 
 }  // namespace
 
-std::unique_ptr<FilmArtist> filmArtist(const Scene& scene, const FilmRequest& request) {
-    requireSpatial(request);
-    return std::make_unique<OffscreenArtist>(scene, request);
+std::unique_ptr<FilmArtist> filmArtist(const Scene& scene, const OffscreenZoomLook& look) {
+    return std::make_unique<OffscreenArtist>(scene, look);
 }
 
 std::string frameName(std::size_t frame) { return formatted("frame_%05zu.png", frame + 1); }

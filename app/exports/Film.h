@@ -39,7 +39,7 @@ public:
 
 /// Draws on the thread that calls. There is an X display. The scene outlives it.
 [[nodiscard]] std::unique_ptr<FilmArtist> filmArtist(const Scene& scene,
-                                                     const FilmRequest& request);
+                                                     const OffscreenZoomLook& look);
 
 /// Which ticks the frames of a film show.
 /// @throw Error where the part is empty, or has too many frames; Canceled

@@ -31,9 +31,9 @@ void EntryControl::showThoseOfARun() {
     LiveRun* const run = runs_.run();
     const QString noRun = unless(run != nullptr, QObject::tr("Open a scan or a scene first"));
     for (QAction* const entry :
-         {menus.aboutScan, menus.record, menus.saveScene, menus.saveLastSeconds, menus.startPause,
-          menus.followPathFile, menus.followRecording, menus.tipControl, menus.clutch,
-          menus.copyNumbers}) {
+         {menus.aboutScan, menus.exportView, menus.record, menus.saveScene, menus.saveLastSeconds,
+          menus.startPause, menus.followPathFile, menus.followRecording, menus.tipControl,
+          menus.clutch, menus.copyNumbers}) {
         menus.refuse(*entry, noRun);
     }
     const bool isFaulty =

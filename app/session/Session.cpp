@@ -38,6 +38,7 @@ Session::Session(MainWindow& window)
     , colors_(window, runs_)
     , messages_(window, runs_)
     , clipboard_(window, runs_, views_)
+    , exports_(window, runs_, views_)
     , help_(window)
     , entries_(window, runs_, devices_, edits_) {
     runs_.setSink([this](const TickSample& sample) {
@@ -77,6 +78,7 @@ void Session::stop() {
                                  QApplication::activeModalWidget() != nullptr;
     if (!closesSomething && !measuring_.leaveTool()) {
         scenes_.cancelOpen();
+        exports_.cancel();
     }
 }
 

@@ -5,6 +5,7 @@
 #include "app/session/DeviceControl.h"
 #include "app/session/EngageControl.h"
 #include "app/session/EntryControl.h"
+#include "app/session/ExportControl.h"
 #include "app/session/FidelityControl.h"
 #include "app/session/HapticControl.h"
 #include "app/session/HelpControl.h"
@@ -45,6 +46,7 @@ public:
     [[nodiscard]] LibraryControl& materials() { return materials_; }
     [[nodiscard]] LibraryControl& probes() { return probes_; }
     [[nodiscard]] OpenControl& files() { return files_; }
+    [[nodiscard]] ExportControl& exports() { return exports_; }
     [[nodiscard]] DeviceControl& devices() { return devices_; }
     [[nodiscard]] PathControl& paths() { return paths_; }
     [[nodiscard]] RecordingControl& recordings() { return recordings_; }
@@ -78,6 +80,7 @@ private:
     ColorControl colors_;
     MessageControl messages_;
     ClipboardControl clipboard_;
+    ExportControl exports_;
     HelpControl help_;
     EntryControl entries_;
     QTimer frames_;

@@ -56,6 +56,7 @@ void WindowMenus::explainAll() {
         {cancelLoading, tr("Stop loading; the scene stays as it is")},
         {saveScene, tr("Write the scene as it is now to a file (.toml)")},
         {savePicture, tr("Save the whole window as a picture")},
+        {exportView, tr("Write a view, a plot, a field, the surface or a film, as you choose")},
         {record, tr("Write every tick to a folder, until it is chosen again")},
         {saveLastSeconds, tr("Save the last 10 s of the run as a recording")},
         {quit, tr("End the run and close the window")},
@@ -108,6 +109,8 @@ void WindowMenus::addFileMenu(QMenuBar& bar) {
     saveScene->setShortcut(tr("Ctrl+Shift+S"));
     savePicture = menu->addAction(tr("&Save picture of the window…"));
     savePicture->setShortcut(QKeySequence::Save);
+    exportView = menu->addAction(tr("&Export…"));
+    exportView->setShortcut(tr("Ctrl+E"));
     record = menu->addAction(tr("&Record"));
     record->setCheckable(true);
     record->setShortcut(tr("Ctrl+R"));

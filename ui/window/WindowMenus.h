@@ -36,6 +36,7 @@ public:
     QAction* cancelLoading;
     QAction* saveScene;
     QAction* savePicture;
+    QAction* exportView;
     QAction* record;  ///< checkable
     QAction* saveLastSeconds;
     QAction* quit;
