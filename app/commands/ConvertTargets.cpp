@@ -1,10 +1,10 @@
 #include "app/commands/ConvertTargets.h"
 
 #include "app/commands/ProgressLine.h"
+#include "app/exports/SurfaceFile.h"
 #include "core/Error.h"
 #include "core/TemporaryFile.h"
 #include "core/io/heightmap/HeightMapWriter.h"
-#include "vtkplugins/io/VtkFormats.h"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -18,16 +18,6 @@ namespace {
 constexpr int kCountBits = 16;
 /// Those that hold counts of 16 bits where floats are usual.
 constexpr std::array<const HeightMapFormat*, 1> kCountFormats{&kTiffCountsFormat};
-
-const std::vector<const HeightMapFormat*>& allFormats() {
-    static const std::vector<const HeightMapFormat*> all = [] {
-        std::vector<const HeightMapFormat*> list(kHeightMapFormats.begin(),
-                                                 kHeightMapFormats.end());
-        list.insert(list.end(), kVtkFormats.begin(), kVtkFormats.end());
-        return list;
-    }();
-    return all;
-}
 
 std::string extensionsOf(HeightMapFormats formats) {
     std::string text;
@@ -63,7 +53,7 @@ void requireNew(const ConvertOptions& options, const std::string& file) {
 /// A certainty of 1 is no height of a meter. @throw CLI::ValidationError
 void requireNumbers(const std::string& file) {
     std::vector<const HeightMapFormat*> images;
-    std::ranges::copy_if(allFormats(), std::back_inserter(images),
+    std::ranges::copy_if(surfaceFormats(), std::back_inserter(images),
                          [](const HeightMapFormat* format) { return !format->isShape; });
     if (!writeRefusal(file, images).empty()) {
         throw CLI::ValidationError(
@@ -77,15 +67,14 @@ void requireNumbers(const std::string& file) {
 }  // namespace
 
 HeightMapFormats targetFormats(const ConvertOptions& options) {
-    return options.bits == kCountBits ? HeightMapFormats(kCountFormats)
-                                      : HeightMapFormats(allFormats());
+    return options.bits == kCountBits ? HeightMapFormats(kCountFormats) : surfaceFormats();
 }
 
-std::string targetExtensions() { return extensionsOf(allFormats()); }
+std::string targetExtensions() { return extensionsOf(surfaceFormats()); }
 
 void requireTarget(const ConvertOptions& options, const std::string& option,
                    const std::string& file) {
-    if (const std::string refusal = writeRefusal(file, allFormats()); !refusal.empty()) {
+    if (const std::string refusal = writeRefusal(file, surfaceFormats()); !refusal.empty()) {
         throw CLI::ValidationError(option, refusal);
     }
     if (!writeRefusal(file, targetFormats(options)).empty()) {
@@ -116,8 +105,7 @@ void writeTarget(const ConvertOptions& options, const std::string& file, const H
                  const HeightMapMeta& meta) {
     ProgressLine line("writing");
     const bool isCertainty = file == options.certainty;
-    writeHeightMap(file, map, meta, &line,
-                   isCertainty ? HeightMapFormats(allFormats()) : targetFormats(options));
+    writeHeightMap(file, map, meta, &line, isCertainty ? surfaceFormats() : targetFormats(options));
 }
 
 }  // namespace asperity

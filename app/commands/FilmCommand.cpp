@@ -4,6 +4,7 @@
 #include "app/commands/PictureOptions.h"
 #include "app/commands/ProgressLine.h"
 #include "app/commands/VirtualDisplay.h"
+#include "app/exports/ExportInput.h"
 #include "app/exports/Film.h"
 #include "app/exports/VideoFile.h"
 #include "app/runs/RunFolder.h"
@@ -45,10 +46,10 @@ FilmRequest requestOf(const FilmOptions& options) {
 }
 
 void requireUsable(const FilmOptions& options) {
-    if (!std::filesystem::is_directory(options.run)) {
+    if (!holdsRun(options.run)) {
         throw InputError(options.run, "",
                          "is no folder of a run: a film needs one that explore or a recording "
-                         "wrote");
+                         "wrote, or a bundle of it");
     }
     const std::filesystem::path out = options.out;
     if (isVideo(out)) {
@@ -79,9 +80,12 @@ void film(const FilmOptions& options) {
         ProgressPart finding(&line, 0.0, 0.1);
         ticks = filmTicks(*input.run(), request, &finding);
         ProgressPart drawing(&line, 0.1, 1.0);
+        const std::unique_ptr<FilmArtist> artist =
+            filmArtist(input.scene(), spatialLook(request.view, request.spec));
         isVideo(options.out)
-            ? writeVideo(input, request, ticks, options.out, &drawing)
-            : writeFrames(input, request, ticks, options.out, options.force, &drawing);
+            ? writeVideo(*input.run(), *artist, request, ticks, options.out, &drawing)
+            : writeFrames(*input.run(), *artist, request, ticks, options.out, options.force,
+                          &drawing);
     }
     std::cout << ticks.size() << " frames in " << printable(options.out) << '\n';
 }
@@ -91,7 +95,9 @@ void film(const FilmOptions& options) {
 void addFilmCommand(CLI::App& program) {
     CLI::App* command = program.add_subcommand("film", "Draw a run as a film");
     const auto options = std::make_shared<FilmOptions>();
-    command->add_option("RUN", options->run, "folder that explore or a recording wrote")
+    command
+        ->add_option("RUN", options->run,
+                     "folder that explore or a recording wrote, or a bundle of one")
         ->required();
     command
         ->add_option("--out", options->out,

@@ -29,9 +29,10 @@ struct RenderOptions {
 };
 
 PictureRequest requestOf(const RenderOptions& options) {
-    const bool hasRun = std::filesystem::is_directory(options.input);
+    const bool hasRun = holdsRun(options.input);
     if (!options.at.empty() && !hasRun) {
-        throw CLI::ValidationError("--at", options.input + " is no run; give the folder of one");
+        throw CLI::ValidationError("--at", options.input +
+                                               " is no run; give the folder of one, or a bundle");
     }
     PictureRequest request{
         .view = viewOf(options.picture),
@@ -80,7 +81,8 @@ void addRenderCommand(CLI::App& program) {
     const auto options = std::make_shared<RenderOptions>();
     command
         ->add_option("INPUT", options->input,
-                     "height map, scene.toml, or folder that explore or a recording wrote")
+                     "height map, scene.toml, folder that explore or a recording wrote, or a "
+                     "bundle of one")
         ->required();
     command
         ->add_option("--out", options->out,

@@ -4,6 +4,7 @@
 #include "core/io/tables/CsvWriter.h"
 
 #include <array>
+#include <cmath>
 #include <string>
 
 namespace asperity {
@@ -12,28 +13,67 @@ namespace {
 
 std::string madeBy(const char* what) { return std::string("Asperity ") + kVersion + ": " + what; }
 
+/// One row a tick.
+class ForcesTable {
+public:
+    explicit ForcesTable(const std::filesystem::path& path)
+        : csv_(path,
+               {madeBy("forces, contact and signals of a run"),
+                "force on the tip, world frame; indentation < 0: a gap"},
+               {"time_s", "force_x_n", "force_y_n", "force_z_n", "model_force_x_n",
+                "model_force_y_n", "model_force_z_n", "indentation_m", "contact_radius_m",
+                "bending_rad", "torsion_rad"}) {}
+
+    void take(const TickSample& sample) {
+        const TickOutput& out = sample.output;
+        const Vector3& force = out.estimate.force;
+        const Vector3& model = out.model.force;
+        const auto& signals = sample.input.measurement.signals;
+        csv_.row(std::array{sample.time, force.x(), force.y(), force.z(), model.x(), model.y(),
+                            model.z(), out.model.contact.indentation,
+                            out.model.contact.contactRadius, signals.bending, signals.torsion});
+    }
+    void close() { csv_.close(); }
+
+private:
+    CsvWriter csv_;
+};
+
 }  // namespace
 
 void writeForcesTable(const std::filesystem::path& path, RunPlayback& run, Progress* progress) {
-    CsvWriter csv(path,
-                  {madeBy("forces, contact and signals of a run"),
-                   "force on the tip, world frame; indentation < 0: a gap"},
-                  {"time_s", "force_x_n", "force_y_n", "force_z_n", "model_force_x_n",
-                   "model_force_y_n", "model_force_z_n", "indentation_m", "contact_radius_m",
-                   "bending_rad", "torsion_rad"});
+    ForcesTable table(path);
     run.play(
         0,
-        [&csv](const TickSample& sample) {
-            const TickOutput& out = sample.output;
-            const Vector3& force = out.estimate.force;
-            const Vector3& model = out.model.force;
-            const auto& signals = sample.input.measurement.signals;
-            csv.row(std::array{sample.time, force.x(), force.y(), force.z(), model.x(), model.y(),
-                               model.z(), out.model.contact.indentation,
-                               out.model.contact.contactRadius, signals.bending, signals.torsion});
+        [&table](const TickSample& sample) {
+            table.take(sample);
             return true;
         },
         progress);
+    table.close();
+}
+
+void writeForcesTable(const std::filesystem::path& path, std::span<const TickSample> samples) {
+    ForcesTable table(path);
+    for (const TickSample& sample : samples) {
+        table.take(sample);
+    }
+    table.close();
+}
+
+void writeForceCurvesTable(const std::filesystem::path& path, std::span<const Curve> curves,
+                           const std::string& distance) {
+    CsvWriter csv(
+        path,
+        {madeBy("force-distance curves, along the normal"), "force on the tip > 0: repulsive"},
+        {"curve", distance, "force_n"});
+    for (const Curve& curve : curves) {
+        for (std::size_t i = 0; i < curve.x.size(); ++i) {
+            if (std::isfinite(curve.x[i]) && std::isfinite(curve.y[i])) {
+                csv.add(curve.label).add(curve.x[i]).add(curve.y[i]).endRow();
+            }
+        }
+    }
     csv.close();
 }
 

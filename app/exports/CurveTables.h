@@ -4,6 +4,8 @@
 #include "core/surface/deformation/SurfaceDeformation.h"
 
 #include <filesystem>
+#include <span>
+#include <string>
 
 namespace asperity {
 
@@ -13,6 +15,16 @@ namespace asperity {
 /// One row a tick: force as estimated and as the model has it, contact, signals.
 /// @throw Error; Canceled
 void writeForcesTable(const std::filesystem::path& path, RunPlayback& run, Progress* progress);
+
+/// The same of ticks that are at hand. @throw Error
+void writeForcesTable(const std::filesystem::path& path, std::span<const TickSample> samples);
+
+/// One row a point of curves of force over distance, curve by curve: its label, distance, force.
+/// Points that are not finite are left out.
+/// @param distance name of its column, "separation_m"
+/// @throw Error
+void writeForceCurvesTable(const std::filesystem::path& path, std::span<const Curve> curves,
+                           const std::string& distance);
 
 /// One row a tick of a cycle. @throw Error
 void writeCycleTable(const std::filesystem::path& path, const std::vector<CyclePoint>& cycle);

@@ -17,8 +17,12 @@ std::string exportName(const std::filesystem::path& input) {
     return std::filesystem::is_directory(input) ? last.string() : last.stem().string();
 }
 
+bool holdsRun(const std::filesystem::path& input) {
+    return std::filesystem::is_directory(input) || isBundle(input);
+}
+
 ExportInput::ExportInput(const std::filesystem::path& input, Progress* progress) {
-    if (!std::filesystem::is_directory(input) && !isBundle(input)) {
+    if (!holdsRun(input)) {
         loaded_ = std::make_unique<const LoadedScene>(loadScene(input, {}, progress));
         return;
     }

@@ -13,7 +13,10 @@ namespace asperity {
 /// By which names of files are made: of a file without its extension, of a run its folder's.
 [[nodiscard]] std::string exportName(const std::filesystem::path& input);
 
-/// What is exported: a scene, and where it is the folder of a run, that run.
+/// Whether it is the folder of a run, or a bundle of one.
+[[nodiscard]] bool holdsRun(const std::filesystem::path& input);
+
+/// What is exported: a scene, and where there is one, its run.
 class ExportInput {
 public:
     /// @param input scene.toml, a height map, the folder of a run or a bundle

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <regex>
 
 namespace asperity {
@@ -29,25 +30,36 @@ void requireSpatial(const FilmRequest& request) {
 
 using FrameSink = std::function<void(std::size_t frame, const TickSample&, const RasterImage&)>;
 
-/// Draws all frames with one scale through. First all are foreseen, undrawn.
-void drawFrames(ExportInput& input, const FilmRequest& request,
-                const std::vector<std::size_t>& ticks, const FrameSink& sink, Progress* progress) {
+class OffscreenArtist : public FilmArtist {
+public:
+    OffscreenArtist(const Scene& scene, const OffscreenZoomLook& look) : zoom_(scene, look) {}
+
+    void foresee(const TickSample& sample) override { zoom_.foresee(sample); }
+    void keepScales() override { zoom_.keepScales(); }
+    RasterImage draw(const TickSample& sample, const std::string& caption) override {
+        return zoom_.draw(sample, caption);
+    }
+
+private:
+    OffscreenZoom zoom_;
+};
+
+/// Draws all frames. First all are foreseen, undrawn.
+void drawFrames(RunPlayback& run, FilmArtist& artist, const std::vector<std::size_t>& ticks,
+                const FrameSink& sink, Progress* progress) {
     constexpr double kForeseen = 0.15;  // of the work
-    requireSpatial(request);
-    RunPlayback& run = *input.run();
-    OffscreenZoom zoom(input.scene(), spatialLook(request.view, request.spec));
     MomentCaption caption;
     const double count = static_cast<double>(ticks.size());
     for (std::size_t i = 0; i < ticks.size(); ++i) {
         reportTo(progress, kForeseen * static_cast<double>(i) / count);
-        zoom.foresee(run.at(ticks[i]));
+        artist.foresee(run.at(ticks[i]));
         caption.take(run.at(ticks[i]));
     }
-    zoom.keepScales();
+    artist.keepScales();
     for (std::size_t i = 0; i < ticks.size(); ++i) {
         reportTo(progress, kForeseen + (1.0 - kForeseen) * static_cast<double>(i) / count);
         const TickSample& sample = run.at(ticks[i]);
-        sink(i, sample, zoom.draw(sample, caption.of(sample)));
+        sink(i, sample, artist.draw(sample, caption.of(sample)));
     }
     reportTo(progress, 1.0);
 }
@@ -86,6 +98,10 @@ void requireFree(const std::filesystem::path& folder, const FolderContent& conte
 
 }  // namespace
 
+std::unique_ptr<FilmArtist> filmArtist(const Scene& scene, const OffscreenZoomLook& look) {
+    return std::make_unique<OffscreenArtist>(scene, look);
+}
+
 std::string frameName(std::size_t frame) { return formatted("frame_%05zu.png", frame + 1); }
 
 std::vector<std::size_t> filmTicks(RunPlayback& run, const FilmRequest& request,
@@ -112,7 +128,7 @@ std::vector<std::size_t> filmTicks(RunPlayback& run, const FilmRequest& request,
     return ticks;
 }
 
-void writeFrames(ExportInput& input, const FilmRequest& request,
+void writeFrames(RunPlayback& run, FilmArtist& artist, const FilmRequest& request,
                  const std::vector<std::size_t>& ticks, const std::filesystem::path& folder,
                  bool force, Progress* progress) {
     const FolderContent content = filmFiles(folder, ticks.size());
@@ -125,7 +141,7 @@ void writeFrames(ExportInput& input, const FilmRequest& request,
                          "normal force on the tip, estimated; indentation < 0: a gap"},
                         {"frame", "time_s", "normal_force_n", "indentation_m", "state"});
         drawFrames(
-            input, request, ticks,
+            run, artist, ticks,
             [&](std::size_t frame, const TickSample& sample, const RasterImage& image) {
                 writePicture(staging / frameName(frame), image, ExportFormat::Png,
                              request.spec.dpi);
@@ -143,7 +159,7 @@ void writeFrames(ExportInput& input, const FilmRequest& request,
     out.commit();
 }
 
-void writeVideo(ExportInput& input, const FilmRequest& request,
+void writeVideo(RunPlayback& run, FilmArtist& artist, const FilmRequest& request,
                 const std::vector<std::size_t>& ticks, const std::filesystem::path& path,
                 Progress* progress) {
     if (request.spec.transparent) {
@@ -151,7 +167,7 @@ void writeVideo(ExportInput& input, const FilmRequest& request,
     }
     VideoFile video(path, request.spec.size, request.fps);
     drawFrames(
-        input, request, ticks,
+        run, artist, ticks,
         [&video](std::size_t, const TickSample&, const RasterImage& image) { video.add(image); },
         progress);
     video.commit();

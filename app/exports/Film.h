@@ -1,11 +1,11 @@
 #pragma once
 
-#include "app/exports/ExportInput.h"
 #include "app/exports/RunMoment.h"
 #include "app/exports/SpatialLook.h"
+#include "app/recording/RunPlayback.h"
 
 #include <filesystem>
-#include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -25,6 +25,22 @@ struct FilmRequest {
 
 inline constexpr std::size_t kMaxFilmFrames = 99'999;
 
+/// Who draws the frames of a film, with one scale through all of them: all are foreseen first.
+class FilmArtist {
+public:
+    virtual ~FilmArtist() = default;
+    virtual void foresee(const TickSample& sample) = 0;
+    /// All are foreseen.
+    virtual void keepScales() = 0;
+    /// @throw Error when drawing fails
+    [[nodiscard]] virtual RasterImage draw(const TickSample& sample,
+                                           const std::string& caption) = 0;
+};
+
+/// Draws on the thread that calls. There is an X display. The scene outlives it.
+[[nodiscard]] std::unique_ptr<FilmArtist> filmArtist(const Scene& scene,
+                                                     const OffscreenZoomLook& look);
+
 /// Which ticks the frames of a film show.
 /// @throw Error where the part is empty, or has too many frames; Canceled
 [[nodiscard]] std::vector<std::size_t> filmTicks(RunPlayback& run, const FilmRequest& request,
@@ -34,16 +50,16 @@ inline constexpr std::size_t kMaxFilmFrames = 99'999;
 [[nodiscard]] std::string frameName(std::size_t frame);
 
 /// Draws the frames as PNG into a folder, and frames.csv with what each shows. Earlier frames in it
-/// go. All or nothing. There is an X display.
+/// go. All or nothing.
 /// @param force earlier frames may go
 /// @throw Error; Canceled
-void writeFrames(ExportInput& input, const FilmRequest& request,
+void writeFrames(RunPlayback& run, FilmArtist& artist, const FilmRequest& request,
                  const std::vector<std::size_t>& ticks, const std::filesystem::path& folder,
                  bool force, Progress* progress = nullptr);
 
-/// Draws the frames into a video, .mp4 or .webm. Whole or not at all. There is an X display.
+/// Draws the frames into a video, .mp4 or .webm. Whole or not at all.
 /// @throw Error, also where there is no ffmpeg; Canceled
-void writeVideo(ExportInput& input, const FilmRequest& request,
+void writeVideo(RunPlayback& run, FilmArtist& artist, const FilmRequest& request,
                 const std::vector<std::size_t>& ticks, const std::filesystem::path& path,
                 Progress* progress = nullptr);
 

@@ -21,6 +21,8 @@ constexpr std::array<JournalColumn, 8> kColumns{{{"single", 85.0},
 
 }  // namespace
 
+std::span<const JournalColumn> journalColumns() { return kColumns; }
+
 const JournalColumn& journalColumn(const std::string& name) {
     const auto* const found = std::ranges::find(kColumns, name, &JournalColumn::name);
     if (found == kColumns.end()) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <string>
 
 namespace asperity {
@@ -10,6 +11,8 @@ struct JournalColumn {
     double width;  ///< [mm]
 };
 
+/// All that are known.
+[[nodiscard]] std::span<const JournalColumn> journalColumns();
 /// @throw Error naming those that there are
 [[nodiscard]] const JournalColumn& journalColumn(const std::string& name);
 /// For people: "single (85 mm), ...".

@@ -27,8 +27,8 @@ std::string filled(const std::string& text, const OutputNameParts& parts, int nu
         } else if (placeholder == "{n}") {
             name += std::to_string(number);
         } else {
-            throw Error("--out: '" + placeholder +
-                        "' is no placeholder: expected {file}, {view} or {n}");
+            throw Error("'" + placeholder +
+                        "' is no placeholder of a name: expected {file}, {view} or {n}");
         }
         at += placeholder.size();
     }
@@ -37,24 +37,27 @@ std::string filled(const std::string& text, const OutputNameParts& parts, int nu
 
 }  // namespace
 
+std::filesystem::path namedPath(const std::filesystem::path& folder, const std::string& name,
+                                const OutputNameParts& parts) {
+    const bool counts = name.find("{n}") != std::string::npos;
+    for (int number = 1;; ++number) {
+        std::filesystem::path path = folder / filled(name, parts, number);
+        if (!counts || !isThere(path)) {
+            return path;
+        }
+    }
+}
+
 std::filesystem::path outputPath(const std::string& out, const OutputNameParts& parts, bool force) {
     std::error_code unknown;
     const bool isFolder = out.ends_with('/') || std::filesystem::is_directory(out, unknown);
     const std::string text = isFolder ? (std::filesystem::path(out) / kUsualName).string() : out;
-    const bool counts = text.find("{n}") != std::string::npos;
-    for (int number = 1;; ++number) {
-        std::filesystem::path path = filled(text, parts, number);
-        if (!isThere(path)) {
-            return path;
-        }
-        if (!counts && !force) {
-            throw Error(path.string() +
-                        ": is there already; name another file, or replace it with --force");
-        }
-        if (!counts) {
-            return path;
-        }
+    std::filesystem::path path = namedPath({}, text, parts);
+    if (!force && isThere(path)) {
+        throw Error(path.string() +
+                    ": is there already; name another file, or replace it with --force");
     }
+    return path;
 }
 
 }  // namespace asperity

@@ -11,6 +11,13 @@ struct OutputNameParts {
     std::string view;
 };
 
+/// A file in a folder, by a name whose placeholders {file}, {view} and {n} are filled in; n counts
+/// from 1 to the first name that is free. A name without {n} may be that of a file that is there.
+/// @throw Error for another placeholder
+[[nodiscard]] std::filesystem::path namedPath(const std::filesystem::path& folder,
+                                              const std::string& name,
+                                              const OutputNameParts& parts);
+
 /// The file that --out stands for. A folder, or a text that ends in '/': a new file of the name
 /// {file}_{view}_{n}.png in it. Of a text with {file}, {view} or {n} these are filled in; n counts
 /// from 1 to the first name that is free.

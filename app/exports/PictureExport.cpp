@@ -1,15 +1,14 @@
 #include "app/exports/PictureExport.h"
 
 #include "app/exports/CurveTables.h"
+#include "app/exports/FieldFile.h"
 #include "app/exports/MomentCaption.h"
 #include "app/exports/PlotFile.h"
 #include "app/reports/ContactView.h"
 #include "core/Error.h"
 #include "core/FormattedText.h"
-#include "core/io/fields/PatchExr.h"
 #include "core/surface/fit/CoarserSurface.h"
 #include "core/words/SceneWords.h"
-#include "vtkplugins/io/PatchFormats.h"
 #include "vtkplugins/pictures/OffscreenPicture.h"
 
 #include <algorithm>
@@ -100,39 +99,12 @@ RasterImage deformationImage(const ExportInput& input, const PictureRequest& req
     return picture.image();
 }
 
-void writeField(const ExportInput& input, const PictureRequest& request, const TickSample& sample,
-                const std::filesystem::path& path, ExportFormat format) {
-    const SurfacePatch patch = zoomPatch(input.scene(), sample, gridOf(input, request, sample));
-    switch (format) {
-    case ExportFormat::Exr:
-        return writePatchExr(path, patch);
-    case ExportFormat::Vtp:
-        return writePatchVtp(path, patch);
-    case ExportFormat::Vts:
-        return writePatchVts(path, patch);
-    default:
-        return writePatchTable(path, patch);
-    }
-}
-
-void writePage(const std::vector<Chart>& charts, const PictureSpec& spec,
-               const std::filesystem::path& path, ExportFormat format) {
-    const PlotPage page = plotPage(charts, spec);
-    if (format == ExportFormat::Svg) {
-        writeSvg(path, page, spec.transparent);
-    } else if (format == ExportFormat::Pdf) {
-        writePdf(path, page, spec.transparent);
-    } else {
-        writePicture(path, drawnPage(page, spec), format, spec.dpi);
-    }
-}
-
 void writePlot(RunPlayback& run, const PictureRequest& request, const std::filesystem::path& path,
                ExportFormat format, Progress* progress) {
     if (request.view == ExportView::Forces) {
         format == ExportFormat::Csv
             ? writeForcesTable(path, run, progress)
-            : writePage(forceCharts(run, progress), request.spec, path, format);
+            : writePlotPage(path, forceCharts(run, progress), request.spec, format);
         return;
     }
     ProgressPart finding(progress, 0.0, 0.5);
@@ -141,7 +113,7 @@ void writePlot(RunPlayback& run, const PictureRequest& request, const std::files
     const std::vector<CyclePoint> cycle = cycleAround(run, tick, &playing);
     format == ExportFormat::Csv
         ? writeCycleTable(path, cycle)
-        : writePage({cycleChart(cycle, run.at(tick))}, request.spec, path, format);
+        : writePlotPage(path, {{cycleChart(cycle, run.at(tick))}}, request.spec, format);
 }
 
 }  // namespace
@@ -173,7 +145,7 @@ void writeExport(ExportInput& input, const PictureRequest& request,
                                   : input.run()->at(tickOf(*input.run(), request.moment, &finding));
     ProgressPart drawing(progress, 0.5, 1.0);
     if (!isRaster(format)) {
-        writeField(input, request, sample, path, format);
+        writeField(path, zoomPatch(input.scene(), sample, gridOf(input, request, sample)), format);
         return;
     }
     const RasterImage image = request.view == ExportView::Overview

@@ -1,5 +1,6 @@
 #include "app/exports/PlotFile.h"
 
+#include "app/exports/RasterPixels.h"
 #include "core/Error.h"
 #include "core/TemporaryFile.h"
 #include "core/io/TextValue.h"
@@ -213,14 +214,19 @@ RasterImage drawnPage(const PlotPage& page, const PictureSpec& spec) {
     QPainter painter(&drawn);
     PagePainter(painter, spec.pixelRatio()).paint(page);
     painter.end();
-    drawn = drawn.convertToFormat(QImage::Format_RGBA8888);
-    RasterImage image{.width = spec.size.width, .height = spec.size.height, .pixels = {}};
-    image.pixels.reserve(image.rowBytes() * static_cast<std::size_t>(image.height));
-    for (int row = 0; row < image.height; ++row) {
-        const std::uint8_t* line = drawn.constScanLine(row);
-        image.pixels.insert(image.pixels.end(), line, line + image.rowBytes());
+    return rasterOf(drawn);
+}
+
+void writePlotPage(const std::filesystem::path& path, std::span<const Chart> charts,
+                   const PictureSpec& spec, ExportFormat format) {
+    const PlotPage page = plotPage(charts, spec);
+    if (format == ExportFormat::Svg) {
+        writeSvg(path, page, spec.transparent);
+    } else if (format == ExportFormat::Pdf) {
+        writePdf(path, page, spec.transparent);
+    } else {
+        writePicture(path, drawnPage(page, spec), format, spec.dpi);
     }
-    return image;
 }
 
 }  // namespace asperity

@@ -31,7 +31,7 @@ void EntryControl::showThoseOfARun() {
     LiveRun* const run = runs_.run();
     const QString noRun = unless(run != nullptr, QObject::tr("Open a scan or a scene first"));
     for (QAction* const entry :
-         {menus.aboutScan, menus.record, menus.saveSession, menus.saveSessionAs,
+         {menus.aboutScan, menus.exportView, menus.record, menus.saveSession, menus.saveSessionAs,
           menus.saveLastSeconds, menus.bundle, menus.startPause, menus.followPathFile,
           menus.followRecording, menus.tipControl, menus.clutch, menus.copyNumbers}) {
         menus.refuse(*entry, noRun);

@@ -56,6 +56,8 @@ LiveWindow::LiveWindow()
 void LiveWindow::remember(std::unique_ptr<QSettings> settings) {
     session_.files().remember(
         std::make_unique<QSettings>(settings->fileName(), settings->format()));
+    session_.exports().remember(
+        std::make_unique<QSettings>(settings->fileName(), settings->format()));
     memory_.emplace(window_, std::move(settings));
 }
 

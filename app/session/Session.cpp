@@ -38,6 +38,7 @@ Session::Session(MainWindow& window)
     , colors_(window, runs_)
     , messages_(window, runs_)
     , clipboard_(window, runs_, views_)
+    , exports_(window, runs_, views_)
     , help_(window)
     , saving_(window, runs_, scenes_)
     , bundles_(window, runs_, recordings_, views_)
@@ -79,6 +80,7 @@ void Session::stop() {
                                  QApplication::activeModalWidget() != nullptr;
     if (!closesSomething && !measuring_.leaveTool()) {
         scenes_.cancelOpen();
+        exports_.cancel();
     }
 }
 

@@ -6,6 +6,7 @@
 #include "app/session/DeviceControl.h"
 #include "app/session/EngageControl.h"
 #include "app/session/EntryControl.h"
+#include "app/session/ExportControl.h"
 #include "app/session/FidelityControl.h"
 #include "app/session/HapticControl.h"
 #include "app/session/HelpControl.h"
@@ -48,6 +49,7 @@ public:
     [[nodiscard]] LibraryControl& probes() { return probes_; }
     [[nodiscard]] SessionControl& saving() { return saving_; }
     [[nodiscard]] OpenControl& files() { return files_; }
+    [[nodiscard]] ExportControl& exports() { return exports_; }
     [[nodiscard]] DeviceControl& devices() { return devices_; }
     [[nodiscard]] PathControl& paths() { return paths_; }
     [[nodiscard]] RecordingControl& recordings() { return recordings_; }
@@ -82,6 +84,7 @@ private:
     ColorControl colors_;
     MessageControl messages_;
     ClipboardControl clipboard_;
+    ExportControl exports_;
     HelpControl help_;
     SessionControl saving_;
     BundleControl bundles_;

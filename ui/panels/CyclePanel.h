@@ -57,6 +57,8 @@ public:
     void setMeasured(const std::optional<MeasuredCurve>& curve);
     [[nodiscard]] const std::optional<MeasuredCurve>& measured() const { return measured_; }
 
+    /// Whether curves are drawn over the base's distance, not over the separation.
+    [[nodiscard]] bool showsBase() const;
     [[nodiscard]] const ForceDistancePlot& plot() const { return *plot_; }
     [[nodiscard]] ForceDistancePlot& plot() { return *plot_; }
     [[nodiscard]] const CycleTable& table() const { return *table_; }
@@ -87,7 +89,6 @@ private:
     void keep();
     void dropOne();
     [[nodiscard]] std::vector<const Kept*> shown() const;
-    [[nodiscard]] bool showsBase() const;
     [[nodiscard]] DrawnCycle drawn(const Kept& kept) const;
     [[nodiscard]] AxisRange distancesOf(const std::vector<const Kept*>& cycles) const;
 

@@ -60,6 +60,9 @@ public:
     /// Distance [m] and force [N] of both branches of each cycle, the newest first, and of the
     /// measured curve.
     [[nodiscard]] PlotTable table() const;
+    /// As they were drawn last, the newest first.
+    [[nodiscard]] const std::vector<DrawnCycle>& cycles() const { return cycles_; }
+    [[nodiscard]] const DrawnMeasurement& measured() const { return measured_; }
     /// Another quantity is on the distance axis: it ranges itself anew.
     void forgetRange();
     /// Where controls of the plot stand, beside its legend.

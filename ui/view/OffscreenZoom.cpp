@@ -12,6 +12,7 @@
 
 #include <QObject>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <vector>
@@ -21,6 +22,7 @@ namespace asperity {
 namespace {
 
 constexpr int kOversampling = 2;
+constexpr int kLeastBand = 32;  // that can be drawn [pixel]
 
 // In pixels of the letters.
 constexpr double kBarHeight = 54.0;
@@ -39,8 +41,10 @@ int barRows(const OffscreenZoomLook& look) {
 }
 
 PictureSize barsSize(const OffscreenZoomLook& look) {
-    const double height = barRows(look) * kBarHeight * look.look.pixelRatio;
-    return {.width = look.size.width, .height = static_cast<int>(std::lround(height))};
+    const int rows = barRows(look);
+    const double height = rows * kBarHeight * look.look.pixelRatio;
+    return {.width = look.size.width,
+            .height = rows == 0 ? 0 : std::max(kLeastBand, static_cast<int>(std::lround(height)))};
 }
 
 vtkSmartPointer<vtkLookupTable> tableOf(const ColorScale& scale) {
@@ -88,20 +92,33 @@ void OffscreenZoom::setUp(const Scene& scene) {
     }
     QObject::connect(&*picture_, &ZoomPicture::terrainPlaced, [this] { moved_ = true; });
     QObject::connect(&*picture_, &ZoomPicture::scalesChanged, [this] { drawnBars_.reset(); });
+    picture_->setScene(&scene);
+    picture_->setOptions(options());
+    if (look_.shown) {
+        camera_ = look_.shown->camera;
+        picture_->setColors(look_.shown->colors);
+        picture_->setHalfWidth(look_.shown->halfWidth);
+        return;
+    }
     if (look_.side) {
         camera_.lookFrom(*look_.side);
     }
-    picture_->setScene(&scene);
-    picture_->setOptions({.heightScale = look_.heightScale,
-                          .axes = look_.parts.bars,
-                          .scaleBars = look_.parts.bars,
-                          .grid = look_.parts.grid,
-                          .labels = look_.parts.labels,
-                          .section = look_.section,
-                          .light = {}});
     if (look_.width) {
         setWidth(*look_.width);
     }
+}
+
+/// A part that the window's view does not show is not shown here.
+ViewOptions OffscreenZoom::options() const {
+    ViewOptions options =
+        look_.shown
+            ? look_.shown->options
+            : ViewOptions{.heightScale = look_.heightScale, .section = look_.section, .light = {}};
+    options.axes = options.axes && look_.parts.bars;
+    options.scaleBars = options.scaleBars && look_.parts.bars;
+    options.grid = options.grid && look_.parts.grid;
+    options.labels = options.labels && look_.parts.labels;
+    return options;
 }
 
 void OffscreenZoom::setWidth(double width) {
@@ -123,11 +140,13 @@ void OffscreenZoom::aim() {
 /// As often as the frame moves with what is shown in it: a dent lowers the picture by steps.
 void OffscreenZoom::show(const TickSample& sample) {
     constexpr int kSteps = 16;
-    if (scene_.model.deformation == DeformationModel::HalfSpace) {
+    if (look_.shown) {
+        picture_->setHalfSpace(look_.shown->halfSpace);
+    } else if (scene_.model.deformation == DeformationModel::HalfSpace) {
         picture_->setHalfSpace(std::make_shared<const HalfSpaceAnswer>(
             HalfSpaceModel().solve(scene_, sample.output.model)));
     }
-    picture_->setSample(sample);
+    picture_->setSample(sample, look_.shown ? look_.shown->trueTip : std::nullopt);
     bool isDue = moved_;
     for (int step = 0; step < kSteps; ++step) {
         moved_ = false;

@@ -2,6 +2,7 @@
 
 #include "core/haptics/VirtualRun.h"
 #include "core/scene/Scene.h"
+#include "ui/view/ShownView.h"
 #include "ui/view/ZoomPicture.h"
 #include "vtkplugins/pictures/DrawnWindow.h"
 #include "vtkplugins/pictures/PictureParts.h"
@@ -24,6 +25,8 @@ struct OffscreenZoomLook {
     bool section = false;                    ///< the half before the tip is cut away
     std::optional<double> width = {};        ///< of the frame; none: as a scene starts [m]
     double heightScale = 1.0;                ///< see ViewOptions
+    /// As a view of the window has it: camera, frame, options and colors are not those above then.
+    std::optional<ShownView> shown = {};
 };
 
 /// The large view in a window that nobody sees, in light colors, with its color bars below it. It
@@ -49,6 +52,7 @@ public:
 
 private:
     void setUp(const Scene& scene);
+    [[nodiscard]] ViewOptions options() const;
     void setWidth(double width);
     void show(const TickSample& sample);
     void aim();

@@ -185,6 +185,15 @@ bool ZoomPicture::fitColors() {
 
 void ZoomPicture::setLook(const SurfaceLook& look, const SurfaceField& field) {
     colors_.setLook(look, field);
+    showColors();
+}
+
+void ZoomPicture::setColors(const SurfaceColors& colors) {
+    colors_ = colors;
+    showColors();
+}
+
+void ZoomPicture::showColors() {
     if (frame_) {
         fitColors();
         Q_EMIT terrainPlaced();

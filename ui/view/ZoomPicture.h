@@ -11,6 +11,7 @@
 #include "ui/view/PatchColors.h"
 #include "ui/view/SectionLayer.h"
 #include "ui/view/ShownRanges.h"
+#include "ui/view/ShownView.h"
 #include "ui/view/StaticLayer.h"
 #include "ui/view/SurfaceColors.h"
 #include "ui/view/SurfaceReading.h"
@@ -95,9 +96,15 @@ public:
     [[nodiscard]] const ViewOptions& options() const { return options_; }
     /// How the surface is colored. @param field what the look's quantity is on the surface at rest
     void setLook(const SurfaceLook& look, const SurfaceField& field);
+    /// The same with ranges that another picture fitted.
+    void setColors(const SurfaceColors& colors);
     /// What the picture does not say by itself: a stretched height, coarse pixels.
     [[nodiscard]] std::vector<std::string> notes(const ViewCamera& camera) const;
     [[nodiscard]] const SurfaceColors& colors() const { return colors_; }
+    /// As another picture can show it. There is a scene.
+    [[nodiscard]] ShownView shown(const ViewCamera& camera) const {
+        return {camera, options_, frame_->halfWidth(), colors_, trueTip_, halfSpace_};
+    }
     /// Nothing is behind what is drawn: black and clear, see drawnImage().
     void setTransparent();
     /// What is written in a corner of the picture; empty: nothing.
@@ -119,6 +126,7 @@ Q_SIGNALS:
     void scalesChanged();  ///< of the colors
 
 private:
+    void showColors();
     void follow(const Vector2& tip, double slack);
     void placeTerrain(const TerrainPlace& place);
     bool fitColors();

@@ -69,6 +69,11 @@ public:
     /// The place of the surface at rest that is seen at a pixel of the widget; none: there is none.
     [[nodiscard]] std::optional<Vector2> placeAt(const QPointF& pixel) const;
 
+    /// As a picture can show it; none without a scene.
+    [[nodiscard]] std::optional<ShownView> shown() const {
+        return picture_.frame() ? std::optional(picture_.shown(camera_)) : std::nullopt;
+    }
+
     /// Where a world place [m] is seen, in pixels of the widget.
     [[nodiscard]] QPointF onScreen(const Vector3& place) const;
     /// Whether what does not change is drawn once and kept; on, but for measurements.

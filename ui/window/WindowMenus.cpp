@@ -61,6 +61,7 @@ void WindowMenus::explainAll() {
         {restoreSession, tr("Open the session before this one as it was at its end")},
         {startWithSession, tr("Without a file, the program opens the last session")},
         {savePicture, tr("Save the whole window as a picture")},
+        {exportView, tr("Write a view, a plot, a field, the surface or a film, as you choose")},
         {record, tr("Write every tick to a folder, until it is chosen again")},
         {compactRecordings, tr("Recordings are packed at their end into an HDF5 file of a tenth of "
                                "the size, for Python, which replays as well")},
@@ -124,6 +125,8 @@ void WindowMenus::addFileMenu(QMenuBar& bar) {
     menu->addSeparator();
     savePicture = menu->addAction(tr("Save &picture of the window…"));
     savePicture->setShortcut(tr("F12"));
+    exportView = menu->addAction(tr("&Export…"));
+    exportView->setShortcut(tr("Ctrl+E"));
     record = menu->addAction(tr("&Record"));
     record->setCheckable(true);
     record->setShortcut(tr("Ctrl+R"));

@@ -39,6 +39,7 @@ public:
     QAction* restoreSession;
     QAction* startWithSession;  ///< checkable
     QAction* savePicture;
+    QAction* exportView;
     QAction* record;             ///< checkable
     QAction* compactRecordings;  ///< checkable
     QAction* saveLastSeconds;

@@ -65,6 +65,22 @@ TEST_F(Bundle, ReplaysWithoutTheScanThatItWasMadeOn) {
               test::contentOf(scratch->file("run") / "force_log.csv"));
 }
 
+TEST_F(Bundle, IsDrawnAsItsRunIs) {
+    const std::string look = " --at 0.5 --size 320x240 --out ";
+    const auto ofBundle = run("render " + in("run.zip") + look + in("bundle.png"));
+    ASSERT_EQ(ofBundle.exitCode, 0) << ofBundle.output;
+    ASSERT_EQ(run("render " + in("run") + look + in("folder.png")).exitCode, 0);
+    EXPECT_EQ(test::contentOf(scratch->file("bundle.png")),
+              test::contentOf(scratch->file("folder.png")));
+}
+
+TEST_F(Bundle, IsAFilm) {
+    const auto film =
+        run("film " + in("run.zip") + " --duration 0.2 --size 320x240 --out " + in("film"));
+    ASSERT_EQ(film.exitCode, 0) << film.output;
+    EXPECT_TRUE(fs::exists(scratch->file("film") / "frame_00005.png"));
+}
+
 TEST_F(Bundle, IsAFolderOfARunWhenAnotherProgramUnpacksIt) {
     ASSERT_EQ(std::system(
                   ("cd " + scratch->path().string() + " && python3 -m zipfile -e run.zip unpacked")

@@ -9,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -47,6 +48,27 @@ TEST_F(CurveTables, HoldForcesToTheBit) {
         ASSERT_EQ(table.number(row, "torsion_rad"),
                   expected[row].input.measurement.signals.torsion);
     }
+}
+
+TEST_F(CurveTables, OfTicksAtHandAreThoseOfTheRun) {
+    writeForcesTable(folder.path() / "run.csv", *run, nullptr);
+    writeForcesTable(folder.path() / "ticks.csv", expected);
+    EXPECT_EQ(test::contentOf(folder.path() / "run.csv"),
+              test::contentOf(folder.path() / "ticks.csv"));
+}
+
+TEST_F(CurveTables, HoldCurvesOneBelowAnotherWithoutTheirGaps) {
+    const double gap = std::numeric_limits<double>::quiet_NaN();
+    const std::vector<Curve> curves{
+        {.label = "approach", .x = {1e-9, 2e-9, 3e-9}, .y = {0.1e-9, gap, 0.3e-9}},
+        {.label = "retract, 1 before", .x = {5e-9}, .y = {-0.7e-9}}};
+    writeForceCurvesTable(folder.path() / "curves.csv", curves, "separation_m");
+    const CsvTable table = readCsv(folder.path() / "curves.csv");
+    ASSERT_EQ(table.rows(), 3U);
+    EXPECT_EQ(table.text(1, "curve"), "approach");
+    EXPECT_EQ(table.number(1, "separation_m"), 3e-9);
+    EXPECT_EQ(table.text(2, "curve"), "retract, 1 before");
+    EXPECT_EQ(table.number(2, "force_n"), -0.7e-9);
 }
 
 TEST_F(CurveTables, HoldACycleToTheBit) {

@@ -40,6 +40,15 @@ TEST(OutputName, ReplacesNothingUnasked) {
     EXPECT_THROW((void)outputPath(named, kParts, false), Error);
 }
 
+TEST(OutputName, OfAFolderWithBracesIsFilledInTheNameAlone) {
+    const test::ScratchFolder folder;
+    EXPECT_EQ(namedPath(folder.path() / "{x}", "{file}_{n}.png", kParts),
+              folder.path() / "{x}/silicon_1.png");
+    (void)folder.write("silicon.png", "x");
+    EXPECT_EQ(namedPath(folder.path(), "{file}.png", kParts), folder.path() / "silicon.png");
+    EXPECT_THROW((void)namedPath(folder.path(), "{time}", kParts), Error);
+}
+
 TEST(OutputName, RefusesOtherPlaceholders) {
     EXPECT_THROW((void)outputPath("{time}.png", kParts, false), Error);
     EXPECT_THROW((void)outputPath("{file", kParts, false), Error);

@@ -17,7 +17,7 @@ protected:
     std::vector<QAction*> thoseOfARun() {
         return {menus().record,         menus().saveLastSeconds, menus().startPause,
                 menus().followPathFile, menus().followRecording, menus().tipControl,
-                menus().clutch};
+                menus().clutch,         menus().exportView};
     }
 
     DeviceControl devices{window, runs};

@@ -45,6 +45,15 @@ TEST_F(OffscreenZoomTest, HasTheSizeThatIsAskedFor) {
     }
 }
 
+TEST_F(OffscreenZoomTest, HasColorBarsBelowSmallLetters) {
+    OffscreenZoomLook look = smallLook();
+    look.size = {.width = 700, .height = 440};
+    look.look.pixelRatio = 0.5;
+    const RasterImage image = OffscreenZoom(scene, look).draw(deep, {});
+    EXPECT_EQ(image.height, 440);
+    EXPECT_EQ(pixelAt(image, 2, 437), pixelOf(kLightPalette.paper));
+}
+
 TEST_F(OffscreenZoomTest, IsLightInADarkWindow) {
     theme::choose(ThemeChoice::Light);
     const RasterImage light = OffscreenZoom(scene, smallLook()).draw(deep, "caption");

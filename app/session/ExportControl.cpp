@@ -1,0 +1,357 @@
+#include "app/session/ExportControl.h"
+
+#include "app/exports/ExportInput.h"
+#include "app/exports/JournalColumn.h"
+#include "app/exports/OutputName.h"
+#include "app/exports/PlotFile.h"
+#include "app/exports/RasterPixels.h"
+#include "app/exports/SurfaceFile.h"
+#include "app/runs/RunFolder.h"
+#include "app/session/ExportMemory.h"
+#include "app/session/FilmOfRecording.h"
+#include "app/session/WindowArtist.h"
+#include "core/Error.h"
+#include "core/PrintableText.h"
+#include "core/TemporaryFile.h"
+#include "ui/panels/LoadingBar.h"
+#include "ui/window/Dialogs.h"
+#include "ui/window/MainWindow.h"
+#include "ui/window/WindowMenus.h"
+
+#include <QAction>
+#include <QApplication>
+#include <QClipboard>
+#include <QFile>
+#include <QStandardPaths>
+
+#include <algorithm>
+#include <cmath>
+
+namespace asperity {
+
+namespace {
+
+constexpr int kSettled = 150;   // that choices rest before they are drawn [ms]
+constexpr int kLeastSide = 32;  // of a preview [pixel]
+
+std::string bytesOf(const QString& text) { return QFile::encodeName(text).toStdString(); }
+
+QString textOf(const std::filesystem::path& path) {
+    return QString::fromStdString(printable(path.string()));
+}
+
+ExportOffer offer() {
+    const QString png = QStringLiteral("png");
+    const QString tif = QStringLiteral("tif");
+    const QStringList plot{png, tif, QStringLiteral("svg"), QStringLiteral("pdf"),
+                           QStringLiteral("csv")};
+    ExportOffer offer{.formats = {{ExportSubject::View, {png, tif}},
+                                  {ExportSubject::Window, {png, tif}},
+                                  {ExportSubject::Forces, plot},
+                                  {ExportSubject::Cycle, plot},
+                                  {ExportSubject::Deformation,
+                                   {QStringLiteral("exr"), QStringLiteral("vtp"),
+                                    QStringLiteral("vts"), QStringLiteral("csv")}},
+                                  {ExportSubject::Film, {QStringLiteral("frames")}}},
+                      .columns = {}};
+    for (const std::string& extension : surfaceExtensions()) {
+        offer.formats[ExportSubject::Surface] << QString::fromStdString(extension.substr(1));
+    }
+    if (!QStandardPaths::findExecutable(QStringLiteral("ffmpeg")).isEmpty()) {
+        offer.formats[ExportSubject::Film] << QStringLiteral("mp4") << QStringLiteral("webm");
+    }
+    for (const JournalColumn& column : journalColumns()) {
+        offer.columns.push_back({QString::fromLatin1(column.name), column.width});
+    }
+    return offer;
+}
+
+QString standardFolder() {
+    const QString pictures = QStandardPaths::writableLocation(QStandardPaths::PicturesLocation);
+    return (pictures.isEmpty() ? QStringLiteral(".") : pictures) + QStringLiteral("/Asperity");
+}
+
+/// A picture that takes longer than a frame says so.
+class WaitCursor {
+public:
+    WaitCursor() { QApplication::setOverrideCursor(Qt::WaitCursor); }
+    ~WaitCursor() { QApplication::restoreOverrideCursor(); }
+    WaitCursor(const WaitCursor&) = delete;
+    WaitCursor& operator=(const WaitCursor&) = delete;
+};
+
+}  // namespace
+
+ExportControl::ExportControl(MainWindow& window, RunControl& runs, ViewControl& views)
+    : window_(window)
+    , runs_(runs)
+    , views_(views)
+    , preview_({.progressed = [](double) {},
+                .finished = [this](QImage& picture) { showPicture(picture); },
+                .failed =
+                    [this](const std::exception_ptr& reason) {
+                        pictureFailure_ = reasonOf(reason);
+                        showFailures();
+                    }})
+    , work_(loadingLine(window), {.finished = [this](QString& told) { window_.tell(told); },
+                                  .failed =
+                                      [this](const std::exception_ptr& reason) {
+                                          window_.tell(reasonOf(reason), MessageKind::Error);
+                                      }}) {
+    soon_.setSingleShot(true);
+    soon_.setInterval(kSettled);
+    connect(&soon_, &QTimer::timeout, this, &ExportControl::preview);
+    connect(window.menus().exportView, &QAction::triggered, this, &ExportControl::ask);
+    connect(window.menus().cancelLoading, &QAction::triggered, this, &ExportControl::cancel);
+    connect(&window.loading(), &LoadingBar::cancelRequested, this, &ExportControl::cancel);
+}
+
+void ExportControl::remember(std::unique_ptr<QSettings> settings) {
+    settings_ = std::move(settings);
+    choices_ = keptChoices(*settings_);
+}
+
+void ExportControl::ask() {
+    if (dialog_ != nullptr || runs_.run() == nullptr) {
+        return;
+    }
+    if (work_.isAwaited()) {  // another one would take its place
+        window_.tell(tr("A file is being written still: wait for it, or cancel it"));
+        return;
+    }
+    runs_.fetch();
+    if (runs_.run()->loop().snapshot().statistics.ticks == 0) {
+        window_.tell(tr("There is nothing to export yet: the run has not begun"));
+        return;
+    }
+    moment_ = std::make_shared<const ExportMoment>(presentMoment(window_, *runs_.run()));
+    windowPicture_ = {};
+    if (choices_.folder.isEmpty()) {
+        choices_.folder = standardFolder();
+    }
+    dialog_ = new ExportDialog(offer(), choices_, &window_);
+    dialog_->setAttribute(Qt::WA_DeleteOnClose);
+    connectDialog();
+    dialog_->open();
+    follow();
+}
+
+void ExportControl::connectDialog() {
+    connect(dialog_, &ExportDialog::changed, this, &ExportControl::follow);
+    connect(dialog_, &ExportDialog::exportRequested, this, &ExportControl::write);
+    connect(dialog_, &ExportDialog::copyRequested, this, &ExportControl::copy);
+    connect(dialog_, &QDialog::finished, this, [this] {
+        choices_ = dialog_->choices();
+        if (settings_) {
+            keepChoices(*settings_, choices_);
+        }
+        soon_.stop();
+        preview_.cancel();
+        moment_.reset();
+    });
+}
+
+/// The choices are others.
+void ExportControl::follow() {
+    showFile();
+    soon_.start();
+}
+
+std::filesystem::path ExportControl::file() const {
+    const ExportChoices& choices = dialog_->choices();
+    const std::string extension = dialog_->format() == QStringLiteral("frames")
+                                      ? std::string()
+                                      : "." + dialog_->format().toStdString();
+    if (choices.name.trimmed().isEmpty() || choices.folder.trimmed().isEmpty()) {
+        throw Error("Give the file a name and a folder.");
+    }
+    return namedPath(
+        bytesOf(choices.folder), bytesOf(choices.name) + extension,
+        {std::filesystem::path(moment_->name).stem().string(), keyOf(choices.subject)});
+}
+
+void ExportControl::showFile() {
+    nameFailure_.clear();
+    try {
+        const ExportChoices& choices = dialog_->choices();
+        dialog_->showFile(textOf(file()));
+        if (choices.subject == ExportSubject::Film && !holdsRun(bytesOf(choices.recording))) {
+            nameFailure_ = tr("Choose the recording: the folder of a run, or a bundle.");
+        }
+    } catch (const std::exception& error) {
+        dialog_->showFile({});
+        nameFailure_ = QString::fromStdString(printable(error.what()));
+    }
+    showFailures();
+}
+
+void ExportControl::showFailures() {
+    if (dialog_ != nullptr) {
+        dialog_->showFailure(nameFailure_.isEmpty() ? pictureFailure_ : nameFailure_);
+    }
+}
+
+PictureSpec ExportControl::spec() const {
+    const ExportChoices& choices = dialog_->choices();
+    const bool isVideo =
+        choices.subject == ExportSubject::Film && dialog_->format() != QStringLiteral("frames");
+    return {.size = {.width = choices.size.width(), .height = choices.size.height()},
+            .dpi = static_cast<double>(choices.dpi),
+            .transparent = choices.transparent && !isVideo,
+            .parts = {.bars = choices.bars && !choices.clean,
+                      .labels = choices.labels && !choices.clean,
+                      .grid = !choices.clean}};
+}
+
+/// The same picture with fewer pixels: letters shrink with it.
+PictureSpec ExportControl::previewSpec() const {
+    PictureSpec small = spec();
+    const QSize room = dialog_->previewRoom();
+    const double share = std::min({1.0, static_cast<double>(room.width()) / small.size.width,
+                                   static_cast<double>(room.height()) / small.size.height});
+    const auto shrunk = [share](int side) {
+        return std::max(kLeastSide, static_cast<int>(std::lround(share * side)));
+    };
+    small.size = {.width = shrunk(small.size.width), .height = shrunk(small.size.height)};
+    small.dpi *= share;
+    return small;
+}
+
+const QImage& ExportControl::windowPicture() {
+    if (windowPicture_.isNull()) {
+        windowPicture_ = views_.picture().toImage();
+    }
+    return windowPicture_;
+}
+
+/// Of a subject that has one.
+QImage ExportControl::picture(const PictureSpec& spec) {
+    const ExportSubject subject = dialog_->choices().subject;
+    switch (subject) {
+    case ExportSubject::View:
+        return imageOf(viewImage(*moment_, spec));
+    case ExportSubject::Window:
+        return windowPicture();
+    default:
+        return imageOf(drawnPage(plotPage(chartsOf(*moment_, subject), spec), spec));
+    }
+}
+
+QString ExportControl::wordsFor(ExportSubject subject) const {
+    const BSplineSurface::Grid& grid = moment_->loaded->scene.surface.grid();
+    switch (subject) {
+    case ExportSubject::Deformation:
+        return tr("Points of the deformed surface around the contact, with their places at rest, "
+                  "displacements and normals, in meters.");
+    case ExportSubject::Surface:
+        return tr("The surface that the tip meets, leveled and smoothed: %1 × %2 heights.")
+            .arg(grid.columns)
+            .arg(grid.rows);
+    default:
+        return tr("The whole recording, frame by frame, with a line of readings in each frame.");
+    }
+}
+
+void ExportControl::preview() {
+    if (dialog_ == nullptr) {
+        return;
+    }
+    pictureFailure_.clear();
+    preview_.cancel();
+    const ExportSubject subject = dialog_->choices().subject;
+    if (!isPicture(subject)) {
+        dialog_->showWords(wordsFor(subject));
+    } else if (subject == ExportSubject::Window) {
+        dialog_->showPreview(windowPicture());
+    } else if (subject == ExportSubject::View) {
+        preview_.start([this, moment = moment_,
+                        look = viewLook(*moment_, previewSpec())](Progress& progress) {
+            WindowArtist artist([moment, look] { return filmArtist(moment->loaded->scene, look); },
+                                pieces_, progress);
+            artist.foresee(moment->sample);
+            return imageOf(artist.draw(moment->sample, {}));
+        });
+    } else {
+        preview_.start([moment = moment_, subject, spec = previewSpec()](Progress&) {
+            return imageOf(drawnPage(plotPage(chartsOf(*moment, subject), spec), spec));
+        });
+    }
+    showFailures();
+}
+
+void ExportControl::showPicture(const QImage& picture) {
+    if (dialog_ != nullptr) {
+        dialog_->showPreview(picture);
+    }
+}
+
+/// Nothing is replaced unasked.
+void ExportControl::write() {
+    showFile();
+    if (!nameFailure_.isEmpty()) {
+        return;
+    }
+    const std::filesystem::path path = file();
+    if (!isThere(path)) {
+        start(path);
+        return;
+    }
+    askWhether(dialog_, tr("%1 is there already. Replace it?").arg(textOf(path)), tr("Replace"),
+               [this, path] {
+                   if (dialog_ != nullptr) {
+                       start(path);
+                   }
+               });
+}
+
+void ExportControl::start(const std::filesystem::path& path) {
+    try {
+        std::filesystem::create_directories(path.parent_path());
+        if (dialog_->format() != QStringLiteral("frames")) {
+            requireWritable(path);
+        }
+        const ExportWork work = workFor({.subject = dialog_->choices().subject,
+                                         .format = dialog_->format(),
+                                         .spec = spec(),
+                                         .path = path});
+        dialog_->accept();
+        work_.start(tr("Writing %1 …").arg(textOf(path.filename())),
+                    [work, told = tr("Exported to %1").arg(textOf(path))](Progress& progress) {
+                        work(progress);
+                        return told;
+                    });
+    } catch (const std::exception& error) {
+        dialog_->showFailure(QString::fromStdString(printable(error.what())));
+    }
+}
+
+/// What needs the window's thread is done now, or by it piece by piece.
+ExportWork ExportControl::workFor(const ExportOrder& order) {
+    if (order.subject == ExportSubject::Film) {
+        const ExportChoices& choices = dialog_->choices();
+        const FilmRequest request{
+            .fps = static_cast<double>(choices.fps), .speed = choices.speed, .spec = order.spec};
+        return [this, recording = bytesOf(choices.recording), request,
+                path = order.path](Progress& progress) {
+            filmRecording(recording, request, path, pieces_, progress);
+        };
+    }
+    if (order.subject == ExportSubject::View || order.subject == ExportSubject::Window) {
+        const WaitCursor busy;
+        return pictureWork(order, rasterOf(picture(order.spec)));
+    }
+    return dataWork(order, moment_);
+}
+
+void ExportControl::copy() {
+    try {
+        const WaitCursor busy;
+        QApplication::clipboard()->setImage(picture(spec()));
+        window_.tell(tr("The picture is on the clipboard"));
+        dialog_->accept();
+    } catch (const Error& error) {
+        dialog_->showFailure(QString::fromStdString(printable(error.what())));
+    }
+}
+
+}  // namespace asperity

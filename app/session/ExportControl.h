@@ -1,0 +1,73 @@
+#pragma once
+
+#include "app/session/ExportMoment.h"
+#include "app/session/ExportWork.h"
+#include "app/session/LongWork.h"
+#include "app/session/PiecesHere.h"
+#include "app/session/ViewControl.h"
+#include "ui/window/ExportDialog.h"
+
+#include <QImage>
+#include <QPointer>
+#include <QSettings>
+#include <QTimer>
+
+#include <filesystem>
+#include <memory>
+
+namespace asperity {
+
+/// Writes what the window shows, or puts it on the clipboard, as a user chooses in a dialog. All of
+/// it is of the moment at which the dialog opened.
+class ExportControl : public QObject {
+    Q_OBJECT
+
+public:
+    /// @param window, runs, views outlive this
+    ExportControl(MainWindow& window, RunControl& runs, ViewControl& views);
+
+    /// What was chosen last comes from there, and goes there.
+    void remember(std::unique_ptr<QSettings> settings);
+
+    /// Shows the dialog; the window goes on meanwhile.
+    void ask();
+    /// The dialog; null: it is closed.
+    [[nodiscard]] ExportDialog* dialog() { return dialog_; }
+    /// Nothing comes of the file that is being written.
+    void cancel() { work_.cancel(); }
+
+private:
+    void connectDialog();
+    void follow();
+    void showFile();
+    void preview();
+    void showPicture(const QImage& picture);
+    void showFailures();
+    [[nodiscard]] std::filesystem::path file() const;
+    [[nodiscard]] PictureSpec spec() const;
+    [[nodiscard]] PictureSpec previewSpec() const;
+    [[nodiscard]] const QImage& windowPicture();
+    [[nodiscard]] QImage picture(const PictureSpec& spec);
+    [[nodiscard]] QString wordsFor(ExportSubject subject) const;
+    void write();
+    void start(const std::filesystem::path& path);
+    [[nodiscard]] ExportWork workFor(const ExportOrder& order);
+    void copy();
+
+    MainWindow& window_;
+    RunControl& runs_;
+    ViewControl& views_;
+    std::unique_ptr<QSettings> settings_;
+    ExportChoices choices_;
+    QPointer<ExportDialog> dialog_;
+    std::shared_ptr<const ExportMoment> moment_;  ///< while the dialog is open
+    QImage windowPicture_;                        ///< of that moment, once it was asked for
+    QString nameFailure_;     ///< why there is no file of that name; empty: there is
+    QString pictureFailure_;  ///< why there is no such picture; empty: there is
+    QTimer soon_;             ///< so that choices that follow each other are drawn at once
+    PiecesHere pieces_;
+    BackgroundWork<QImage> preview_;
+    LongWork<QString> work_;  ///< its answer is what to tell
+};
+
+}  // namespace asperity

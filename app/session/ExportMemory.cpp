@@ -1,0 +1,62 @@
+#include "app/session/ExportMemory.h"
+
+#include <QSettings>
+
+namespace asperity {
+
+namespace {
+
+QString key(const char* name) { return QStringLiteral("export/") + QString::fromLatin1(name); }
+
+QString formatKey(ExportSubject subject) {
+    return key("format/") + QString::fromLatin1(keyOf(subject));
+}
+
+}  // namespace
+
+ExportChoices keptChoices(const QSettings& settings) {
+    ExportChoices choices;
+    choices.subject =
+        fromKey<ExportSubject>(settings.value(key("subject")).toString().toStdString())
+            .value_or(choices.subject);
+    for (const auto& row : kEnumTable<ExportSubject>) {
+        const QString format = settings.value(formatKey(row.value)).toString();
+        if (!format.isEmpty()) {
+            choices.formats[row.value] = format;
+        }
+    }
+    choices.column = settings.value(key("column")).toString();
+    choices.size = settings.value(key("size"), choices.size).toSize();
+    choices.dpi = settings.value(key("dpi"), choices.dpi).toInt();
+    choices.transparent = settings.value(key("transparent"), choices.transparent).toBool();
+    choices.bars = settings.value(key("bars"), choices.bars).toBool();
+    choices.labels = settings.value(key("labels"), choices.labels).toBool();
+    choices.clean = settings.value(key("clean"), choices.clean).toBool();
+    choices.recording = settings.value(key("recording")).toString();
+    choices.speed = settings.value(key("speed"), choices.speed).toDouble();
+    choices.fps = settings.value(key("fps"), choices.fps).toInt();
+    choices.folder = settings.value(key("folder")).toString();
+    choices.name = settings.value(key("name"), choices.name).toString();
+    return choices;
+}
+
+void keepChoices(QSettings& settings, const ExportChoices& choices) {
+    settings.setValue(key("subject"), QString::fromLatin1(keyOf(choices.subject)));
+    for (const auto& [subject, format] : choices.formats) {
+        settings.setValue(formatKey(subject), format);
+    }
+    settings.setValue(key("column"), choices.column);
+    settings.setValue(key("size"), choices.size);
+    settings.setValue(key("dpi"), choices.dpi);
+    settings.setValue(key("transparent"), choices.transparent);
+    settings.setValue(key("bars"), choices.bars);
+    settings.setValue(key("labels"), choices.labels);
+    settings.setValue(key("clean"), choices.clean);
+    settings.setValue(key("recording"), choices.recording);
+    settings.setValue(key("speed"), choices.speed);
+    settings.setValue(key("fps"), choices.fps);
+    settings.setValue(key("folder"), choices.folder);
+    settings.setValue(key("name"), choices.name);
+}
+
+}  // namespace asperity

@@ -1,0 +1,227 @@
+#include "tests/app/window/WindowFixture.h"
+#include "tests/support/EventLoopWatchdog.h"
+#include "ui/view/ZoomView.h"
+#include "ui/window/ExportPicture.h"
+#include "ui/window/WindowMenus.h"
+
+#include <QAbstractButton>
+#include <QAction>
+#include <QApplication>
+#include <QComboBox>
+#include <QImage>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QSpinBox>
+#include <QtTest>
+
+#include <iostream>
+
+namespace asperity::test {
+namespace {
+
+/// Exports as a user does: by keys and clicks.
+class WindowThatExports : public Window {
+protected:
+    ExportDialog* dialog() { return session.exports().dialog(); }
+    void askByKey() {
+        QTest::keyClick(&window, Qt::Key_E, Qt::ControlModifier);
+        ASSERT_TRUE(eventually([this] { return dialog() != nullptr && dialog()->isVisible(); }));
+    }
+    /// While a file is being written.
+    void askByKeyInVain() {
+        QTest::keyClick(&window, Qt::Key_E, Qt::ControlModifier);
+        EXPECT_EQ(dialog(), nullptr);
+        EXPECT_NE(told().find("being written"), std::string::npos) << told();
+    }
+    template <typename Widget>
+    Widget* part(const char* name) {
+        auto* found = dialog()->findChild<Widget*>(QString::fromLatin1(name));
+        EXPECT_NE(found, nullptr) << name;
+        return found;
+    }
+    void type(const char* line, const QString& text) {
+        auto* field = part<QLineEdit>(line);
+        field->setFocus();
+        field->selectAll();
+        QTest::keyClicks(field, text);
+    }
+    void typeSize(const char* box, const QString& pixels) {
+        auto* field = part<QSpinBox>(box);
+        field->setFocus();
+        field->selectAll();
+        QTest::keyClicks(field, pixels);
+        QTest::keyClick(field, Qt::Key_Tab);
+    }
+    /// A list is chosen from by the keys.
+    void select(const char* list, int index) {
+        auto* box = part<QComboBox>(list);
+        box->setFocus();
+        QTest::keyClick(box, Qt::Key_Home);
+        for (int i = 0; i < index; ++i) {
+            QTest::keyClick(box, Qt::Key_Down);
+        }
+        ASSERT_EQ(box->currentIndex(), index);
+    }
+    void indent() {
+        QTest::mouseClick(child<QAbstractButton>("engage"), Qt::LeftButton);
+        ASSERT_TRUE(eventually([this] { return inContact(); })) << state();
+    }
+    QString file(const std::string& name) {
+        return QString::fromStdString(folder.file(name).string());
+    }
+    QString here() { return QString::fromStdString(folder.path().string()); }
+    /// A recording of what the tip does for a while.
+    std::filesystem::path record() {
+        QSignalSpy ended(&session.recordings(), &RecordingControl::finished);
+        session.recordings().start({folder.path() / "recorded"});
+        live(600);
+        session.recordings().finish();
+        EXPECT_EQ(ended.count(), 1);
+        return folder.path() / "recorded";
+    }
+    /// Where films of a recording go.
+    void askForFilm(const std::filesystem::path& recording, const QString& name) {
+        askByKey();
+        select("exportSubject", static_cast<int>(ExportSubject::Film));
+        select("exportFormat", 0);
+        type("exportRecording", QString::fromStdString(recording.string()));
+        type("exportFolder", here());
+        type("exportName", name);
+        typeSize("exportWidth", "320");
+        typeSize("exportHeight", "240");
+    }
+};
+
+TEST_F(WindowThatExports, NothingBeforeThereIsAScan) {
+    live(100);
+    EXPECT_FALSE(window.menus().exportView->isEnabled());
+    QTest::keyClick(&window, Qt::Key_E, Qt::ControlModifier);
+    EXPECT_EQ(dialog(), nullptr);
+}
+
+TEST_F(WindowThatExports, TheViewByKeyNameAndReturn) {
+    openFlatScene();
+    indent();
+    askByKey();
+    ASSERT_TRUE(
+        eventually([this] { return !part<ExportPicture>("exportPreview")->picture().isNull(); }));
+    type("exportFolder", here());
+    typeSize("exportWidth", "640");
+    typeSize("exportHeight", "480");
+    type("exportName", "indented_{n}");
+    EXPECT_TRUE(part<QLabel>("exportFile")->toolTip().contains("indented_1.png"));
+    QTest::keyClick(part<QLineEdit>("exportName"), Qt::Key_Return);
+    ASSERT_TRUE(eventually([this] { return told().find("indented_1.png") != std::string::npos; }))
+        << told();
+    EXPECT_EQ(QImage(file("indented_1.png")).size(), QSize(640, 480));
+    EXPECT_TRUE(eventually([this] { return dialog() == nullptr; }));
+    EXPECT_TRUE(session.run()->loop().running());
+}
+
+/// Camera, width of frame and options are those of the window's view.
+TEST_F(WindowThatExports, TheViewAsItIsNow) {
+    openFlatScene();
+    session.runs().pause();
+    const auto exported = [this](const QString& name) {
+        askByKey();
+        type("exportFolder", here());
+        typeSize("exportWidth", "320");
+        typeSize("exportHeight", "240");
+        type("exportName", name);
+        QTest::mouseClick(part<QPushButton>("exportWrite"), Qt::LeftButton);
+        EXPECT_TRUE(
+            eventually([&] { return told().find(name.toStdString()) != std::string::npos; }));
+        EXPECT_TRUE(eventually([this] { return dialog() == nullptr; }));
+        return QImage(file(name.toStdString() + ".png"));
+    };
+    const QImage first = exported("first");
+    EXPECT_EQ(exported("again"), first);
+    window.view().lookFrom(ViewDirection::Top);
+    const QImage fromAbove = exported("above");
+    EXPECT_NE(fromAbove, first);
+    window.view().setHalfWidth(0.5 * window.view().halfWidth());
+    EXPECT_NE(exported("nearer"), fromAbove);
+}
+
+TEST_F(WindowThatExports, EscapeWritesNothing) {
+    openFlatScene();
+    askByKey();
+    type("exportFolder", here());
+    type("exportName", "never");
+    QTest::keyClick(dialog(), Qt::Key_Escape);
+    EXPECT_TRUE(eventually([this] { return dialog() == nullptr; }));
+    live(300);
+    EXPECT_FALSE(std::filesystem::exists(folder.file("never.png")));
+}
+
+TEST_F(WindowThatExports, EveryControlHasAToolTip) {
+    openFlatScene();
+    askByKey();
+    for (const QWidget* const widget : dialog()->findChildren<QWidget*>()) {
+        const bool isInput =
+            qobject_cast<const QAbstractButton*>(widget) != nullptr ||
+            qobject_cast<const QComboBox*>(widget) != nullptr ||
+            qobject_cast<const QAbstractSpinBox*>(widget) != nullptr ||
+            (qobject_cast<const QLineEdit*>(widget) != nullptr &&
+             qobject_cast<const QAbstractSpinBox*>(widget->parentWidget()) == nullptr);
+        if (isInput) {
+            EXPECT_FALSE(widget->toolTip().isEmpty()) << widget->objectName().toStdString();
+        }
+    }
+}
+
+TEST_F(WindowThatExports, AFilmOfARecording) {
+    openFlatScene();
+    askForFilm(record(), "film");
+    QTest::keyClick(part<QLineEdit>("exportName"), Qt::Key_Return);
+    ASSERT_TRUE(eventually([this] { return told().find("Exported to") != std::string::npos; }))
+        << told();
+    EXPECT_TRUE(std::filesystem::exists(folder.file("film") / "frames.csv"));
+    EXPECT_EQ(QImage(file("film/frame_00001.png")).size(), QSize(320, 240));
+}
+
+TEST_F(WindowThatExports, ACanceledFilmLeavesNothing) {
+    openFlatScene();
+    askForFilm(record(), "film");
+    part<QDoubleSpinBox>("exportSpeed")->setValue(0.002);  // thousands of frames
+    QTest::keyClick(part<QLineEdit>("exportName"), Qt::Key_Return);
+    ASSERT_TRUE(eventually([this] { return window.menus().cancelLoading->isEnabled(); }));
+    live(1000);
+    askByKeyInVain();
+    window.menus().cancelLoading->trigger();
+    EXPECT_TRUE(eventually([this] { return !window.menus().cancelLoading->isEnabled(); }));
+    live(1000);
+    EXPECT_FALSE(std::filesystem::exists(folder.file("film")));
+    EXPECT_TRUE(told().find("Exported") == std::string::npos) << told();
+    EXPECT_TRUE(session.run()->loop().running());
+}
+
+class WindowThatExportsAlone : public WindowThatExports {};
+
+TEST_F(WindowThatExportsAlone, ThePreviewDoesNotBlockTheWindow) {
+    openFlatScene();
+    askByKey();  // the driver compiles its shaders
+    ASSERT_TRUE(
+        eventually([this] { return !part<ExportPicture>("exportPreview")->picture().isNull(); }));
+    QTest::keyClick(dialog(), Qt::Key_Escape);
+    ASSERT_TRUE(eventually([this] { return dialog() == nullptr; }));
+    EventLoopWatchdog watchdog;
+    watchdog.enter("open");
+    askByKey();
+    live(1000);
+    watchdog.enter("view");
+    part<QAbstractButton>("exportClean")->click();
+    live(1000);
+    watchdog.enter("plots");
+    part<QComboBox>("exportSubject")->setCurrentIndex(static_cast<int>(ExportSubject::Forces));
+    live(1000);
+    std::cout << tableOf(watchdog.longest());
+    for (const BlockedStretch& stretch : watchdog.longest()) {
+        EXPECT_LT(stretch.processor, kLongestBlock) << stretch.step;
+    }
+}
+
+}  // namespace
+}  // namespace asperity::test
