@@ -51,14 +51,21 @@ SceneControl::SceneControl(MainWindow& window, RunControl& runs, SceneEdits& edi
 }
 
 void SceneControl::open(const std::filesystem::path& input, const SceneOverrides& overrides) {
+    askedWith_ = overrides;
+    open(
+        input,
+        [input, overrides](Progress& progress) { return loadScene(input, overrides, &progress); },
+        [this, input] { Q_EMIT opened(input); });
+}
+
+void SceneControl::open(const std::filesystem::path& input, const LongWork<LoadedScene>::Work& load,
+                        const std::function<void()>& shown) {
     scales_.withdraw();
     asked_ = input;
-    askedWith_ = overrides;
     const QString name = QString::fromStdString(printable(input.filename().string()));
     edits_.open({.name = name,
-                 .load = [input, overrides](
-                             Progress& progress) { return loadScene(input, overrides, &progress); },
-                 .opened = [this, input] { Q_EMIT opened(input); },
+                 .load = load,
+                 .opened = shown,
                  .failed = [this](const std::exception_ptr& reason) { fail(reason); },
                  .canceled =
                      [this, name] {

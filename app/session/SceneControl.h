@@ -19,6 +19,9 @@ public:
     /// does not hold its scale the user is asked for it first. Another one that is being loaded is
     /// given up.
     void open(const std::filesystem::path& input, const SceneOverrides& overrides = {});
+    /// The same of a scene that is loaded in another way. @param shown is called once it is there
+    void open(const std::filesystem::path& input, const LongWork<LoadedScene>::Work& load,
+              const std::function<void()>& shown);
     [[nodiscard]] ScaleControl& scales() { return scales_; }
     /// Cancels what is being loaded; the scene stays as it is.
     void cancelOpen();

@@ -2,6 +2,7 @@
 
 #include "app/session/ClipboardControl.h"
 #include "app/session/ColorControl.h"
+#include "app/session/ComparisonControl.h"
 #include "app/session/DeviceControl.h"
 #include "app/session/EngageControl.h"
 #include "app/session/EntryControl.h"
@@ -13,6 +14,7 @@
 #include "app/session/MessageControl.h"
 #include "app/session/OpenControl.h"
 #include "app/session/PathControl.h"
+#include "app/session/PlaybackControl.h"
 #include "app/session/ProbeControl.h"
 #include "app/session/RecordingControl.h"
 #include "app/session/RunControl.h"
@@ -48,6 +50,8 @@ public:
     [[nodiscard]] DeviceControl& devices() { return devices_; }
     [[nodiscard]] PathControl& paths() { return paths_; }
     [[nodiscard]] RecordingControl& recordings() { return recordings_; }
+    [[nodiscard]] PlaybackControl& playback() { return playback_; }
+    [[nodiscard]] ComparisonControl& comparisons() { return comparisons_; }
     [[nodiscard]] MeasureControl& measuring() { return measuring_; }
     [[nodiscard]] const ViewControl& views() const { return views_; }
 
@@ -75,6 +79,8 @@ private:
     HapticControl haptics_;
     ViewControl views_;
     MeasureControl measuring_;
+    PlaybackControl playback_;
+    ComparisonControl comparisons_;
     ColorControl colors_;
     MessageControl messages_;
     ClipboardControl clipboard_;
