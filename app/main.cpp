@@ -1,4 +1,5 @@
 #include "app/commands/BundleCommand.h"
+#include "app/commands/CompareCommand.h"
 #include "app/commands/ContactCommand.h"
 #include "app/commands/ConvertCommand.h"
 #include "app/commands/CurveCommand.h"
@@ -55,6 +56,7 @@ int run(int argc, char** argv) {
     asperity::addFilmCommand(program);
     asperity::addBundleCommand(program);
     asperity::addReportCommand(program);
+    asperity::addCompareCommand(program);
     asperity::addLoopCommand(program);
     asperity::addDevicesCommand(program);
     try {

@@ -107,6 +107,7 @@ RULES = {
     "ui/panels": WINDOW,
     "ui/view": WINDOW,
     "ui/measure": f"{WINDOW} ui/panels",
+    "ui/playback": f"{WINDOW} ui/panels ui/measure",
     "ui/window": f"{WINDOW} ui/help ui/panels ui/view",
     "app/program": "core/",
     "app/runs": "core/ app/program",

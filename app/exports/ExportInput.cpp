@@ -1,10 +1,9 @@
 #include "app/exports/ExportInput.h"
 
 #include "app/recording/Bundle.h"
-#include "app/recording/Replay.h"
 #include "app/recording/RunPlace.h"
+#include "app/recording/RunWithScene.h"
 #include "app/runs/LiveRun.h"
-#include "app/runs/RunFolder.h"
 
 #include <utility>
 
@@ -27,12 +26,10 @@ ExportInput::ExportInput(const std::filesystem::path& input, Progress* progress)
         return;
     }
     const RunPlace place(input);
-    RunOnDisk run = readRunInputs(place.folder());
-    loaded_ = std::make_unique<const LoadedScene>(
-        loadScene(place.folder() / run_files::kScene, {}, progress));
-    requireSameScan(*loaded_, run.sha256);
-    note_ = sentenceOf(run.state);
-    run_.emplace(loaded_->scene, std::move(run.inputs));
+    RunWithScene read = readRunWithScene(place.folder(), progress);
+    loaded_ = std::make_unique<const LoadedScene>(std::move(read.loaded));
+    note_ = sentenceOf(read.run.state);
+    run_.emplace(loaded_->scene, std::move(read.run.inputs));
 }
 
 TickSample ExportInput::restingSample() const {

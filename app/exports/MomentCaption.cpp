@@ -1,5 +1,6 @@
 #include "app/exports/MomentCaption.h"
 
+#include "app/recording/ForceTrace.h"
 #include "core/FormattedText.h"
 
 #include <algorithm>
@@ -8,8 +9,6 @@
 namespace asperity {
 
 namespace {
-
-double normalForce(const TickOutput& out) { return out.estimate.force.dot(out.model.normal); }
 
 std::string valueText(double value, const SiScale& scale) {
     const double shown = value * scale.factor;

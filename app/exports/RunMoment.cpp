@@ -5,7 +5,6 @@
 #include "core/io/TextValue.h"
 
 #include <cmath>
-#include <optional>
 
 namespace asperity {
 
@@ -35,6 +34,8 @@ RunEvents eventsOf(RunPlayback& run, Progress* progress) {
     return recorder.events();
 }
 
+}  // namespace
+
 std::optional<TickSample> sampleOf(const RunEvents& events, NamedMoment moment) {
     switch (moment) {
     case NamedMoment::Deepest:
@@ -45,8 +46,6 @@ std::optional<TickSample> sampleOf(const RunEvents& events, NamedMoment moment) 
         return events.lastHold ? events.lastHold : events.beforePullOff;
     }
 }
-
-}  // namespace
 
 RunMoment runMoment(const std::string& text) {
     if (const auto named = fromKey<NamedMoment>(text)) {

@@ -4,6 +4,7 @@
 #include "core/EnumTable.h"
 #include "core/haptics/RunEvents.h"
 
+#include <optional>
 #include <string>
 #include <variant>
 
@@ -31,6 +32,9 @@ using RunMoment = std::variant<NamedMoment, double>;
 
 /// @throw Error where it is neither
 [[nodiscard]] RunMoment runMoment(const std::string& text);
+
+/// Where a named moment is, but for start and end, by the events of a run; none: it has none.
+[[nodiscard]] std::optional<TickSample> sampleOf(const RunEvents& events, NamedMoment moment);
 
 /// The tick of a moment. Events are found by running all of it.
 /// @throw Error where the run has no such moment, with its range; Canceled

@@ -1,7 +1,10 @@
 #include "app/recording/RunPlace.h"
 
 #include "app/recording/Bundle.h"
+#include "app/runs/RunFolder.h"
 #include "core/Error.h"
+
+#include <algorithm>
 
 namespace asperity {
 
@@ -14,6 +17,12 @@ RunPlace::RunPlace(const std::filesystem::path& input) : folder_(input) {
     } else if (!std::filesystem::is_directory(input, unknown)) {
         throw InputError(input.string(), "", "expected the folder of a run, or a bundle");
     }
+}
+
+std::filesystem::path runOf(const std::filesystem::path& file) {
+    const std::vector<std::string>& names = runFileNames();
+    return std::ranges::find(names, file.filename().string()) == names.end() ? file
+                                                                             : file.parent_path();
 }
 
 }  // namespace asperity

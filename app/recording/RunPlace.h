@@ -21,4 +21,8 @@ private:
     std::filesystem::path folder_;
 };
 
+/// The run that a file belongs to, as a user picks one in a dialog: the folder of a run's own
+/// files; anything else as it is.
+[[nodiscard]] std::filesystem::path runOf(const std::filesystem::path& file);
+
 }  // namespace asperity

@@ -9,7 +9,7 @@
 namespace asperity {
 
 RunPlayback::RunPlayback(const Scene& scene, RunInputs inputs)
-    : scene_(scene)
+    : scene_(&scene)
     , inputs_(std::move(inputs))
     , checkpoints_({inputs_.memory()})
     , memory_(inputs_.memory()) {
@@ -61,7 +61,7 @@ void RunPlayback::seek(std::size_t tick) {
 void RunPlayback::step() {
     sample_.time = inputs_.time(next_);
     sample_.input = inputs_.input(next_);
-    sample_.output = tick(scene_, sample_.input, memory_);
+    sample_.output = tick(*scene_, sample_.input, memory_);
     ++next_;
     if (next_ % kCheckpointTicks == 0 && checkpoints_.size() == next_ / kCheckpointTicks) {
         checkpoints_.push_back(memory_);

@@ -24,6 +24,9 @@ public:
     /// began with
     RunPlayback(const Scene& scene, RunInputs inputs);
 
+    /// What was computed so far is kept. @param scene the same one at another place; outlives this
+    void moveTo(const Scene& scene) noexcept { scene_ = &scene; }
+
     [[nodiscard]] std::size_t size() const noexcept { return inputs_.size(); }
     /// Since the run began [s].
     [[nodiscard]] double time(std::size_t tick) const { return inputs_.time(tick); }
@@ -43,7 +46,7 @@ private:
     void seek(std::size_t tick);
     void step();
 
-    const Scene& scene_;
+    const Scene* scene_;
     RunInputs inputs_;
     std::vector<TickMemory> checkpoints_;  ///< before tick 0, kCheckpointTicks, ...
     TickMemory memory_;                    ///< before tick next_

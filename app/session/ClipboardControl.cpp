@@ -65,7 +65,7 @@ void ClipboardControl::copyNumbers() {
     if (runs_.run() == nullptr) {
         return;
     }
-    const Snapshot& latest = runs_.run()->loop().snapshot();
+    const Snapshot& latest = runs_.shown();
     ShownNumbers numbers;
     for (const RunPanel* const panel : window_.panels()) {
         const ShownNumbers own = panel->numbers(latest);

@@ -97,7 +97,7 @@ void HapticControl::show() {
         return;
     }
     showDevice(run);
-    const Snapshot& latest = run.loop().snapshot();
+    const Snapshot& latest = runs_.shown();
     const double most = run.device().specification().maxForce;
     panel.showTick(latest.sample.output,
                    most > 0.0 ? std::min(most, run.settings().governor.maxForce) : 0.0);

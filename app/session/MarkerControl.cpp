@@ -43,7 +43,7 @@ MarkerControl::MarkerControl(MainWindow& window, RunControl& runs, SceneEdits& e
 void MarkerControl::connectPage() {
     connect(page_, &MarkersPage::atTipChosen, this, [this] {
         if (runs_.run() != nullptr) {
-            const Vector3& tip = runs_.run()->loop().snapshot().sample.output.model.tip;
+            const Vector3& tip = runs_.shown().sample.output.model.tip;
             add({tip.x(), tip.y()});
         }
     });

@@ -107,6 +107,7 @@ void RunControl::start() {
         run_->loop().start();
         window_.controls().setRunning(true);
         window_.banner().setPaused(false);
+        Q_EMIT started();
     }
 }
 

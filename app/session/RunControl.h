@@ -44,6 +44,14 @@ public:
     /// Shows how the knobs are. There is a run.
     void showKnobs();
 
+    /// The tick that the window shows: of a recording that is looked at, else the latest one of the
+    /// loop. There is a run.
+    [[nodiscard]] const Snapshot& shown() {
+        return recorded_ ? *recorded_ : run_->loop().snapshot();
+    }
+    /// Shows a tick of a recording; none: those of the loop again.
+    void showRecorded(const std::optional<Snapshot>& tick) { recorded_ = tick; }
+
 Q_SIGNALS:
     /// The run is about to go. Its loop rests, and all of its ticks are fetched.
     void ending();
@@ -51,6 +59,8 @@ Q_SIGNALS:
     void begun();
     /// After begun(): its scene is the one before, changed.
     void rebuilt();
+    /// The loop begins, or goes on.
+    void started();
 
 private:
     void begin(LoadedScene scene, const Vector3& start, const Settings& settings);
@@ -61,6 +71,7 @@ private:
     MainWindow& window_;
     TickSink sink_ = [](const TickSample&) {};
     std::unique_ptr<LiveRun> run_;
+    std::optional<Snapshot> recorded_;  ///< none: the loop's ticks are shown
 };
 
 }  // namespace asperity

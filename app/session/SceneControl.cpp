@@ -67,32 +67,47 @@ SceneControl::SceneControl(MainWindow& window, RunControl& runs, SceneEdits& edi
 }
 
 void SceneControl::open(const std::filesystem::path& input, const SceneOverrides& overrides) {
+    askedWith_ = overrides;
+    const auto kept = std::make_shared<QVariantMap>();
+    begin(input, {.name = {},
+                  .load =
+                      [input, overrides, kept](Progress& progress) {
+                          const std::filesystem::path scene = sceneIn(input, progress);
+                          *kept = windowSectionOf(scene);
+                          return loadScene(scene, overrides, &progress);
+                      },
+                  .place = [kept] { return tipPlaceIn(*kept); },
+                  .opened =
+                      [this, input, kept] {
+                          Q_EMIT opened(input);
+                          if (!kept->isEmpty()) {
+                              Q_EMIT sessionOpened(input, *kept);
+                          }
+                      },
+                  .failed = {},
+                  .canceled = {}});
+}
+
+void SceneControl::open(const std::filesystem::path& input, const LongWork<LoadedScene>::Work& load,
+                        const std::function<void()>& shown) {
+    begin(input, {.name = {}, .load = load, .opened = shown, .failed = {}, .canceled = {}});
+}
+
+void SceneControl::begin(const std::filesystem::path& input, SceneEdits::Opening opening) {
     scales_.withdraw();
     asked_ = input;
-    askedWith_ = overrides;
     const QString name = QString::fromStdString(printable(input.filename().string()));
-    const auto kept = std::make_shared<QVariantMap>();
-    edits_.open({.name = name,
-                 .load =
-                     [input, overrides, kept](Progress& progress) {
-                         const std::filesystem::path scene = sceneIn(input, progress);
-                         *kept = windowSectionOf(scene);
-                         return loadScene(scene, overrides, &progress);
-                     },
-                 .place = [kept] { return tipPlaceIn(*kept); },
-                 .opened =
-                     [this, input, kept] {
-                         Q_EMIT opened(input);
-                         if (!kept->isEmpty()) {
-                             Q_EMIT sessionOpened(input, *kept);
-                         }
-                     },
-                 .failed = [this](const std::exception_ptr& reason) { fail(reason); },
-                 .canceled =
-                     [this, name] {
-                         window_.tell(tr("Loading of %1 canceled").arg(name));
-                         Q_EMIT openCanceled();
-                     }});
+    opening.name = name;
+    opening.opened = [this, opened = opening.opened] {
+        Q_EMIT sceneTaken();
+        opened();
+    };
+    opening.failed = [this](const std::exception_ptr& reason) { fail(reason); };
+    opening.canceled = [this, name] {
+        window_.tell(tr("Loading of %1 canceled").arg(name));
+        Q_EMIT openCanceled();
+    };
+    edits_.open(std::move(opening));
 }
 
 void SceneControl::cancelOpen() { edits_.cancel(); }

@@ -21,6 +21,9 @@ public:
     /// does not hold its scale the user is asked for it first. Another one that is being loaded is
     /// given up.
     void open(const std::filesystem::path& input, const SceneOverrides& overrides = {});
+    /// The same of a scene that is loaded in another way. @param shown is called once it is there
+    void open(const std::filesystem::path& input, const LongWork<LoadedScene>::Work& load,
+              const std::function<void()>& shown);
     [[nodiscard]] ScaleControl& scales() { return scales_; }
     /// Cancels what is being loaded; the scene stays as it is.
     void cancelOpen();
@@ -28,7 +31,9 @@ public:
     [[nodiscard]] std::exception_ptr openError() const { return openError_; }
 
 Q_SIGNALS:
-    /// A file was opened, and is shown.
+    /// Another scene was opened in whatever way, and is shown.
+    void sceneTaken();
+    /// After sceneTaken(), of a file that a user opens.
     void opened(std::filesystem::path file);
     /// After opened(), of a session: how the window showed the scene.
     void sessionOpened(std::filesystem::path file, QVariantMap kept);
@@ -38,6 +43,8 @@ Q_SIGNALS:
     void scaleAsked();
 
 private:
+    /// @param opening with `load`, `place` and `opened`
+    void begin(const std::filesystem::path& input, SceneEdits::Opening opening);
     /// Of the scan that is open.
     void showChannels();
     void chooseChannel(const QString& name);

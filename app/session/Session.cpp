@@ -35,6 +35,8 @@ Session::Session(MainWindow& window)
     , haptics_(window, runs_, edits_)
     , views_(window, runs_)
     , measuring_(window, runs_, edits_)
+    , playback_(window, runs_, scenes_)
+    , comparisons_(window, playback_)
     , colors_(window, runs_)
     , messages_(window, runs_)
     , clipboard_(window, runs_, views_)
@@ -81,6 +83,7 @@ void Session::stop() {
     if (!closesSomething && !measuring_.leaveTool()) {
         scenes_.cancelOpen();
         exports_.cancel();
+        comparisons_.cancel();
     }
 }
 
@@ -93,6 +96,7 @@ void Session::advance() {
         runs_.fetch();
         recordings_.advance();
         messages_.advance();
+        playback_.advance(elapsed);
         views_.show(now);
         measuring_.show();
         haptics_.show();

@@ -3,6 +3,7 @@
 #include "app/session/BundleControl.h"
 #include "app/session/ClipboardControl.h"
 #include "app/session/ColorControl.h"
+#include "app/session/ComparisonControl.h"
 #include "app/session/DeviceControl.h"
 #include "app/session/EngageControl.h"
 #include "app/session/EntryControl.h"
@@ -15,6 +16,7 @@
 #include "app/session/MessageControl.h"
 #include "app/session/OpenControl.h"
 #include "app/session/PathControl.h"
+#include "app/session/PlaybackControl.h"
 #include "app/session/ProbeControl.h"
 #include "app/session/RecordingControl.h"
 #include "app/session/RunControl.h"
@@ -54,6 +56,8 @@ public:
     [[nodiscard]] PathControl& paths() { return paths_; }
     [[nodiscard]] RecordingControl& recordings() { return recordings_; }
     [[nodiscard]] BundleControl& bundles() { return bundles_; }
+    [[nodiscard]] PlaybackControl& playback() { return playback_; }
+    [[nodiscard]] ComparisonControl& comparisons() { return comparisons_; }
     [[nodiscard]] MeasureControl& measuring() { return measuring_; }
     [[nodiscard]] const ViewControl& views() const { return views_; }
 
@@ -81,6 +85,8 @@ private:
     HapticControl haptics_;
     ViewControl views_;
     MeasureControl measuring_;
+    PlaybackControl playback_;
+    ComparisonControl comparisons_;
     ColorControl colors_;
     MessageControl messages_;
     ClipboardControl clipboard_;

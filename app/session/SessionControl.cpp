@@ -34,7 +34,7 @@ SessionControl::SessionControl(MainWindow& window, RunControl& runs, SceneContro
     connect(&window, &MainWindow::sceneFileChosen, this,
             [this](const QString& file) { saveAs(std::filesystem::path(file.toStdString())); });
     connect(menus.restoreSession, &QAction::triggered, this, [this] { scenes_.open(before()); });
-    connect(&scenes, &SceneControl::opened, this, [this] { file_.clear(); });
+    connect(&scenes, &SceneControl::sceneTaken, this, [this] { file_.clear(); });
     connect(&scenes, &SceneControl::sessionOpened, this, &SessionControl::restore);
     connect(&due_, &QTimer::timeout, this, &SessionControl::keep);
     connect(&runs, &RunControl::ending, this, &SessionControl::keep);

@@ -86,7 +86,7 @@ void ViewControl::show(double now) {
         panels_.rest();
     }
     window_.banner().setEnergyGiven(run.energy().active());
-    const Snapshot& latest = run.loop().snapshot();
+    const Snapshot& latest = runs_.shown();
     solveHalfSpace(latest);
     frame_ = (frame_ + 1) % kFramesPerPanelFrame;
     draw(latest, frame_ == 0);
@@ -125,7 +125,7 @@ std::vector<ViewRate> ViewControl::rates() const {
 QPixmap ViewControl::picture() {
     if (runs_.run() != nullptr) {
         runs_.fetch();
-        draw(runs_.run()->loop().snapshot(), true);
+        draw(runs_.shown(), true);
     }
     QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);  // new texts get their room
     return window_.grab();

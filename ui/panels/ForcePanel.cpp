@@ -324,6 +324,11 @@ void ForcePanel::clear() {
     cycles_->end();
 }
 
+void ForcePanel::rewind() {
+    clear();
+    cycles_->clear();
+}
+
 void ForcePanel::begin(const Scene& scene) {
     const std::string& name = scene.description.sample.material.name;
     cycles_->begin(QString::fromStdString(name).replace('_', ' '));

@@ -22,6 +22,7 @@ public:
     explicit ForcePanel(QWidget* parent = nullptr);
 
     void clear() override;
+    void rewind() override;
     void begin(const Scene& scene) override;
     /// For the curves.
     void take(const TickSample& sample) noexcept override;

@@ -16,6 +16,7 @@ public:
     void setRateAsked(double rate);          ///< of the loop [Hz]
     void setFramesPerSecond(double frames);  ///< of the pictures [1/s]
     void clear() override;
+    void rewind() override {}  // it shows the loop, whatever the tick
     void begin(const Scene& scene) override;
     void show(const Snapshot& snapshot) override;
     using QWidget::show;

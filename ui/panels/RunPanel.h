@@ -16,6 +16,8 @@ public:
     virtual void clear() = 0;
     /// After clear(): the scene that is shown from now on; it outlives that.
     virtual void begin(const Scene& /*scene*/) {}
+    /// Forgets the ticks so far, the scene stays: those that come are of another time.
+    virtual void rewind() { clear(); }
     /// Keeps one tick; every tick, cheap.
     virtual void take(const TickSample& /*sample*/) noexcept {}
     /// Shows the latest tick; once a frame.

@@ -19,17 +19,22 @@ namespace asperity {
 
 namespace {
 
-constexpr int kHeight = 32;          ///< [px]
-constexpr int kEdge = 5;             ///< in the state's full color, at the left [px]
-constexpr double kRadius = 4.0;      ///< of the corners [px]
-constexpr double kWash = 0.12;       ///< of the state's color behind the words
-constexpr int kMaxLetters = 60;      ///< of the whole line
-constexpr double kStateSize = 9.75;  ///< of letters [pt]
+constexpr int kHeight = 32;             ///< [px]
+constexpr int kEdge = 5;                ///< in the state's full color, at the left [px]
+constexpr double kRadius = 4.0;         ///< of the corners [px]
+constexpr double kWash = 0.12;          ///< of the state's color behind the words
+constexpr double kRecordedWash = 0.35;  ///< likewise of a recording: no live run looks so
+constexpr int kMaxLetters = 60;         ///< of the whole line
+constexpr double kStateSize = 9.75;     ///< of letters [pt]
 const QString kBetween = QStringLiteral(" · ");
 
 template <class Value>
 QString wordsOf(Value value) {
     return coreWords(nameOf(value));
+}
+
+QString recordingWords(double time) {
+    return StateBanner::tr("Recording, t = %1 s").arg(time, 0, 'f', 3);
 }
 
 bool actsFully(ForceState state) { return state == ForceState::On || state == ForceState::Limited; }
@@ -87,6 +92,11 @@ void StateBanner::setPaused(bool paused) {
     showLine();
 }
 
+void StateBanner::setRecorded(const std::optional<double>& time) {
+    recorded_ = time;
+    showLine();
+}
+
 void StateBanner::clear() {
     latest_ = {};
     hasRun_ = false;
@@ -99,20 +109,23 @@ void StateBanner::clear() {
 QStringList StateBanner::stateWords() const {
     const TickOutput& output = latest_.sample.output;
     if (output.fault != Fault::None) {
-        return {tr("fault: %1").arg(wordsOf(output.fault))};
+        const QString fault = tr("fault: %1").arg(wordsOf(output.fault));
+        return recorded_ ? QStringList{recordingWords(*recorded_), fault} : QStringList{fault};
     }
     if (!hasRun_) {
         return {paused_ ? tr("paused") : tr("not started")};
     }
     QStringList words;
-    if (paused_) {
+    if (recorded_) {
+        words << recordingWords(*recorded_);
+    } else if (paused_) {
         words << tr("paused");
     }
-    if (const QString force = wordsOf(output.forceState); !force.isEmpty()) {
+    if (const QString force = wordsOf(output.forceState); !recorded_ && !force.isEmpty()) {
         words << force;
     }
     const TickInput& input = latest_.sample.input;
-    if (!edgeForce(input.settings.workspace, input.device.position).isZero(0.0)) {
+    if (!recorded_ && !edgeForce(input.settings.workspace, input.device.position).isZero(0.0)) {
         words << tr("edge of the workspace: clutch (C)");
     }
     return words << wordsOf(output.region());
@@ -160,7 +173,7 @@ void StateBanner::showLine() {
     }
     state_->setText(state.join(kBetween));
     flags_->setText(flags_->fontMetrics().elidedText(caution, Qt::ElideRight, flags_->width()));
-    rearm_->setVisible(latest_.sample.output.fault != Fault::None);
+    rearm_->setVisible(!recorded_ && latest_.sample.output.fault != Fault::None);
     showDetails(whole, all);
     showColor();
 }
@@ -182,6 +195,9 @@ void StateBanner::showDetails(const QStringList& state, const std::vector<Cautio
 
 QColor StateBanner::stateColor() const {
     const TickOutput& output = latest_.sample.output;
+    if (recorded_) {
+        return theme::colors().purple;
+    }
     if (output.fault != Fault::None) {
         return theme::colors().fault;
     }
@@ -217,7 +233,7 @@ void StateBanner::paintEvent(QPaintEvent* /*event*/) {
     shape.addRoundedRect(rect(), kRadius, kRadius);
     painter.setClipPath(shape);
     QColor wash = shownColor_;
-    wash.setAlphaF(kWash);
+    wash.setAlphaF(recorded_ ? kRecordedWash : kWash);
     painter.fillRect(rect(), wash);
     painter.fillRect(0, 0, kEdge, height(), shownColor_);
 }

@@ -8,6 +8,7 @@
 #include <QFrame>
 #include <QStringList>
 
+#include <optional>
 #include <vector>
 
 class QLabel;
@@ -37,6 +38,8 @@ public:
     void setEnergyGiven(bool given) { energyGiven_ = given; }
     /// The run stands still, or goes on.
     void setPaused(bool paused);
+    /// What is shown is a moment of a recording, in the time of its run [s]; none: it is live.
+    void setRecorded(const std::optional<double>& time);
 
 Q_SIGNALS:
     /// The user resets the fault.
@@ -68,6 +71,7 @@ private:
     Snapshot latest_;
     bool hasRun_ = false;
     bool paused_ = false;
+    std::optional<double> recorded_;
     bool energyGiven_ = false;
     ShownFlags shown_;
     QColor shownColor_;

@@ -33,6 +33,13 @@ QString askForRecording(QWidget* window) {
         QObject::tr("Force logs (force_log.csv recording.h5 *.csv)"));
 }
 
+QString askForRun(QWidget* window) {
+    return QFileDialog::getOpenFileName(
+        window, QObject::tr("Look at a recording"), {},
+        QObject::tr("Recorded runs (recording.json summary.json recording.h5 force_log.csv);;"
+                    "Bundles (*.zip);;All files (*)"));
+}
+
 QString askForPicture(QWidget* window) {
     return QFileDialog::getSaveFileName(window, QObject::tr("Save a picture of the window"),
                                         QStringLiteral("asperity.png"),

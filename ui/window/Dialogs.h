@@ -23,6 +23,8 @@ struct ScanFileType {
 /// The file that a user chooses; empty: none.
 [[nodiscard]] QString askForPath(QWidget* window);
 [[nodiscard]] QString askForRecording(QWidget* window);
+/// A file of a recorded run's folder, or a bundle.
+[[nodiscard]] QString askForRun(QWidget* window);
 [[nodiscard]] QString askForPicture(QWidget* window);
 /// Of a measured force-distance curve.
 [[nodiscard]] QString askForCurve(QWidget* window);

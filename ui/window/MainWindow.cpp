@@ -236,6 +236,7 @@ void MainWindow::connectMenus() {
     on(menus_->followPathFile, askPath);
     connect(controls_, &ControlBar::pathFileRequested, this, askPath);
     on(menus_->followRecording, ask(askForRecording, &MainWindow::recordingChosen));
+    on(menus_->lookAtRecording, ask(askForRun, &MainWindow::runChosen));
     for (ZoomView* const view : {view_, &second_->space()}) {
         view->addAction(menus_->copyView);  // so that its shortcut holds there
     }

@@ -111,6 +111,8 @@ Q_SIGNALS:
     void openRequested(QString file);
     void pathFileChosen(QString file);
     void recordingChosen(QString forceLog);
+    /// To be looked at: a file of its folder, or a bundle.
+    void runChosen(QString file);
     void pictureFileChosen(QString file);
     void sceneFileChosen(QString file);  ///< to be written
 

@@ -82,6 +82,7 @@ void WindowMenus::explainAll() {
         {resetFault, tr("Reset the fault: forces act again")},
         {followPathFile, tr("Move the base along a path from a CSV file")},
         {followRecording, tr("Move the base as in a recorded run")},
+        {lookAtRecording, tr("Show any moment of a recorded run, or of a bundle, in all views")},
         {calibrate, tr("Set the zero of the device's angles")},
         {zoomIn, tr("Show a smaller part of the scan")},
         {zoomOut, tr("Show a larger part of the scan")},
@@ -178,6 +179,7 @@ void WindowMenus::addRunMenu(QMenuBar& bar) {
     menu->addSeparator();
     followPathFile = menu->addAction(tr("Follow a path from a fi&le…"));
     followRecording = menu->addAction(tr("Replay a &recording…"));
+    lookAtRecording = menu->addAction(tr("Look at a rec&ording…"));
     for (QAction* action : {startPause, forcesOff}) {
         action->setShortcutContext(Qt::ApplicationShortcut);
     }

@@ -58,6 +58,7 @@ public:
     QAction* resetFault;
     QAction* followPathFile;
     QAction* followRecording;
+    QAction* lookAtRecording;
 
     QAction* tipControl;   ///< checkable
     QAction* clutch;       ///< checkable

@@ -1,0 +1,254 @@
+#include "app/session/PlaybackControl.h"
+
+#include "app/exports/RunMoment.h"
+#include "app/recording/ComparedRun.h"
+#include "app/recording/RunWithScene.h"
+#include "ui/CoreWords.h"
+#include "ui/Steady.h"
+#include "ui/panels/RunPanel.h"
+#include "ui/panels/StateBanner.h"
+#include "ui/playback/ThinnedLine.h"
+#include "ui/window/MainWindow.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace asperity {
+
+namespace {
+
+/// What the panels are shown before a moment, so that their curves are those of the live run.
+constexpr std::size_t kHistory = 10'000;
+constexpr std::size_t kAtOnce = 1'000;   ///< that the curves go on by; more are another time
+constexpr double kLoaded = 0.3;          ///< share of the time that reading a run takes
+constexpr int kDrawnStretches = 50'000;  ///< of a line: a zoom by ten still shows all
+
+/// Reads a run and runs through it once, so that any tick is at hand. @return its scene
+LoadedScene read(LookedAtRun& run, const RunPlace& place, Progress& progress) {
+    ProgressPart loading(&progress, 0.0, kLoaded);
+    ProgressPart running(&progress, kLoaded, 1.0);
+    RunWithScene read = readRunWithScene(place.folder(), &loading);
+    run.note = sentenceOf(read.run.state);
+    run.conditions = conditionsOf(read.loaded);
+    run.playback.emplace(read.loaded.scene, std::move(read.run.inputs));
+    run.survey = surveyOf(*run.playback, &running);
+    return std::move(read.loaded);
+}
+
+PlaybackBar::Steps stepsOf(const LookedAtRun& run) {
+    const auto tickOf = [&run](NamedMoment moment) {
+        const auto sample = sampleOf(run.survey.events, moment);
+        return sample ? std::optional(static_cast<int>(run.playback->tickAt(sample->time)))
+                      : std::nullopt;
+    };
+    return {0, tickOf(NamedMoment::SnapIn), tickOf(NamedMoment::Deepest),
+            tickOf(NamedMoment::PullOff), static_cast<int>(run.playback->size()) - 1};
+}
+
+QString distanceText(const ContactState& contact) {
+    const bool isApart = contact.region() != TipRegion::Contact;
+    const bool isAbove = isApart || contact.indentation < 0.0;
+    const QString name = isApart                     ? PlaybackControl::tr("gap")
+                         : contact.indentation < 0.0 ? PlaybackControl::tr("neck height")
+                                                     : PlaybackControl::tr("indentation");
+    const double length = isAbove ? -contact.indentation : contact.indentation;
+    return name + QLatin1Char(' ') + QString::fromStdString(formatSi(length, "m"));
+}
+
+PlaybackPage::Readings readingsOf(const TickSample& sample) {
+    const TickOutput& output = sample.output;
+    const double force = normalForce(output);
+    const double sigma = normalForceSigma(output);
+    const SiScale scale = siScaleFor(std::max(std::abs(force), sigma), "N");
+    const QString state = output.fault == Fault::None ? coreWords(nameOf(output.region()))
+                                                      : coreWords(nameOf(output.fault));
+    return {.time = QStringLiteral("%1 s").arg(sample.time, 0, 'f', 3),
+            .force = QStringLiteral("%1 ± %2").arg(
+                QString::fromStdString(threeDigitText(force, SiScale{scale.factor, ""})).trimmed(),
+                QString::fromStdString(threeDigitText(sigma, scale))),
+            .distance = distanceText(output.model.contact),
+            .state = state};
+}
+
+}  // namespace
+
+PlaybackPage::Curves curvesOf(const ForceTrace& trace, const QString& name, double shift) {
+    QVector<QPointF> force;
+    QVector<QPointF> distance;
+    force.reserve(static_cast<int>(trace.size()));
+    distance.reserve(static_cast<int>(trace.size()));
+    for (std::size_t tick = 0; tick < trace.size(); ++tick) {
+        force.append({trace.time()[tick] + shift, trace.force()[tick]});
+        distance.append({trace.indentation()[tick], trace.force()[tick]});
+    }
+    return {.name = name,
+            .force = thinned(force, 0, force.size(), kDrawnStretches),
+            .distance = thinned(distance, 0, distance.size(), kDrawnStretches)};
+}
+
+PlaybackControl::PlaybackControl(MainWindow& window, RunControl& runs, SceneControl& scenes)
+    : window_(window)
+    , runs_(runs)
+    , scenes_(scenes)
+    , page_(new PlaybackPage(&window))
+    , work_(
+          {.progressed = [](double /*fraction*/) {},
+           .finished = [this](Stretch& stretch) { take(stretch); },
+           .failed =
+               [this](const std::exception_ptr& reason) { window_.complain(reasonOf(reason)); }}) {
+    window.addTool(page_, tr("Recording"));
+    connect(&window, &MainWindow::runChosen, this,
+            [this](const QString& file) { look(file.toStdString()); });
+    const PlaybackBar& bar = page_->bar();
+    connect(&bar, &PlaybackBar::tickChosen, this, [this](int tick) {
+        if (shown_) {
+            time_ = shown_->playback->time(static_cast<std::size_t>(tick));
+            want(static_cast<std::size_t>(tick));
+        }
+    });
+    connect(&bar, &PlaybackBar::playingChosen, this, &PlaybackControl::play);
+    connect(&bar, &PlaybackBar::backRequested, this, &PlaybackControl::leave);
+    connect(&runs, &RunControl::ending, this, &PlaybackControl::end);
+    connect(&runs, &RunControl::started, this, &PlaybackControl::end);
+}
+
+void PlaybackControl::look(const std::filesystem::path& file) {
+    const auto run = std::make_shared<LookedAtRun>();
+    run->input = runOf(file);
+    const auto place = std::make_shared<std::optional<RunPlace>>();
+    scenes_.open(
+        run->input,
+        [run, place](Progress& progress) {
+            return read(*run, place->emplace(run->input), progress);
+        },
+        [this, run, place] {
+            places_.push_back(place);
+            show(run);
+        });
+}
+
+void PlaybackControl::show(const std::shared_ptr<LookedAtRun>& run) {
+    runs_.pause();
+    runs_.fetch();
+    run->loaded = runs_.run()->shared();
+    run->playback->moveTo(run->loaded->scene);
+    shown_ = run;
+    title_ = window_.windowTitle();
+    tick_.reset();
+    hasHistory_ = false;
+    time_ = run->playback->firstTime();
+    const QString name = QString::fromStdString(runName(run->input));
+    page_->setRun(static_cast<int>(run->playback->size()), stepsOf(*run),
+                  curvesOf(run->survey.trace, name));
+    window_.showTool(page_);
+    window_.tell(run->note.empty()
+                     ? tr("Recording %1: the live run rests").arg(name)
+                     : tr("Recording %1: %2").arg(name, QString::fromStdString(run->note)));
+    wanted_ = 0;
+    compute();
+    Q_EMIT begun();
+}
+
+/// Starting the loop ends what is looked at.
+void PlaybackControl::leave() { runs_.start(); }
+
+void PlaybackControl::end() {
+    if (!shown_) {
+        return;
+    }
+    work_.cancel();
+    shown_.reset();
+    tick_.reset();
+    play(false);
+    runs_.showRecorded(std::nullopt);
+    window_.banner().setRecorded(std::nullopt);
+    window_.setWindowTitle(title_);
+    rewindPanels();
+    page_->setRun(0, {}, {});
+    Q_EMIT ended();
+}
+
+void PlaybackControl::rewindPanels() {
+    for (RunPanel* const panel : window_.panels()) {
+        panel->rewind();
+    }
+}
+
+void PlaybackControl::play(bool playing) {
+    playing_ = playing && shown_ != nullptr;
+    if (playing_ && wanted_ + 1 >= shown_->playback->size()) {
+        time_ = shown_->playback->firstTime();  // once more
+    }
+    page_->bar().setPlaying(playing_);
+}
+
+void PlaybackControl::advance(double elapsed) {
+    if (!playing_) {
+        return;
+    }
+    time_ += elapsed * page_->bar().speed();
+    if (time_ >= shown_->playback->lastTime()) {
+        time_ = shown_->playback->lastTime();
+        play(false);
+    }
+    want(shown_->playback->tickAt(time_));
+}
+
+void PlaybackControl::want(std::size_t tick) {
+    wanted_ = tick;
+    if (!work_.isBusy() || tick_ == awaited_) {  // what only completes the curves can wait
+        compute();
+    }
+}
+
+/// While somebody scrubs, only the ticks wanted; then those before the last one.
+void PlaybackControl::compute() {
+    const bool isShown = tick_ == wanted_;
+    if (isShown && hasHistory_) {
+        return;
+    }
+    const bool goesOn = tick_ && wanted_ > *tick_ && wanted_ - *tick_ <= kAtOnce;
+    const std::size_t first =
+        goesOn ? *tick_ + 1 : wanted_ - (isShown ? std::min(wanted_, kHistory) : 0);
+    awaited_ = wanted_;
+    work_.start([run = shown_, first, last = wanted_, goesOn, isShown](Progress& progress) {
+        Stretch stretch{.ticks = {}, .goesOn = goesOn, .isHistory = isShown};
+        stretch.ticks.reserve(last - first + 1);
+        run->playback->play(first, [&](const TickSample& sample) {
+            stretch.ticks.push_back(sample);
+            if (progress.isCanceled()) {
+                throw Canceled();
+            }
+            return stretch.ticks.size() <= last - first;
+        });
+        return stretch;
+    });
+}
+
+void PlaybackControl::take(const Stretch& stretch) {
+    if (!stretch.goesOn) {
+        rewindPanels();
+        hasHistory_ = stretch.isHistory;
+    }
+    for (RunPanel* const panel : window_.panels()) {
+        std::ranges::for_each(stretch.ticks,
+                              [panel](const TickSample& sample) { panel->take(sample); });
+    }
+    tick_ = awaited_;
+    showMoment(stretch.ticks.back());
+    compute();
+}
+
+void PlaybackControl::showMoment(const TickSample& sample) {
+    runs_.showRecorded(Snapshot{.sample = sample,
+                                .memory = {},
+                                .statistics = runs_.run()->loop().snapshot().statistics,
+                                .trueTip = std::nullopt});
+    window_.banner().setRecorded(sample.time);
+    window_.setWindowTitle(tr("Recording, t = %1 s – %2").arg(sample.time, 0, 'f', 3).arg(title_));
+    page_->showMoment(static_cast<int>(*tick_), readingsOf(sample), sample.time,
+                      sample.output.model.contact.indentation, normalForce(sample.output));
+}
+
+}  // namespace asperity

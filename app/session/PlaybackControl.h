@@ -1,0 +1,92 @@
+#pragma once
+
+#include "app/recording/RunDifferences.h"
+#include "app/recording/RunPlace.h"
+#include "app/recording/RunSurvey.h"
+#include "app/session/BackgroundWork.h"
+#include "app/session/SceneControl.h"
+#include "ui/playback/PlaybackPage.h"
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace asperity {
+
+/// A recorded run that is looked at.
+struct LookedAtRun {
+    std::filesystem::path input;  ///< its folder, or a bundle
+    std::string note;             ///< on a run that is not complete; empty: it is
+    RunConditions conditions;
+    RunSurvey survey;
+    std::shared_ptr<const LoadedScene> loaded;  ///< lives as long as the playback needs it
+    std::optional<RunPlayback> playback;        ///< only one thread asks it for ticks
+};
+
+/// How a run is drawn: thinner where it has more ticks than anybody can see.
+[[nodiscard]] PlaybackPage::Curves curvesOf(const ForceTrace& trace, const QString& name,
+                                            double shift = 0.0);
+
+/// Shows recorded runs in the window, any moment of them, while the live loop rests.
+class PlaybackControl : public QObject {
+    Q_OBJECT
+
+public:
+    PlaybackControl(MainWindow& window, RunControl& runs, SceneControl& scenes);
+
+    [[nodiscard]] PlaybackPage& page() { return *page_; }
+    /// Reads a run in the background, then shows its scene and its first tick; says in the window
+    /// why that fails. @param file its folder, a file in it, or a bundle
+    void look(const std::filesystem::path& file);
+    /// The run that is shown; null: the live one is.
+    [[nodiscard]] const LookedAtRun* shown() const { return shown_.get(); }
+    /// The tick that the views show; none: the first one is to come.
+    [[nodiscard]] const std::optional<std::size_t>& tick() const { return tick_; }
+    /// Once a frame: plays on. @param elapsed since the last frame [s]
+    void advance(double elapsed);
+
+Q_SIGNALS:
+    /// A recording is shown.
+    void begun();
+    /// The live run is shown again.
+    void ended();
+
+private:
+    /// Ticks up to the one that is shown next.
+    struct Stretch {
+        std::vector<TickSample> ticks;
+        bool goesOn = false;     ///< they follow those that the panels had last
+        bool isHistory = false;  ///< with those before the tick that is shown already
+    };
+
+    void show(const std::shared_ptr<LookedAtRun>& run);
+    void leave();
+    void end();
+    /// Has a tick shown, as soon as it is computed; of many, the last one.
+    void want(std::size_t tick);
+    void compute();
+    void take(const Stretch& stretch);
+    void showMoment(const TickSample& sample);
+    void play(bool playing);
+    void rewindPanels();
+
+    MainWindow& window_;
+    RunControl& runs_;
+    SceneControl& scenes_;
+    PlaybackPage* page_;  ///< the window's
+    std::shared_ptr<LookedAtRun> shown_;
+    /// Of bundles: a change of their scene reads the scan again.
+    std::vector<std::shared_ptr<const std::optional<RunPlace>>> places_;
+    QString title_;  ///< of the window without a recording
+    std::optional<std::size_t> tick_;
+    std::size_t wanted_ = 0;
+    std::size_t awaited_ = 0;  ///< that is being computed
+    bool hasHistory_ = false;  ///< the panels have what was before the tick
+    bool playing_ = false;
+    double time_ = 0.0;  ///< of what plays [s]
+    BackgroundWork<Stretch> work_;
+};
+
+}  // namespace asperity

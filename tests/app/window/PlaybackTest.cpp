@@ -1,0 +1,175 @@
+#include "app/recording/ComparedRun.h"
+#include "app/recording/RunComparison.h"
+#include "app/runs/RunFolder.h"
+#include "core/io/tables/CsvTable.h"
+#include "tests/app/ProgramRun.h"
+#include "tests/app/window/WindowFixture.h"
+#include "tests/support/ShippedScene.h"
+#include "ui/measure/ReadingGrid.h"
+
+#include <QMessageBox>
+#include <QPushButton>
+#include <QSlider>
+#include <QToolButton>
+#include <QtTest>
+
+#include <cmath>
+#include <filesystem>
+
+namespace asperity::test {
+namespace {
+
+/// The window with two recorded runs, made once.
+class Playback : public Window {
+protected:
+    static void SetUpTestSuite() {
+        scratch = std::make_unique<ScratchFolder>();
+        explore("polystyrene");
+        explore("silicon");
+        log = std::make_unique<CsvTable>(readCsv(of("polystyrene") / run_files::kLog));
+    }
+    static void TearDownTestSuite() {
+        log.reset();
+        scratch.reset();
+    }
+    static void explore(const std::string& scene) {
+        const ProgramRun made = runProgram("explore " + shippedScene(scene).string() +
+                                           " --duration 2 --out " + of(scene).string());
+        ASSERT_EQ(made.exitCode, 0) << made.output;
+    }
+    static std::filesystem::path of(const std::string& scene) { return scratch->file(scene); }
+
+    void look() {
+        session.playback().look(of("polystyrene") / run_files::kLog);
+        ASSERT_TRUE(eventually([this] { return session.playback().tick() == 0U; }, 60000));
+    }
+    void click(const char* button) {
+        QTest::mouseClick(child<QToolButton>(button), Qt::LeftButton);
+    }
+    bool shows(std::size_t tick) {
+        return eventually([this, tick] { return session.playback().tick() == tick; });
+    }
+    std::size_t tick() { return session.playback().tick().value(); }
+    /// What the log has of the tick that is shown.
+    double logged(const char* column) { return log->number(tick(), column); }
+    QString reading(const char* name) { return session.playback().page().readings().text(name); }
+
+    static std::unique_ptr<ScratchFolder> scratch;
+    static std::unique_ptr<CsvTable> log;
+};
+
+std::unique_ptr<ScratchFolder> Playback::scratch;
+std::unique_ptr<CsvTable> Playback::log;
+
+TEST_F(Playback, AnyMomentIsShownAsTheLogHasIt) {
+    look();
+    EXPECT_FALSE(session.run()->loop().running());
+    auto* slider = child<QSlider>("recordingTime");
+    EXPECT_EQ(slider->maximum() + 1, static_cast<int>(log->rows()));
+    for (const int wanted : {1500, 3, 900, 901, 1900}) {
+        slider->setValue(wanted);
+        ASSERT_TRUE(shows(static_cast<std::size_t>(wanted)));
+        live(100);  // the panels draw every second frame
+        const TickOutput& output = session.runs().shown().sample.output;
+        EXPECT_EQ(output.estimate.force.z(), logged("est_fz_n"));
+        EXPECT_NEAR(number("forceZ"), logged("est_fz_n"),
+                    0.006e-9 + 0.006 * std::abs(logged("est_fz_n")));
+        const RunPlot& plot = session.playback().page().forcePlot();
+        ASSERT_TRUE(plot.moment());
+        EXPECT_EQ(plot.moment()->x(), logged("time_s"));
+        const QString time = QStringLiteral("%1 s").arg(logged("time_s"), 0, 'f', 3);
+        EXPECT_EQ(reading("recordingMoment"), time);
+        EXPECT_TRUE(state().starts_with("Recording, t = " + time.toStdString())) << state();
+        EXPECT_TRUE(window.windowTitle().startsWith("Recording, t = " + time));
+    }
+}
+
+TEST_F(Playback, ButtonsGoToTheEvents) {
+    look();
+    click("stepDeepest");
+    ASSERT_TRUE(eventually([this] { return tick() > 0; }));
+    double deepest = 0.0;
+    std::size_t at = 0;
+    for (std::size_t row = 0; row < log->rows(); ++row) {
+        const double indentation = log->number(row, "indentation_m");
+        at = indentation > deepest ? row : at;
+        deepest = std::max(deepest, indentation);
+    }
+    EXPECT_EQ(tick(), at);
+    EXPECT_TRUE(reading("recordingDistance").startsWith("indentation"));
+    click("stepSnapIn");
+    ASSERT_TRUE(eventually([this, at] { return tick() < at; }));
+    EXPECT_GT(tick(), 0U);
+    click("stepEnd");
+    ASSERT_TRUE(shows(log->rows() - 1));
+    click("stepStart");
+    ASSERT_TRUE(shows(0));
+}
+
+TEST_F(Playback, PlaysToItsEnd) {
+    look();
+    child<QSlider>("recordingTime")->setValue(1800);
+    ASSERT_TRUE(shows(1800));
+    click("playRecording");
+    ASSERT_TRUE(shows(log->rows() - 1));
+    EXPECT_TRUE(eventually([this] { return !child<QToolButton>("playRecording")->isChecked(); }));
+}
+
+TEST_F(Playback, TheLiveTipComesBack) {
+    look();
+    click("stepDeepest");
+    ASSERT_TRUE(eventually([this] { return tick() > 0; }));
+    click("backToLive");
+    EXPECT_EQ(session.playback().shown(), nullptr);
+    EXPECT_TRUE(session.run()->loop().running());
+    EXPECT_TRUE(eventually([this] { return far(); })) << state();
+    EXPECT_FALSE(window.windowTitle().startsWith("Recording"))
+        << window.windowTitle().toStdString();
+    EXPECT_FALSE(child<QToolButton>("compareRuns")->isEnabled());
+    EXPECT_EQ(&session.runs().shown(), &session.run()->loop().snapshot());
+}
+
+TEST_F(Playback, StartingTheRunLeavesTheRecording) {
+    look();
+    QTest::mouseClick(child<QPushButton>("startPause"), Qt::LeftButton);
+    EXPECT_EQ(session.playback().shown(), nullptr);
+    EXPECT_TRUE(session.run()->loop().running());
+}
+
+TEST_F(Playback, ADamagedRunGivesOneSentenceAndLeavesTheScene) {
+    openFlatScene();
+    const std::filesystem::path damaged = folder.file("damaged");
+    std::filesystem::copy(of("polystyrene"), damaged);
+    std::filesystem::resize_file(damaged / run_files::kInput, 3000);
+    session.playback().look(damaged);
+    ASSERT_TRUE(eventually([this] { return window.findChild<QMessageBox*>() != nullptr; }, 60000));
+    const QString text = window.findChild<QMessageBox*>()->text();
+    EXPECT_TRUE(text.contains("tick_input.csv")) << text.toStdString();
+    EXPECT_FALSE(text.contains('\n'));
+    EXPECT_EQ(session.playback().shown(), nullptr);
+    EXPECT_TRUE(session.run()->loop().running());
+    EXPECT_TRUE(far());
+}
+
+TEST_F(Playback, ASecondRunIsOverlaidWithTheDifference) {
+    look();
+    session.comparisons().compareWith(of("silicon") / run_files::kSummary);
+    PlaybackPage& page = session.playback().page();
+    ASSERT_TRUE(eventually([&page] { return page.differencePlot().isVisible(); }, 60000));
+    const RunComparison expected =
+        compareRuns(readComparedRun(of("polystyrene")).trace, readComparedRun(of("silicon")).trace);
+    EXPECT_EQ(page.comparison().text("differenceRms"),
+              QString::fromStdString(formatSi(expected.rms, "N")));
+    EXPECT_TRUE(page.comparison()
+                    .text("differenceLargest")
+                    .endsWith(QStringLiteral("at %1 s").arg(expected.largest.time, 0, 'f', 3)));
+    EXPECT_NE(text("runsDiffer").find("Young's modulus"), std::string::npos) << text("runsDiffer");
+    const QString table = page.forcePlot().table().tabSeparated();
+    EXPECT_TRUE(table.startsWith("time [s]\tpolystyrene [N]\ttime [s]\tsilicon [N]"))
+        << table.left(80).toStdString();
+    click("stopComparing");
+    EXPECT_FALSE(page.differencePlot().isVisible());
+}
+
+}  // namespace
+}  // namespace asperity::test
