@@ -204,7 +204,7 @@ void RunPlot::Canvas::showLines(const std::vector<Line>& lines, const PlotWindow
 }
 
 void RunPlot::Canvas::colorMoment() {
-    const QColor color = theme::colors().accent;
+    const QColor color = theme::colors().marker;
     line_->setLinePen(color, kMomentWidth, Qt::SolidLine);
     dot_->setSymbol(new QwtSymbol(QwtSymbol::Ellipse, color, QPen(theme::colors().paper),
                                   QSize(kMomentDot, kMomentDot)));
@@ -277,7 +277,8 @@ void RunPlot::setMoment(const std::optional<QPointF>& moment) {
 }
 
 void RunPlot::draw() {
-    const PlotWindow whole{widened(extentOf(lines_, xOf), 1e-12, 0.0),
+    const bool rises = setup_.order == RunPlotSetup::Order::Rising;
+    const PlotWindow whole{widened(extentOf(lines_, xOf), 1e-12, rises ? 0.0 : kMargin),
                            widened(extentOf(lines_, yOf), setup_.smallest, kMargin)};
     const PlotWindow& window = canvas_->navigation().fit(whole);
     canvas_->showAxes(window);
