@@ -9,6 +9,7 @@
 #include "ui/window/WindowMenus.h"
 
 #include <QAction>
+#include <QStringList>
 
 #include <algorithm>
 #include <array>
@@ -103,6 +104,7 @@ const QString kLarge = QStringLiteral("views/large");
 const QString kSecond = QStringLiteral("views/second");
 const QString kAzimuth = QStringLiteral("stand/azimuth_rad");
 const QString kElevation = QStringLiteral("stand/elevation_rad");
+const QString kPinned = QStringLiteral("stand/pinned");
 const QString kHalfWidth = QStringLiteral("stand/half_width_m");
 
 }  // namespace
@@ -141,6 +143,12 @@ void restoreStand(MainWindow& window, const QVariantMap& kept) {
     const ViewCamera& camera = window.view().camera();
     window.view().setDirection(numberAt(kept, kAzimuth, camera.azimuth()),
                                numberAt(kept, kElevation, camera.elevation()));
+    SurfaceLook look = window.menus().colors().look();
+    for (const SurfaceQuantity quantity : kValues<SurfaceQuantity>) {
+        look.of(quantity).pinned =
+            kept.value(kPinned).toStringList().contains(QLatin1String(keyOf(quantity)));
+    }
+    window.menus().colors().choose(look);
     const double halfWidth = numberAt(kept, kHalfWidth, 0.0);
     if (halfWidth > 0.0) {
         window.view().setHalfWidth(halfWidth);
@@ -151,6 +159,14 @@ void keepStand(MainWindow& window, QVariantMap& kept) {
     kept.insert(kAzimuth, window.view().camera().azimuth());
     kept.insert(kElevation, window.view().camera().elevation());
     kept.insert(kHalfWidth, window.view().halfWidth());
+    const SurfaceLook look = window.menus().colors().look();
+    QStringList pinned;
+    for (const SurfaceQuantity quantity : kValues<SurfaceQuantity>) {
+        if (look.of(quantity).pinned) {
+            pinned << QLatin1String(keyOf(quantity));
+        }
+    }
+    kept.insert(kPinned, pinned);
 }
 
 }  // namespace asperity

@@ -12,9 +12,10 @@ void restoreViews(MainWindow& window, const QVariantMap& kept);
 /// Adds how the views look now. Pinned ranges are of a scan, and are not kept.
 void keepViews(MainWindow& window, QVariantMap& kept);
 
-/// Has the large view look at its scene from where and as wide as `kept` says.
+/// Has the large view look at its scene from where and as wide as `kept` says, and pins ranges of
+/// colors.
 void restoreStand(MainWindow& window, const QVariantMap& kept);
-/// Adds from where the large view looks at its scene, and how wide.
+/// Adds from where the large view looks at its scene, how wide, and which ranges are pinned.
 void keepStand(MainWindow& window, QVariantMap& kept);
 
 }  // namespace asperity

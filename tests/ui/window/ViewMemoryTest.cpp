@@ -1,6 +1,5 @@
 #include "ui/window/ViewMemory.h"
 
-#include "tests/support/ScratchFolder.h"
 #include "ui/view/ZoomView.h"
 #include "ui/window/ColorsMenu.h"
 #include "ui/window/MainWindow.h"
@@ -8,7 +7,7 @@
 #include "ui/window/WindowMenus.h"
 
 #include <QAction>
-#include <QSettings>
+#include <QVariantMap>
 
 #include <gtest/gtest.h>
 
@@ -16,8 +15,7 @@ namespace asperity::test {
 namespace {
 
 TEST(ViewMemory, KeepsHowTheViewsLook) {
-    ScratchFolder folder;
-    QSettings settings(QString::fromStdString(folder.file("a.ini").string()), QSettings::IniFormat);
+    QVariantMap kept;
     SurfaceLook look;
     look.quantity = SurfaceQuantity::Slope;
     look.of(SurfaceQuantity::Height) = {.map = ColorMap::Gold,
@@ -35,12 +33,16 @@ TEST(ViewMemory, KeepsHowTheViewsLook) {
         window.view().setPerspective(true);
         window.second().setSettings(second);
         window.menus().secondView->setChecked(true);
-        saveViews(window, settings);
+        keepViews(window, kept);
+        keepStand(window, kept);
     }
     MainWindow window;
-    restoreViews(window, settings);
-    look.of(SurfaceQuantity::Height).pinned = false;  // it was of a scan
-    EXPECT_EQ(window.menus().colors().look(), look);
+    restoreViews(window, kept);
+    SurfaceLook unpinned = look;
+    unpinned.of(SurfaceQuantity::Height).pinned = false;  // it was of a scan
+    EXPECT_EQ(window.menus().colors().look(), unpinned);
+    restoreStand(window, kept);
+    EXPECT_EQ(window.menus().colors().look(), look) << "of the same scan";
     EXPECT_EQ(window.view().options(), options);
     EXPECT_TRUE(window.view().camera().hasPerspective());
     EXPECT_EQ(window.second().settings().content, SecondContent::Space);
@@ -50,13 +52,14 @@ TEST(ViewMemory, KeepsHowTheViewsLook) {
 }
 
 TEST(ViewMemory, WhatCannotBeReadIsAsAtFirst) {
-    ScratchFolder folder;
-    (void)folder.write("a.ini", "[views]\ncolorBy=taste\ncolors\\height\\map=plaid\n"
-                                "colors\\height\\range=own\ncolors\\height\\low=9\n"
-                                "colors\\height\\high=1\nlarge\\heightScale=-3\n");
-    QSettings settings(QString::fromStdString(folder.file("a.ini").string()), QSettings::IniFormat);
+    const QVariantMap kept{
+        {"views/colorBy", "taste"},           {"views/colors/height/map", "plaid"},
+        {"views/colors/height/range", "own"}, {"views/colors/height/low", "9"},
+        {"views/colors/height/high", "1"},    {"views/large/heightScale", "-3"},
+        {"stand/azimuth_rad", "north"},       {"stand/pinned", 3}};
     MainWindow window;
-    restoreViews(window, settings);
+    restoreViews(window, kept);
+    restoreStand(window, kept);
     SurfaceLook first;
     first.of(SurfaceQuantity::Height).low = 9.0;
     EXPECT_EQ(window.menus().colors().look(), first) << "an own range upside down is none";
