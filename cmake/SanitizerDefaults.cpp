@@ -20,7 +20,8 @@ const char* __lsan_default_suppressions() {
            "leak:libLLVM\n"
            "leak:libX11\n"
            "leak:libxcb\n"
-           "leak:libfontconfig\n";
+           "leak:libfontconfig\n"
+           "leak:libhdf5_serial.so\n";  // where a file is damaged
 }
 
 // Qt, VTK and the graphics drivers are not instrumented: what they do to each other is theirs.
