@@ -58,8 +58,13 @@ BundleControl::BundleControl(MainWindow& window, RunControl& runs, RecordingCont
                      window_.complain(tr("There is no bundle: %1").arg(reasonOf(reason)));
                  }}) {
     connect(window.menus().bundle, &QAction::triggered, this, qOverload<>(&BundleControl::bundle));
-    connect(&recordings, &RecordingControl::finished, this,
-            [this](const QString& folder) { last_ = folder; });
+    connect(&recordings, &RecordingControl::finished, this, [this](const QString& folder) {
+        last_ = folder;
+        if (std::exchange(isAwaited_, false)) {
+            bundle(folder);
+        }
+    });
+    connect(&recordings, &RecordingControl::lastSecondsLost, this, [this] { isAwaited_ = false; });
     connect(&recordings, &RecordingControl::lastSecondsSaved, this, [this](const QString& folder) {
         if (std::exchange(isAwaited_, false)) {
             bundle(folder);
@@ -73,6 +78,10 @@ void BundleControl::bundle() {
         return;
     }
     recordings_.finish();  // where one goes on, that is what the user has in mind
+    isAwaited_ = recordings_.isPacking();
+    if (isAwaited_) {
+        return;
+    }
     if (!last_.isEmpty()) {
         bundle(last_);
         return;

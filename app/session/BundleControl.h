@@ -31,7 +31,7 @@ private:
     RecordingControl& recordings_;
     ViewControl& views_;
     QString last_;            ///< folder of the last recording of this run; empty: there is none
-    bool isAwaited_ = false;  ///< the last 10 s are being written to be bundled
+    bool isAwaited_ = false;  ///< what is to be bundled is being written
     LongWork<std::filesystem::path> work_;
 };
 

@@ -1,5 +1,6 @@
 #include "app/session/RecordingControl.h"
 
+#include "app/recording/RunPacking.h"
 #include "ui/panels/ControlBar.h"
 #include "ui/window/MainWindow.h"
 #include "ui/window/WindowMenus.h"
@@ -63,6 +64,9 @@ void RecordingControl::take(const TickSample& sample) {
 void RecordingControl::advance() {
     saveLastSeconds();
     tellOfRecovered();
+    if (isReady(packing_)) {
+        tellOfPacked();
+    }
     if (recording_ && recording_->end() != RecordingEnd::None) {
         finish();
     }
@@ -85,8 +89,11 @@ void RecordingControl::start(const RecordingPlace& place) {
     const Snapshot before = run.loop().snapshot();
     after_ = before.statistics.ticks > 0 ? before.sample.time : -1.0;
     try {
-        recording_ = std::make_unique<RecordingThread>(place, run.loaded(), before.memory,
+        // Packing takes seconds, and whoever finishes a recording waits for its end.
+        const RecordingPlace text{.folder = place.folder, .replace = place.replace};
+        recording_ = std::make_unique<RecordingThread>(text, run.loaded(), before.memory,
                                                        run.device().delay());
+        format_ = place.format;
     } catch (const std::exception& error) {
         failure_ = QString::fromUtf8(error.what());
         window_.complain(failure_);
@@ -108,9 +115,31 @@ void RecordingControl::finish() {
                                 "and can be replayed.")
                                  .arg(failure_));
         }
-        Q_EMIT finished(QString::fromStdString(ended->folder().string()));
+        const QString folder = QString::fromStdString(ended->folder().string());
+        if (format_ == RunFormat::Hdf5 && failure_.isEmpty() && ended->ticks() > 0) {
+            tellOfPacked();  // one at a time
+            packed_ = folder;
+            packing_ = std::async(std::launch::async, packRun, ended->folder());
+        } else {
+            Q_EMIT finished(folder);
+        }
     }
     show();
+}
+
+/// Waits where it is not packed yet.
+void RecordingControl::tellOfPacked() {
+    if (!packing_.valid()) {
+        return;
+    }
+    try {
+        packing_.get();
+        window_.tell(tr("The recording in %1 is packed").arg(packed_));
+    } catch (const std::exception& error) {
+        window_.complain(
+            tr("The recording in %1 stays text: %2").arg(packed_, QString::fromUtf8(error.what())));
+    }
+    Q_EMIT finished(packed_);
 }
 
 void RecordingControl::tellOf(const RecordingThread& recording) {
@@ -165,12 +194,14 @@ void RecordingControl::saveLastSeconds() {
         BlackBox box = run.blackBox().release();
         if (box.samples().empty()) {
             window_.tell(tr("The black box is still empty"));
+            Q_EMIT lastSecondsLost();
         } else {
             lastSeconds_ = writeLastSeconds(folderOfThisMoment(folder_), run.loaded(),
                                             std::move(box), run.device().delay());
         }
     } catch (const std::exception& error) {
         window_.complain(tr("The last 10 s are not saved: %1").arg(error.what()));
+        Q_EMIT lastSecondsLost();
     }
 }
 
@@ -189,6 +220,7 @@ void RecordingControl::finishLastSeconds() {
         Q_EMIT lastSecondsSaved(folder);
     } catch (const std::exception& error) {
         window_.complain(tr("The last 10 s are not saved: %1").arg(error.what()));
+        Q_EMIT lastSecondsLost();
     }
 }
 

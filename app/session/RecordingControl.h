@@ -21,7 +21,9 @@ public:
     /// Every tick from now on is written to a folder, until finish() or the run's end. There is a
     /// run.
     void start(const RecordingPlace& place);
+    /// Where it is to be compact it is packed in the background: finished() comes later.
     void finish();
+    [[nodiscard]] bool isPacking() const { return packing_.valid(); }
     /// Every tick, in order.
     void take(const TickSample& sample);
     /// Once a frame, after its ticks: ends what must end, saves what must be saved. There is a run.
@@ -41,11 +43,13 @@ Q_SIGNALS:
     /// Whatever ended it: what was written of it is in the folder.
     void finished(QString folder);
     void lastSecondsSaved(QString folder);
+    void lastSecondsLost();  ///< they are not saved: the window has said why
 
 private:
     void record(bool on);
     void show();
     void tellOf(const RecordingThread& recording);
+    void tellOfPacked();
     void tellOfRecovered();
     /// Begins to write what the black box holds, as soon as nothing else of it is being written.
     void saveLastSeconds();
@@ -60,7 +64,10 @@ private:
     RunControl& runs_;
     std::filesystem::path folder_;
     std::unique_ptr<RecordingThread> recording_;
-    double after_ = 0.0;  ///< what came until then is not of the recording [s]
+    double after_ = 0.0;                 ///< what came until then is not of the recording [s]
+    RunFormat format_ = RunFormat::Csv;  ///< of the recording
+    QString packed_;                     ///< folder of the recording that is being packed
+    std::future<void> packing_;          ///< not valid: none is
     QString failure_;
     QString cut_;               ///< folder of the recording that the last change of scene ended
     double writingTime_ = 0.0;  ///< [s]

@@ -37,6 +37,18 @@ protected:
     }
     static std::string in(const char* name) { return scratch->file(name).string(); }
 
+    static test::ProgramRun replayWithAdhesion(const std::string& work) {
+        fs::remove_all(scratch->file("altered"));
+        fs::copy(scratch->file("compact"), scratch->file("altered"));
+        std::string scene = test::contentOf(scratch->file("altered") / "scene.toml");
+        const std::string key = "work_of_adhesion_j_m2 = ";
+        EXPECT_NE(scene.find(key), std::string::npos);
+        const std::size_t digits = scene.find(key) + key.size();
+        scene.replace(digits, scene.find('\n', digits) - digits, work);
+        std::ofstream(scratch->file("altered") / "scene.toml") << scene;
+        return run("replay " + in("altered") + " --out " + in("other"));
+    }
+
     static std::unique_ptr<test::ScratchFolder> scratch;
 };
 
@@ -99,16 +111,16 @@ TEST_F(CompactRun, ReplacesAnotherRunAndIsReplaced) {
 }
 
 TEST_F(CompactRun, NamesWhereAReplayDiffers) {
-    fs::copy(scratch->file("compact"), scratch->file("altered"));
-    std::string scene = test::contentOf(scratch->file("altered") / "scene.toml");
-    const std::string key = "work_of_adhesion_j_m2 = ";
-    ASSERT_NE(scene.find(key), std::string::npos);
-    const std::size_t digits = scene.find(key) + key.size();
-    scene.replace(digits, scene.find('\n', digits) - digits, "0.0660001");
-    std::ofstream(scratch->file("altered") / "scene.toml") << scene;
-    const auto again = run("replay " + in("altered") + " --out " + in("other"));
+    const auto again = replayWithAdhesion("0.067");
     EXPECT_EQ(again.exitCode, 1);
     EXPECT_THAT(again.output, HasSubstr("first differing tick: "));
+    EXPECT_THAT(again.output, HasSubstr(" was "));
+}
+
+TEST_F(CompactRun, IsCheckedBeyondTheDigitsThatItsLogKeeps) {
+    const auto again = replayWithAdhesion("0.0660000000000001");
+    EXPECT_EQ(again.exitCode, 1);
+    EXPECT_THAT(again.output, HasSubstr("in digits beyond single precision"));
 }
 
 TEST_F(CompactRun, IsWhatALoopRecordsAtItsEnd) {

@@ -53,6 +53,16 @@ TEST_F(BundleInWindow, HoldsTheRecordingThatGoesOn) {
     EXPECT_NE(bundle(), file) << "the first one stays";
 }
 
+TEST_F(BundleInWindow, HoldsACompactRecordingOnceItIsPacked) {
+    window.menus().compactRecordings->setChecked(true);
+    window.menus().record->trigger();
+    live(300);
+    const RunPlace place(bundle());
+    EXPECT_TRUE(fs::exists(place.folder() / "recording.h5"));
+    EXPECT_FALSE(fs::exists(place.folder() / "force_log.csv"));
+    EXPECT_GT(readRun(place.folder()).samples.size(), 100U);
+}
+
 TEST_F(BundleInWindow, HoldsTheLastSecondsWhereNothingWasRecorded) {
     const RunPlace place(bundle());
     EXPECT_GT(readRun(place.folder()).samples.size(), 100U);
