@@ -6,10 +6,8 @@
 #include "ui/panels/PlotNavigation.h"
 #include "ui/panels/QwtParts.h"
 
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QToolButton>
-#include <QVBoxLayout>
 #include <qwt_painter.h>
 #include <qwt_plot.h>
 #include <qwt_scale_draw.h>
@@ -122,15 +120,7 @@ CurvePlot::Canvas::Canvas(const CurvePlotSetup& setup, CurvePlot* owner)
     navigation_ = new PlotNavigation(area(), AxisRange{-kSpan, 0.0});
     styleResetButton(*reset_, title_->height());
     QObject::connect(reset_, &QToolButton::clicked, navigation_, &PlotNavigation::reset);
-    auto* heading = new QHBoxLayout;
-    heading->setSpacing(4);
-    heading->addWidget(title_, 1);
-    heading->addWidget(reset_);
-    auto* layout = new QVBoxLayout(owner);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(1);
-    layout->addLayout(heading);
-    layout->addWidget(plot_, 1);
+    placeUnderTitle(*owner, *title_, *reset_, *plot_);
     theme::follow(owner, [this] { color(); });
 }
 

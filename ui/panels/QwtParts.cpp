@@ -2,7 +2,9 @@
 
 #include "ui/Theme.h"
 
+#include <QHBoxLayout>
 #include <QToolButton>
+#include <QVBoxLayout>
 #include <qwt_plot.h>
 #include <qwt_plot_canvas.h>
 #include <qwt_plot_grid.h>
@@ -113,6 +115,18 @@ void styleResetButton(QToolButton& button, int height) {
     button.setFixedHeight(height);
     button.setFocusPolicy(Qt::TabFocus);  // a click leaves the keys to the view
     button.hide();
+}
+
+void placeUnderTitle(QWidget& owner, QWidget& title, QToolButton& reset, QwtPlot& plot) {
+    auto* heading = new QHBoxLayout;
+    heading->setSpacing(4);
+    heading->addWidget(&title, 1);
+    heading->addWidget(&reset);
+    auto* layout = new QVBoxLayout(&owner);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(1);
+    layout->addLayout(heading);
+    layout->addWidget(&plot, 1);
 }
 
 double valueLabelRoom() {

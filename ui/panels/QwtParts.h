@@ -48,6 +48,8 @@ void colorAxes(QwtPlot& plot, const QColor& lines, const QColor& numbers);
 void addZeroLine(QwtPlot& plot);
 /// The button that ends zooming, as high as the line that it stands in [px]; hidden at first.
 void styleResetButton(QToolButton& button, int height);
+/// Lays a plot out under a line with its title, the button at the line's end.
+void placeUnderTitle(QWidget& owner, QWidget& title, QToolButton& reset, QwtPlot& plot);
 /// Room for the labels of the value axis, so that the canvas stays where it is.
 [[nodiscard]] double valueLabelRoom();
 

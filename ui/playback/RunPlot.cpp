@@ -9,10 +9,8 @@
 #include "ui/panels/QwtParts.h"
 #include "ui/playback/ThinnedLine.h"
 
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QToolButton>
-#include <QVBoxLayout>
 #include <qwt_plot.h>
 #include <qwt_plot_marker.h>
 #include <qwt_symbol.h>
@@ -152,15 +150,7 @@ RunPlot::Canvas::Canvas(const RunPlotSetup& setup, RunPlot* owner)
     styleResetButton(*reset_, title_->height());
     QObject::connect(reset_, &QToolButton::clicked, navigation_, &PlotNavigation::reset);
     owner->setToolTip(setup.toolTip + QLatin1Char('\n') + PlotNavigation::help());
-    auto* heading = new QHBoxLayout;
-    heading->setSpacing(4);
-    heading->addWidget(title_, 1);
-    heading->addWidget(reset_);
-    auto* layout = new QVBoxLayout(owner);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(1);
-    layout->addLayout(heading);
-    layout->addWidget(plot_, 1);
+    placeUnderTitle(*owner, *title_, *reset_, *plot_);
 }
 
 void RunPlot::Canvas::showAxis(int axis, NumberScaleDraw& labels, const AxisRange& range,
