@@ -37,7 +37,7 @@ Gain gainOf(Scene& scene) {
     const SceneNeeds needs = fitModel(scene);
     const double fitTime = std::chrono::duration<double>(Clock::now() - start).count();
     setModel(scene, needs.full);
-    const std::vector<RecordedRun> runs = test::runsElsewhere(scene);
+    const std::vector<ModelInputs> runs = test::runsElsewhere(scene);
     std::vector<double> whole;
     std::vector<double> required;
     Gain gain{.leftOut = leftOutOf(needs), .fitTime = fitTime};

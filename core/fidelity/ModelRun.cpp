@@ -19,10 +19,10 @@ void throwIfCanceled(const Progress* progress) {
 
 }  // namespace
 
-RecordedRun recordRun(const Scene& scene, const DevicePath& path, double duration,
-                      const Progress* progress) {
+ModelInputs recordInputs(const Scene& scene, const DevicePath& path, double duration,
+                         const Progress* progress) {
     SimulatedAfm afm(scene.trueSurface(), truthOf(scene));
-    RecordedRun run;
+    ModelInputs run;
     const long ticks = std::lround(duration / scene.timeStep()) + 1;
     runVirtually(scene, path, afm, ticks, [&](const TickSample& sample) {
         throwIfCanceled(progress);
@@ -32,11 +32,11 @@ RecordedRun recordRun(const Scene& scene, const DevicePath& path, double duratio
     return run;
 }
 
-ModelRun runModel(const Scene& scene, const std::vector<RecordedRun>& runs,
+ModelRun runModel(const Scene& scene, const std::vector<ModelInputs>& runs,
                   const Progress* progress) {
     using Clock = std::chrono::steady_clock;
     ModelRun result;
-    for (const RecordedRun& run : runs) {
+    for (const ModelInputs& run : runs) {
         TickMemory memory;
         for (const TickInput& input : run.inputs) {
             throwIfCanceled(progress);

@@ -11,14 +11,14 @@ namespace asperity {
 
 /// A run of the scene along a path, recorded once, so that several models can work on the same
 /// inputs; a tick an element.
-struct RecordedRun {
+struct ModelInputs {
     std::vector<TickInput> inputs;
     std::vector<Vector3> trueForces;  ///< inside the instrument [N]
 };
 
 /// @param progress likewise  @throw Canceled
-[[nodiscard]] RecordedRun recordRun(const Scene& scene, const DevicePath& path, double duration,
-                                    const Progress* progress = nullptr);
+[[nodiscard]] ModelInputs recordInputs(const Scene& scene, const DevicePath& path, double duration,
+                                       const Progress* progress = nullptr);
 
 /// What a model made of recorded runs, a tick an element.
 struct ModelRun {
@@ -30,7 +30,7 @@ struct ModelRun {
 /// Runs the scene's model over the inputs of each run, one after another.
 /// @param progress may be null; asked at every tick whether the work is canceled
 /// @throw Canceled
-[[nodiscard]] ModelRun runModel(const Scene& scene, const std::vector<RecordedRun>& runs,
+[[nodiscard]] ModelRun runModel(const Scene& scene, const std::vector<ModelInputs>& runs,
                                 const Progress* progress = nullptr);
 
 /// The largest value of a run's states, at least 0.

@@ -41,7 +41,7 @@ SampledRuns::SampledRuns(Scene& scene, double longestTick, const Progress* progr
     const double duration = kTicksAPath * scene.timeStep();
     const Vector2 size(scene.surface.sizeX(), scene.surface.sizeY());
     const auto record = [&](const DevicePath& path) {
-        runs_.push_back(recordRun(scene, path, duration, progress_));
+        runs_.push_back(recordInputs(scene, path, duration, progress_));
     };
     record(slidePath(scene, {.duration = duration}));
     last_ = runModel(scene, runs_, progress_);

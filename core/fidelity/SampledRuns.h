@@ -54,7 +54,7 @@ private:
 
     Scene& scene_;
     const Progress* progress_;
-    std::vector<RecordedRun> runs_;
+    std::vector<ModelInputs> runs_;
     ForceModelOptions referred_;  ///< of the reference
     ModelRun reference_;
     ModelRun last_;

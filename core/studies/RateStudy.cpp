@@ -22,7 +22,7 @@ struct Course {
 
 ModelRun runAt(Scene& scene, const Course& course, double rate) {
     scene.description.tickRate = rate;
-    const RecordedRun run = recordRun(scene, course.path, course.duration, course.progress);
+    const ModelInputs run = recordInputs(scene, course.path, course.duration, course.progress);
     return runModel(scene, {run}, course.progress);
 }
 

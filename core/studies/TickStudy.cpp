@@ -23,10 +23,10 @@ bool isCurved(const ModelRun& run) {
     });
 }
 
-double estimateError(const ModelRun& run, const std::vector<RecordedRun>& runs) {
+double estimateError(const ModelRun& run, const std::vector<ModelInputs>& runs) {
     double sum = 0.0;
     std::size_t at = 0;
-    for (const RecordedRun& recorded : runs) {
+    for (const ModelInputs& recorded : runs) {
         for (const Vector3& force : recorded.trueForces) {
             sum += (run.estimates[at++] - force).squaredNorm();
         }
@@ -48,7 +48,7 @@ TickStudy::TickStudy(Scene& scene, const TradeOffPlan& plan, Progress* progress)
     for (const DevicePath& path :
          {slidePath(scene, {.duration = plan.duration}),
           rasterPath(scene, {.duration = plan.duration, .place = other})}) {
-        runs_.push_back(recordRun(scene, path, plan.duration, progress));
+        runs_.push_back(recordInputs(scene, path, plan.duration, progress));
     }
     chooseReference();
 }

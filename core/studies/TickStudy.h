@@ -42,7 +42,7 @@ private:
     TradeOffPlan plan_;
     Progress* progress_;
     ForceModelOptions model_;
-    std::vector<RecordedRun> runs_;
+    std::vector<ModelInputs> runs_;
     ModelRun reference_;
     std::vector<double> spreads_;  ///< of each option's rounds
 };

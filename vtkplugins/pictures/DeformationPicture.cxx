@@ -82,7 +82,7 @@ void drawDeformation(OffscreenPicture& picture, std::span<const DeformationView>
         check(view);
     }
     for (std::size_t i = 0; i < views.size(); ++i) {
-        const ScenePanel panel(panelArea(i, views.size(), picture.area()), parts);
+        const PanelLayout panel(panelArea(i, views.size(), picture.area()), parts);
         const auto scene =
             std::make_shared<DeformationScene>(picture, views[i], panel.scene(), parts);
         const PanelText text{views[i].title, legendOf(views[i]), scene->colorBar(),

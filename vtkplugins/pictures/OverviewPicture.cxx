@@ -43,7 +43,7 @@ std::string scaleNote(const BSplineSurface& surface, double magnification) {
 }  // namespace
 
 void drawOverview(OffscreenPicture& picture, const OverviewView& view, const PictureParts& parts) {
-    const ScenePanel panel(picture.area(), parts);
+    const PanelLayout panel(picture.area(), parts);
     const auto scene = std::make_shared<const OverviewScene>(picture, view, panel.scene(), parts);
     const PanelText text{view.title, legendOf(view, scene->hasFilled()), scene->colorBar(),
                          view.caption + "\n" + scaleNote(view.surface, scene->magnification())};

@@ -64,23 +64,23 @@ void paintLegend(Painter& painter, const std::vector<LegendEntry>& entries, cons
     });
 }
 
-PixelRect ScenePanel::band(double fromTop, double height) const {
+PixelRect PanelLayout::band(double fromTop, double height) const {
     return {panel_.left + kEdge, panel_.top() - fromTop - height, panel_.width - 2.0 * kEdge,
             height};
 }
 
-ScenePanel::ScenePanel(const PixelRect& panel, const PictureParts& parts)
+PanelLayout::PanelLayout(const PixelRect& panel, const PictureParts& parts)
     : panel_(panel)
     , parts_(parts)
     , above_(kTop + (parts.labels ? kTitle + kLegend : 0.0))
     , bar_(parts.bars ? kUnderScene + kBar : 0.0)
     , caption_(parts.labels && panel.height >= kCaptionedHeight ? kCaption : 0.0) {}
 
-PixelRect ScenePanel::scene() const {
+PixelRect PanelLayout::scene() const {
     return band(above_, panel_.height - above_ - bar_ - caption_ - kBelow);
 }
 
-void ScenePanel::paint(Painter& painter, const PanelText& text) const {
+void PanelLayout::paint(Painter& painter, const PanelText& text) const {
     const double captionTop = panel_.height - caption_ - kBelow;
     if (parts_.labels) {
         painter.paragraph(band(kTop, kTitle), text.title, {.size = 26.0, .bold = true});

@@ -32,9 +32,9 @@ struct PanelText {
 };
 
 /// Where the parts of a panel with a 3-D scene lie.
-class ScenePanel {
+class PanelLayout {
 public:
-    explicit ScenePanel(const PixelRect& panel, const PictureParts& parts = {});
+    explicit PanelLayout(const PixelRect& panel, const PictureParts& parts = {});
 
     /// The place of the 3-D scene.
     [[nodiscard]] PixelRect scene() const;

@@ -1,7 +1,7 @@
 #include "app/reports/run/RunIndex.h"
 
 #include "app/reports/run/MeasuredText.h"
-#include "app/reports/run/Verdict.h"
+#include "app/reports/run/RunVerdict.h"
 #include "core/words/SceneWords.h"
 
 #include <algorithm>

@@ -5,10 +5,10 @@
 #include "app/reports/run/ParameterSection.h"
 #include "app/reports/run/PictureSection.h"
 #include "app/reports/run/ReproductionSection.h"
+#include "app/reports/run/RunVerdict.h"
 #include "app/reports/run/SampleSection.h"
 #include "app/reports/run/TouchSection.h"
 #include "app/reports/run/ValiditySection.h"
-#include "app/reports/run/Verdict.h"
 #include "core/SiFormat.h"
 #include "core/words/SceneWords.h"
 
@@ -41,7 +41,7 @@ void addWarnings(PageContent& page, const ReportedRun& run) {
     if (!run.state.empty()) {
         page.addParagraph(capitalized(run.state) + ".", PageTone::Caution);
     }
-    const Verdict verdict = verdictOn(run.history);
+    const RunVerdict verdict = verdictOn(run.history);
     page.addParagraph(verdict.sentence, verdict.tone);
 }
 

@@ -1,7 +1,7 @@
 #include "app/reports/run/ValiditySection.h"
 
 #include "app/reports/run/MeasuredText.h"
-#include "app/reports/run/Verdict.h"
+#include "app/reports/run/RunVerdict.h"
 #include "core/FormattedText.h"
 #include "core/SiFormat.h"
 
@@ -103,7 +103,7 @@ PageTable faultTable(const std::map<Fault, long>& faults, long ticks) {
 
 void addValidity(PageContent& page, const RunHistory& history) {
     const RunEvents& events = history.events();
-    const Verdict verdict = verdictOn(history);
+    const RunVerdict verdict = verdictOn(history);
     page.addHeading("Validity");
     page.addParagraph(verdict.sentence, verdict.tone);
     if (!history.faults().empty()) {

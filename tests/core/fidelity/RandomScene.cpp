@@ -74,14 +74,14 @@ Scene randomScene(Random& random) {
     return buildScene(description, randomMap(random));
 }
 
-std::vector<RecordedRun> runsElsewhere(const Scene& scene) {
+std::vector<ModelInputs> runsElsewhere(const Scene& scene) {
     constexpr double kDuration = 0.12;  // [s]
     const Vector2 size(scene.surface.sizeX(), scene.surface.sizeY());
-    std::vector<RecordedRun> runs;
+    std::vector<ModelInputs> runs;
     for (const Vector2& share : {Vector2(0.5, 0.45), Vector2(0.15, 0.8), Vector2(0.85, 0.6)}) {
         const Vector2 place = share.cwiseProduct(size);
-        runs.push_back(
-            recordRun(scene, slidePath(scene, {.duration = kDuration, .place = place}), kDuration));
+        runs.push_back(recordInputs(
+            scene, slidePath(scene, {.duration = kDuration, .place = place}), kDuration));
     }
     return runs;
 }

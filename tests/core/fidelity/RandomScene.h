@@ -13,6 +13,6 @@ namespace asperity::test {
 [[nodiscard]] Scene randomScene(Random& random);
 
 /// Approaches at three places that fitModel() does not look at.
-[[nodiscard]] std::vector<RecordedRun> runsElsewhere(const Scene& scene);
+[[nodiscard]] std::vector<ModelInputs> runsElsewhere(const Scene& scene);
 
 }  // namespace asperity::test

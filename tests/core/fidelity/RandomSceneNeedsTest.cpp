@@ -34,7 +34,7 @@ void expectSurfaceDecided(const SceneNeeds& needs) {
 /// By how much what is left out moves the force at places that the decision did not look at.
 double movedElsewhere(Scene& scene, const SceneNeeds& needs) {
     setModel(scene, needs.full);
-    const std::vector<RecordedRun> runs = test::runsElsewhere(scene);
+    const std::vector<ModelInputs> runs = test::runsElsewhere(scene);
     const ModelRun whole = runModel(scene, runs);
     setModel(scene, needs.model);
     return forceShare(runModel(scene, runs), whole);

@@ -3,8 +3,8 @@
 #include "tests/hardware/Eventually.h"
 #include "tests/hardware/woodenhaptics/ArmPose.h"
 #include "tests/hardware/woodenhaptics/Calibration.h"
-#include "tests/hardware/woodenhaptics/ChildProgram.h"
 #include "tests/hardware/woodenhaptics/CoupledTip.h"
+#include "tests/hardware/woodenhaptics/CoupledTipChild.h"
 #include "tests/hardware/woodenhaptics/VirtualWoodenHaptics.h"
 
 #include <gtest/gtest.h>
@@ -124,7 +124,7 @@ protected:
     }
 
     VirtualWoodenHaptics device{handleAt(kHigh)};
-    ChildProgram program{ASPERITY_COUPLED_TIP_PROGRAM};
+    CoupledTipChild program{ASPERITY_COUPLED_TIP_PROGRAM};
 };
 
 TEST_F(Ended, KilledTheProgramSaysNothingMoreAndTheFirmwareCutsTheMotors) {

@@ -8,12 +8,12 @@
 namespace asperity {
 
 /// How far the results of a run hold.
-struct Verdict {
+struct RunVerdict {
     PageTone tone = PageTone::Plain;
     std::string brief;     ///< a few words, for a table
     std::string sentence;  ///< the same with numbers
 };
 
-[[nodiscard]] Verdict verdictOn(const RunHistory& history);
+[[nodiscard]] RunVerdict verdictOn(const RunHistory& history);
 
 }  // namespace asperity

@@ -6,13 +6,13 @@
 namespace asperity::test {
 
 /// A program run as a child of the test; it is killed when the test forgets it.
-class ChildProgram {
+class CoupledTipChild {
 public:
     /// @throw Error when it cannot be started
-    explicit ChildProgram(const std::string& path);
-    ~ChildProgram();
-    ChildProgram(const ChildProgram&) = delete;
-    ChildProgram& operator=(const ChildProgram&) = delete;
+    explicit CoupledTipChild(const std::string& path);
+    ~CoupledTipChild();
+    CoupledTipChild(const CoupledTipChild&) = delete;
+    CoupledTipChild& operator=(const CoupledTipChild&) = delete;
 
     /// The next line of its standard output; what there is when it ends before.
     [[nodiscard]] std::string readLine() const;

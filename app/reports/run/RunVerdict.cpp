@@ -1,4 +1,4 @@
-#include "app/reports/run/Verdict.h"
+#include "app/reports/run/RunVerdict.h"
 
 #include "app/reports/run/MeasuredText.h"
 
@@ -21,7 +21,7 @@ std::string namesOf(const std::map<Fault, long>& faults) {
 
 }  // namespace
 
-Verdict verdictOn(const RunHistory& history) {
+RunVerdict verdictOn(const RunHistory& history) {
     const RunEvents& events = history.events();
     const auto ticks = [&](Severity severity) {
         return history.ticksBySeverity().at(static_cast<std::size_t>(severity));

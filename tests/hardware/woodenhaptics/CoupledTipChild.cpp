@@ -1,4 +1,4 @@
-#include "tests/hardware/woodenhaptics/ChildProgram.h"
+#include "tests/hardware/woodenhaptics/CoupledTipChild.h"
 
 #include "core/Error.h"
 
@@ -28,7 +28,7 @@ pid_t spawned(std::string path, int output) {
 
 }  // namespace
 
-ChildProgram::ChildProgram(const std::string& path) {
+CoupledTipChild::CoupledTipChild(const std::string& path) {
     std::array<int, 2> ends{};
     if (pipe2(ends.data(), O_CLOEXEC) != 0) {
         throw Error(path + ": no pipe for its output");
@@ -42,14 +42,14 @@ ChildProgram::ChildProgram(const std::string& path) {
     }
 }
 
-ChildProgram::~ChildProgram() {
+CoupledTipChild::~CoupledTipChild() {
     if (id_ != 0) {
         (void)end(SIGKILL);
     }
     close(output_);
 }
 
-std::string ChildProgram::readLine() const {
+std::string CoupledTipChild::readLine() const {
     std::string line;
     for (char letter = 0; ::read(output_, &letter, 1) == 1 && letter != '\n';) {
         line += letter;
@@ -57,7 +57,7 @@ std::string ChildProgram::readLine() const {
     return line;
 }
 
-std::string ChildProgram::end(int signal) {
+std::string CoupledTipChild::end(int signal) {
     kill(id_, signal);
     int status = 0;
     waitpid(id_, &status, 0);

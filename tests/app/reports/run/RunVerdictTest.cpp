@@ -1,4 +1,4 @@
-#include "app/reports/run/Verdict.h"
+#include "app/reports/run/RunVerdict.h"
 
 #include <gtest/gtest.h>
 
@@ -19,7 +19,7 @@ TickSample tickWith(const std::vector<Validity>& flags, Fault fault = Fault::Non
 }
 
 /// A run in which the model snaps into contact, and then these ticks.
-Verdict verdictOf(const std::vector<TickSample>& ticks) {
+RunVerdict verdictOf(const std::vector<TickSample>& ticks) {
     RunHistory history;
     TickSample free;
     free.output.model.contact.branch = ContactBranch::Far;
@@ -34,37 +34,37 @@ bool holds(const std::string& text, const std::string& part) {
     return text.find(part) != std::string::npos;
 }
 
-TEST(Verdict, HoldsWithoutFlags) {
-    const Verdict verdict = verdictOf({tickWith({}), tickWith({Validity::SnapInAhead})});
+TEST(RunVerdict, HoldsWithoutFlags) {
+    const RunVerdict verdict = verdictOf({tickWith({}), tickWith({Validity::SnapInAhead})});
     EXPECT_EQ(verdict.brief, "holds");
     EXPECT_EQ(verdict.tone, PageTone::Plain);
 }
 
-TEST(Verdict, IsThatOfTheWorstFlag) {
-    const Verdict doubt = verdictOf({tickWith({Validity::Anisotropic, Validity::LargeContact}),
-                                     tickWith({Validity::Anisotropic})});
+TEST(RunVerdict, IsThatOfTheWorstFlag) {
+    const RunVerdict doubt = verdictOf({tickWith({Validity::Anisotropic, Validity::LargeContact}),
+                                        tickWith({Validity::Anisotropic})});
     EXPECT_TRUE(holds(doubt.sentence, "in 1 of 3 ticks")) << doubt.sentence;
     EXPECT_EQ(doubt.tone, PageTone::Caution);
-    const Verdict invalid =
+    const RunVerdict invalid =
         verdictOf({tickWith({Validity::LargeContact}), tickWith({Validity::LargeContact}),
                    tickWith({Validity::OutsideScan})});
     EXPECT_TRUE(holds(invalid.sentence, "in 1 of 4 ticks")) << invalid.sentence;
     EXPECT_EQ(invalid.tone, PageTone::Fault);
 }
 
-TEST(Verdict, LeavesOutFlagsOfNoisySignals) {
+TEST(RunVerdict, LeavesOutFlagsOfNoisySignals) {
     EXPECT_EQ(verdictOf({tickWith({Validity::ModelContradicted})}).brief, "holds");
 }
 
-TEST(Verdict, NamesTheFault) {
-    const Verdict verdict =
+TEST(RunVerdict, NamesTheFault) {
+    const RunVerdict verdict =
         verdictOf({tickWith({Validity::OutsideScan}), tickWith({}, Fault::DeviceLost)});
     EXPECT_EQ(verdict.brief, "fault: forces off");
     EXPECT_TRUE(holds(verdict.sentence, "device not connected")) << verdict.sentence;
     EXPECT_TRUE(holds(verdict.sentence, "in 1 of 3 ticks")) << verdict.sentence;
 }
 
-TEST(Verdict, OfARunWithoutContactIsNone) {
+TEST(RunVerdict, OfARunWithoutContactIsNone) {
     RunHistory history;
     TickSample free;
     free.output.model.contact.branch = ContactBranch::Far;
