@@ -53,7 +53,9 @@ ExportOffer offer() {
                                    {QStringLiteral("exr"), QStringLiteral("vtp"),
                                     QStringLiteral("vts"), QStringLiteral("csv")}},
                                   {ExportSubject::Film, {QStringLiteral("frames")}}},
-                      .columns = {}};
+                      .columns = {},
+                      .filmViews = filmViews(),
+                      .moments = filmMoments()};
     for (const std::string& extension : surfaceExtensions()) {
         offer.formats[ExportSubject::Surface] << QString::fromStdString(extension.substr(1));
     }
@@ -175,8 +177,11 @@ void ExportControl::showFile() {
     try {
         const ExportChoices& choices = dialog_->choices();
         dialog_->showFile(textOf(file()));
-        if (choices.subject == ExportSubject::Film && !holdsRun(bytesOf(choices.recording))) {
-            nameFailure_ = tr("Choose the recording: the folder of a run, or a bundle.");
+        if (choices.subject == ExportSubject::Film) {
+            (void)filmRequest(choices.film, {});
+            if (!holdsRun(bytesOf(choices.film.recording))) {
+                nameFailure_ = tr("Choose the recording: the folder of a run, or a bundle.");
+            }
         }
     } catch (const std::exception& error) {
         dialog_->showFile({});
@@ -248,7 +253,7 @@ QString ExportControl::wordsFor(ExportSubject subject) const {
             .arg(grid.columns)
             .arg(grid.rows);
     default:
-        return tr("The whole recording, frame by frame, with a line of readings in each frame.");
+        return tr("The recording, frame by frame, with a line of readings in each frame.");
     }
 }
 
@@ -329,9 +334,8 @@ void ExportControl::start(const std::filesystem::path& path) {
 ExportWork ExportControl::workFor(const ExportOrder& order) {
     if (order.subject == ExportSubject::Film) {
         const ExportChoices& choices = dialog_->choices();
-        const FilmRequest request{
-            .fps = static_cast<double>(choices.fps), .speed = choices.speed, .spec = order.spec};
-        return [this, recording = bytesOf(choices.recording), request,
+        return [this, recording = bytesOf(choices.film.recording),
+                request = filmRequest(choices.film, order.spec),
                 path = order.path](Progress& progress) {
             filmRecording(recording, request, path, pieces_, progress);
         };

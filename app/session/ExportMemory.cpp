@@ -32,9 +32,13 @@ ExportChoices keptChoices(const QSettings& settings) {
     choices.bars = settings.value(key("bars"), choices.bars).toBool();
     choices.labels = settings.value(key("labels"), choices.labels).toBool();
     choices.clean = settings.value(key("clean"), choices.clean).toBool();
-    choices.recording = settings.value(key("recording")).toString();
-    choices.speed = settings.value(key("speed"), choices.speed).toDouble();
-    choices.fps = settings.value(key("fps"), choices.fps).toInt();
+    FilmChoices& film = choices.film;
+    film.recording = settings.value(key("recording")).toString();
+    film.view = settings.value(key("film_view"), film.view).toString();
+    film.from = settings.value(key("from"), film.from).toString();
+    film.to = settings.value(key("to"), film.to).toString();
+    film.speed = settings.value(key("speed"), film.speed).toDouble();
+    film.fps = settings.value(key("fps"), film.fps).toInt();
     choices.folder = settings.value(key("folder")).toString();
     choices.name = settings.value(key("name"), choices.name).toString();
     return choices;
@@ -52,9 +56,12 @@ void keepChoices(QSettings& settings, const ExportChoices& choices) {
     settings.setValue(key("bars"), choices.bars);
     settings.setValue(key("labels"), choices.labels);
     settings.setValue(key("clean"), choices.clean);
-    settings.setValue(key("recording"), choices.recording);
-    settings.setValue(key("speed"), choices.speed);
-    settings.setValue(key("fps"), choices.fps);
+    settings.setValue(key("recording"), choices.film.recording);
+    settings.setValue(key("film_view"), choices.film.view);
+    settings.setValue(key("from"), choices.film.from);
+    settings.setValue(key("to"), choices.film.to);
+    settings.setValue(key("speed"), choices.film.speed);
+    settings.setValue(key("fps"), choices.film.fps);
     settings.setValue(key("folder"), choices.folder);
     settings.setValue(key("name"), choices.name);
 }

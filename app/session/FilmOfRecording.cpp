@@ -8,6 +8,43 @@
 
 namespace asperity {
 
+namespace {
+
+template <class Value>
+ExportOption optionOf(Value value) {
+    QString name = QString::fromUtf8(nameOf(value));
+    name[0] = name.at(0).toUpper();
+    return {.name = name, .key = QString::fromLatin1(keyOf(value))};
+}
+
+}  // namespace
+
+std::vector<ExportOption> filmViews() {
+    std::vector<ExportOption> options;
+    for (const ExportView view : kValues<ExportView>) {
+        if (isSpatial(view)) {
+            options.push_back(optionOf(view));
+        }
+    }
+    return options;
+}
+
+std::vector<ExportOption> filmMoments() {
+    return {optionOf(NamedMoment::Start), optionOf(NamedMoment::SnapIn),
+            optionOf(NamedMoment::Deepest), optionOf(NamedMoment::PullOff),
+            optionOf(NamedMoment::End)};
+}
+
+FilmRequest filmRequest(const FilmChoices& choices, const PictureSpec& spec) {
+    const auto view = fromKey<ExportView>(choices.view.toStdString());
+    return {.view = view && isSpatial(*view) ? *view : ExportView::Spatial,
+            .from = runMoment(choices.from.toStdString()),
+            .to = runMoment(choices.to.toStdString()),
+            .fps = static_cast<double>(choices.fps),
+            .speed = choices.speed,
+            .spec = spec};
+}
+
 void filmRecording(const std::filesystem::path& recording, const FilmRequest& request,
                    const std::filesystem::path& out, PiecesHere& pieces, Progress& progress) {
     ProgressPart loading(&progress, 0.0, 0.1);

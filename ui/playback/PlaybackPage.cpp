@@ -14,6 +14,7 @@ namespace {
 constexpr double kLeastForce = 0.2e-9;       ///< extent of a force axis [N]
 constexpr double kLeastDifference = 10e-12;  ///< of that of a difference [N]
 constexpr int kPlotHeight = 92;              ///< least [px]
+constexpr int kMarkWidth = 40;               ///< beside a name, as theme::scaled() takes it
 constexpr int kShownDifferences = 4;         ///< the others are in the tool tip
 
 RunPlotSetup forceSetup() {
@@ -27,7 +28,7 @@ RunPlotSetup forceSetup() {
 }
 
 RunPlotSetup differenceSetup() {
-    return {.title = PlaybackPage::tr("Difference, second − first"),
+    return {.title = PlaybackPage::tr("Second − first run"),
             .xName = PlaybackPage::tr("time"),
             .xUnit = QStringLiteral("s"),
             .yUnit = QStringLiteral("N"),
@@ -58,15 +59,10 @@ PlaybackPage::PlaybackPage(QWidget* parent)
     , distance_(new RunPlot(distanceSetup(), this))
     , readings_(new ReadingGrid(this))
     , comparison_(new ReadingGrid(this))
+    , names_(captionLabel({}, this))
     , differs_(captionLabel({}, this)) {
     setToolTip(tr("A recorded run: any moment of it in all views, and beside another run"));
     buildReadings();
-    auto* overTime = new QVBoxLayout;
-    overTime->setSpacing(3);
-    for (RunPlot* const plot : {force_, difference_}) {
-        plot->setMinimumHeight(kPlotHeight);
-        overTime->addWidget(plot, 1);
-    }
     auto* numbers = new QVBoxLayout;
     numbers->setSpacing(6);
     numbers->addWidget(readings_);
@@ -74,9 +70,14 @@ PlaybackPage::PlaybackPage(QWidget* parent)
     numbers->addStretch(1);
     auto* middle = new QHBoxLayout;
     middle->setSpacing(10);
-    middle->addLayout(overTime, 3);
-    middle->addWidget(distance_, 2);
+    for (RunPlot* const plot : {force_, difference_, distance_}) {
+        plot->setMinimumHeight(kPlotHeight);
+        middle->addWidget(plot, plot == force_ ? 3 : 2);
+    }
     middle->addLayout(numbers);
+    names_->setObjectName(QStringLiteral("comparedRuns"));
+    names_->setTextFormat(Qt::RichText);
+    names_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
     differs_->setObjectName(QStringLiteral("runsDiffer"));
     differs_->setWordWrap(true);
     differs_->setTextFormat(Qt::PlainText);
@@ -85,8 +86,10 @@ PlaybackPage::PlaybackPage(QWidget* parent)
     column->setContentsMargins(6, 4, 6, 4);
     column->setSpacing(4);
     column->addWidget(bar_);
+    column->addWidget(names_);
     column->addWidget(differs_);
     column->addLayout(middle, 1);
+    theme::follow(this, [this] { showNames(); });
     setRun(0, {}, {});
 }
 
@@ -139,6 +142,7 @@ void PlaybackPage::setComparison(const std::optional<Comparison>& comparison) {
     bar_->setComparing(other_.has_value());
     comparison_->setVisible(other_.has_value());
     difference_->setVisible(other_.has_value());
+    names_->setVisible(other_.has_value());
     differs_->setVisible(other_.has_value());
     if (other_) {
         comparison_->set("differenceMean", other_->mean);
@@ -147,7 +151,29 @@ void PlaybackPage::setComparison(const std::optional<Comparison>& comparison) {
         comparison_->set("differenceOverlap", other_->overlap);
         showDifferences(other_->differs);
     }
+    showNames();
     showLines();
+}
+
+/// Once for all plots, so that each name has half the page.
+void PlaybackPage::showNames() {
+    if (!other_) {
+        return;
+    }
+    const auto entry = [this](const QColor& color, const QString& name) {
+        const int room = width() / 2 - theme::scaled(kMarkWidth);
+        return QStringLiteral("<span style='color:%1'><b>&#x2501;</b></span>&nbsp;%2")
+            .arg(color.name(),
+                 names_->fontMetrics().elidedText(name, Qt::ElideMiddle, room).toHtmlEscaped());
+    };
+    names_->setText(entry(theme::colors().blue, other_->name) + QStringLiteral("&nbsp; &nbsp; ") +
+                    entry(theme::colors().orange, other_->other.name));
+    names_->setToolTip(tr("First run: %1\nSecond run: %2").arg(other_->name, other_->other.name));
+}
+
+void PlaybackPage::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    showNames();
 }
 
 void PlaybackPage::showDifferences(const QStringList& differs) {

@@ -59,9 +59,13 @@ public:
     [[nodiscard]] ReadingGrid& readings() { return *readings_; }
     [[nodiscard]] ReadingGrid& comparison() { return *comparison_; }
 
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+
 private:
     void buildReadings();
     void showDifferences(const QStringList& differs);
+    void showNames();
     void showLines();
 
     PlaybackBar* bar_;
@@ -70,6 +74,7 @@ private:
     RunPlot* distance_;
     ReadingGrid* readings_;
     ReadingGrid* comparison_;
+    QLabel* names_;  ///< of the two runs, in the colors of their lines
     QLabel* differs_;
     Curves curves_;
     std::optional<Comparison> other_;

@@ -92,7 +92,7 @@ public:
     void showLines(const std::vector<Line>& lines, const PlotWindow& window);
     void showMoment(const std::optional<QPointF>& moment);
     void showReading(const std::vector<Line>& lines);
-    void showLegend(const std::vector<Line>& lines);
+    void showTitle();
     void replot() {
         reset_->setVisible(navigation_->isZoomed());
         plot_->replot();
@@ -230,15 +230,9 @@ void RunPlot::Canvas::showReading(const std::vector<Line>& lines) {
                                            text);
 }
 
-void RunPlot::Canvas::showLegend(const std::vector<Line>& lines) {
-    QString text = QStringLiteral("<b>%1</b> [%2]")
-                       .arg(setup_.title.toHtmlEscaped(), QString::fromStdString(y_.unit));
-    if (lines.size() > 1) {
-        for (const Line& line : lines) {
-            text += QStringLiteral("&nbsp; <span style='color:%1'><b>&#x2501;</b></span>&nbsp;%2")
-                        .arg((theme::colors().*line.color).name(), line.name.toHtmlEscaped());
-        }
-    }
+void RunPlot::Canvas::showTitle() {
+    const QString text = QStringLiteral("<b>%1</b> [%2]")
+                             .arg(setup_.title.toHtmlEscaped(), QString::fromStdString(y_.unit));
     if (text != title_->text()) {
         title_->setText(text);
     }
@@ -275,7 +269,7 @@ void RunPlot::draw() {
     canvas_->showLines(lines_, window);
     canvas_->showMoment(moment_);
     canvas_->showReading(lines_);
-    canvas_->showLegend(lines_);
+    canvas_->showTitle();
     canvas_->replot();
 }
 

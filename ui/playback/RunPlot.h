@@ -44,7 +44,7 @@ public:
     RunPlot(const RunPlot&) = delete;
     RunPlot& operator=(const RunPlot&) = delete;
 
-    /// At most two; the names stand in the legend where there are two.
+    /// At most two.
     void setLines(const std::vector<Line>& lines);
     /// A vertical line, and a dot upon it; none: no moment is shown.
     void setMoment(const std::optional<QPointF>& moment);

@@ -25,6 +25,16 @@ inline constexpr auto kEnumTable<ExportSubject> = std::to_array<EnumRow<ExportSu
      {ExportSubject::Surface, "surface", "Surface of the scan"},
      {ExportSubject::Film, "film", "Film of a recording"}});
 
+/// What a user chooses of a film.
+struct FilmChoices {
+    QString recording;                       ///< the folder of a run, or a bundle
+    QString view = QStringLiteral("3d");     ///< key of one that is offered
+    QString from = QStringLiteral("start");  ///< key of a moment that is offered, or seconds
+    QString to = QStringLiteral("end");      ///< likewise
+    double speed = 1.0;                      ///< seconds of the run per second
+    int fps = 25;                            ///< frames a second
+};
+
 /// What a user chooses of an export; kept from one session to the next.
 struct ExportChoices {
     ExportSubject subject = ExportSubject::View;
@@ -36,9 +46,7 @@ struct ExportChoices {
     bool bars = true;    ///< scale bars, color bars, axes
     bool labels = true;  ///< titles, notes, values
     bool clean = false;  ///< nothing of these, and no grid
-    QString recording;   ///< of a film: the folder of a run, or a bundle
-    double speed = 1.0;  ///< of a film: seconds of the run per second
-    int fps = 25;        ///< of a film: frames a second
+    FilmChoices film;
     QString folder;
     QString name = QStringLiteral("{file}_{view}_{n}");
 };
@@ -49,10 +57,18 @@ struct ExportColumn {
     double width = 0.0;  ///< [mm]
 };
 
+/// One of several.
+struct ExportOption {
+    QString name;  ///< for people
+    QString key;
+};
+
 /// What there is to choose from.
 struct ExportOffer {
     std::map<ExportSubject, QStringList> formats;  ///< extensions without their dot
     std::vector<ExportColumn> columns;
+    std::vector<ExportOption> filmViews;
+    std::vector<ExportOption> moments;  ///< of a run
 };
 
 /// Whether a format holds pixels; frames of a film are such.

@@ -1,20 +1,18 @@
 #include "ui/window/ExportDialog.h"
 
 #include "ui/Theme.h"
-#include "ui/panels/WheelGuard.h"
 #include "ui/window/ExportPicture.h"
+#include "ui/window/FilmFields.h"
+#include "ui/window/FormParts.h"
 #include "ui/window/Placement.h"
 
 #include <QCheckBox>
-#include <QComboBox>
 #include <QDialogButtonBox>
-#include <QDoubleSpinBox>
 #include <QFileDialog>
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
-#include <QPushButton>
 #include <QScreen>
 #include <QSignalBlocker>
 #include <QVBoxLayout>
@@ -34,46 +32,6 @@ constexpr int kMostSide = 8192;  // [pixel]
 constexpr int kScreenDpi = 96;
 constexpr int kPrintDpi = 300;
 constexpr double kMillimetersPerInch = 25.4;
-
-template <typename Widget>
-Widget* named(Widget* widget, const char* name, const QString& tip) {
-    widget->setObjectName(QString::fromLatin1(name));
-    widget->setToolTip(tip);
-    return widget;
-}
-
-QSpinBox* newNumber(const char* name, const QString& unit, int low, int high, const QString& tip) {
-    auto* box = named(new QSpinBox, name, tip);
-    box->setRange(low, high);
-    box->setSuffix(unit);
-    box->setKeyboardTracking(false);  // a half-typed number is no size
-    guardFromWheel(*box);
-    return box;
-}
-
-QComboBox* newList(const char* name, const QString& tip) {
-    auto* list = named(new QComboBox, name, tip);
-    guardFromWheel(*list);
-    return list;
-}
-
-/// Widgets beside one another.
-QWidget* newRow(std::initializer_list<QWidget*> parts) {
-    auto* row = new QWidget;
-    auto* line = new QHBoxLayout(row);
-    line->setContentsMargins(0, 0, 0, 0);
-    line->setSpacing(kGap);
-    for (QWidget* const part : parts) {
-        line->addWidget(part, qobject_cast<QPushButton*>(part) == nullptr ? 1 : 0);
-    }
-    return row;
-}
-
-QPushButton* newButton(const QString& text, const char* name, const QString& tip) {
-    auto* button = named(new QPushButton(text), name, tip);
-    button->setAutoDefault(false);  // Return exports
-    return button;
-}
 
 QString nameOfFormat(const QString& format) {
     if (format == QStringLiteral("frames")) {
@@ -118,7 +76,7 @@ QWidget* ExportDialog::newForm() {
     form->addRow(tr("&Format"), format_);
     addPicture(*form);
     addParts(*form);
-    addFilm(*form);
+    film_ = new FilmFields(*form, offer_);
     addPlace(*form);
     return side;
 }
@@ -146,28 +104,6 @@ void ExportDialog::addParts(QFormLayout& form) {
     for (QCheckBox* const box : {bars_, labels_, clean_}) {
         form.addRow(QString(), box);
     }
-}
-
-void ExportDialog::addFilm(QFormLayout& form) {
-    recording_ = named(new QLineEdit, "exportRecording",
-                       tr("Folder of a run or a recording, or a bundle (.zip)"));
-    auto* folder = newButton(tr("Folder…"), "exportRecordingFolder", tr("Choose a folder"));
-    auto* bundle = newButton(tr("Bundle…"), "exportRecordingBundle", tr("Choose a bundle"));
-    recordingRow_ = newRow({recording_, folder, bundle});
-    speed_ = named(new QDoubleSpinBox, "exportSpeed",
-                   tr("Seconds of the run per second of the film; 0.1: ten times slower"));
-    speed_->setRange(0.001, 100.0);
-    speed_->setDecimals(3);
-    speed_->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
-    speed_->setPrefix(tr("Speed "));
-    speed_->setSuffix(tr(" ×"));
-    guardFromWheel(*speed_);
-    fps_ = newNumber("exportFps", tr(" frames/s"), 1, 240, tr("Frames a second of the film"));
-    filmRow_ = newRow({speed_, fps_});
-    form.addRow(tr("&Recording"), recordingRow_);
-    form.addRow(tr("Film"), filmRow_);
-    connect(folder, &QPushButton::clicked, this, [this] { browseRecording(false); });
-    connect(bundle, &QPushButton::clicked, this, [this] { browseRecording(true); });
 }
 
 void ExportDialog::addPlace(QFormLayout& form) {
@@ -233,9 +169,7 @@ void ExportDialog::fill() {
     bars_->setChecked(choices_.bars);
     labels_->setChecked(choices_.labels);
     clean_->setChecked(choices_.clean);
-    recording_->setText(choices_.recording);
-    speed_->setValue(choices_.speed);
-    fps_->setValue(choices_.fps);
+    film_->show(choices_.film);
     folder_->setText(choices_.folder);
     name_->setText(choices_.name);
     showFormats();
@@ -255,14 +189,14 @@ void ExportDialog::connectInputs() {
         chooseSize();
     });
     connect(dpi_, qOverload<int>(&QSpinBox::valueChanged), this, &ExportDialog::chooseSize);
-    for (QSpinBox* const box : {width_, height_, fps_}) {
+    for (QSpinBox* const box : {width_, height_}) {
         connect(box, qOverload<int>(&QSpinBox::valueChanged), this, &ExportDialog::take);
     }
-    connect(speed_, qOverload<double>(&QDoubleSpinBox::valueChanged), this, &ExportDialog::take);
+    connect(film_, &FilmFields::changed, this, &ExportDialog::take);
     for (const QCheckBox* const box : {transparent_, bars_, labels_, clean_}) {
         connect(box, &QCheckBox::toggled, this, &ExportDialog::take);
     }
-    for (const QLineEdit* const line : {recording_, folder_, name_}) {
+    for (const QLineEdit* const line : {folder_, name_}) {
         connect(line, &QLineEdit::textChanged, this, &ExportDialog::take);
     }
 }
@@ -305,9 +239,7 @@ void ExportDialog::take() {
     choices_.bars = bars_->isChecked();
     choices_.labels = labels_->isChecked();
     choices_.clean = clean_->isChecked();
-    choices_.recording = recording_->text();
-    choices_.speed = speed_->value();
-    choices_.fps = fps_->value();
+    choices_.film = film_->choices();
     choices_.folder = folder_->text();
     choices_.name = name_->text();
     showState();
@@ -319,9 +251,7 @@ void ExportDialog::showState() {
     const bool isFilm = choices_.subject == ExportSubject::Film;
     const bool isSized = hasChosenSize(choices_.subject, format());
     const bool isVideo = isFilm && format() != QStringLiteral("frames");
-    for (QWidget* const row : {recordingRow_, filmRow_}) {
-        row->setEnabled(isFilm);
-    }
+    film_->setEnabled(isFilm);
     for (QWidget* const part : std::initializer_list<QWidget*>{column_, height_, dpi_, clean_}) {
         part->setEnabled(isSized);
     }
@@ -359,17 +289,6 @@ void ExportDialog::browse() {
         QFileDialog::getExistingDirectory(this, tr("Folder of the file"), folder_->text());
     if (!folder.isEmpty()) {
         folder_->setText(folder);
-    }
-}
-
-void ExportDialog::browseRecording(bool isBundle) {
-    const QString chosen =
-        isBundle
-            ? QFileDialog::getOpenFileName(this, tr("A bundle of a run"), recording_->text(),
-                                           tr("Bundles (*.zip);;All files (*)"))
-            : QFileDialog::getExistingDirectory(this, tr("Folder of a run"), recording_->text());
-    if (!chosen.isEmpty()) {
-        recording_->setText(chosen);
     }
 }
 

@@ -7,7 +7,6 @@
 class QCheckBox;
 class QComboBox;
 class QDialogButtonBox;
-class QDoubleSpinBox;
 class QFormLayout;
 class QImage;
 class QLabel;
@@ -18,6 +17,7 @@ class QSpinBox;
 namespace asperity {
 
 class ExportPicture;
+class FilmFields;
 
 /// Chooses what of the window goes to a file, and how: choices on the left, on the right a preview.
 /// It only asks: who draws and writes is behind it.
@@ -57,7 +57,6 @@ private:
     [[nodiscard]] QWidget* newForm();
     void addPicture(QFormLayout& form);
     void addParts(QFormLayout& form);
-    void addFilm(QFormLayout& form);
     void addPlace(QFormLayout& form);
     [[nodiscard]] QWidget* newPreview();
     [[nodiscard]] QDialogButtonBox* newButtons();
@@ -68,7 +67,6 @@ private:
     void take();
     void showState();
     void browse();
-    void browseRecording(bool isBundle);
 
     ExportOffer offer_;
     ExportChoices choices_;
@@ -82,9 +80,7 @@ private:
     QCheckBox* bars_ = nullptr;
     QCheckBox* labels_ = nullptr;
     QCheckBox* clean_ = nullptr;
-    QLineEdit* recording_ = nullptr;
-    QDoubleSpinBox* speed_ = nullptr;
-    QSpinBox* fps_ = nullptr;
+    FilmFields* film_ = nullptr;
     QLineEdit* folder_ = nullptr;
     QLineEdit* name_ = nullptr;
     QLabel* file_ = nullptr;
@@ -92,8 +88,6 @@ private:
     QLabel* message_ = nullptr;
     QPushButton* copy_ = nullptr;
     QPushButton* export_ = nullptr;
-    QWidget* recordingRow_ = nullptr;
-    QWidget* filmRow_ = nullptr;
 };
 
 }  // namespace asperity

@@ -90,7 +90,7 @@ void CycleDetector::takeContact(double time, bool turned, bool held) noexcept {
     }
     cycle_.slid = cycle_.slid || (place_ - touched_).norm() > kSlide ||
                   (tip_ - tipTouched_).norm() > kTipSlide;
-    cycle_.maxForce = std::max(cycle_.maxForce, trend_.force());
+    cycle_.maxForce = std::max(cycle_.maxForce, trend_.push());
     cycle_.maxIndentation = std::max(cycle_.maxIndentation, -point_.separation);
     takeUnloading();
     if (branch_.branch() != CurveBranch::Retract) {
@@ -108,7 +108,7 @@ void CycleDetector::takeContact(double time, bool turned, bool held) noexcept {
 /// An attraction that comes before contact counts, too: instrument and model seldom snap in at the
 /// same tick.
 void CycleDetector::takeSnapIn() noexcept {
-    const double pull = -trend_.force();
+    const double pull = trend_.pull();
     const bool approaches = !retracted_ && branch_.branch() == CurveBranch::Approach;
     if (approaches && trend_.pulls() && pull > (cycle_.snapIn ? cycle_.snapIn->value : 0.0)) {
         cycle_.snapIn = {.value = pull, .sigma = trend_.sigma()};
@@ -118,7 +118,7 @@ void CycleDetector::takeSnapIn() noexcept {
 }
 
 void CycleDetector::takePullOff() noexcept {
-    const double pull = -trend_.force();
+    const double pull = trend_.pull();
     if (trend_.pulls() && pull > (cycle_.pullOff ? cycle_.pullOff->value : 0.0)) {
         cycle_.pullOff = {.value = pull, .sigma = trend_.sigma()};
         cycle_.pullOffSeparation = point_.separation;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace asperity {
 
@@ -61,6 +62,14 @@ void ForceTrend::take(double force, double sigma) noexcept {
             takeInLines({.force = recent[i].force, .sigma = recent[i].sigma, .before = long_});
         }
     }
+}
+
+double ForceTrend::along(double sign) const noexcept {
+    double strongest = -std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < count_; ++i) {
+        strongest = std::max(strongest, sign * recent_[i].force);
+    }
+    return std::min(sign * force(), strongest);
 }
 
 void ForceTrend::takeInLines(const Tick& tick) noexcept {

@@ -23,6 +23,10 @@ public:
 
     [[nodiscard]] double force() const noexcept { return line_.force; }  ///< of the latest tick [N]
     [[nodiscard]] double sigma() const noexcept { return line_.sigma; }  ///< of force() [N]
+    /// force() and its opposite, but not beyond each of the last 8 ticks: where the force bends
+    /// within few ticks, as at a fast pull-off, the line goes on straight [N].
+    [[nodiscard]] double push() const noexcept { return along(1.0); }
+    [[nodiscard]] double pull() const noexcept { return along(-1.0); }
     /// Whether the sample pushes: by so much that noise alone does it once in days.
     [[nodiscard]] bool pushes() const noexcept { return force() > kSure * sigma(); }
     [[nodiscard]] bool pulls() const noexcept { return force() < -kSure * sigma(); }
@@ -49,6 +53,7 @@ private:
         bool straight = false;  ///< it went straight until then
     };
 
+    [[nodiscard]] double along(double sign) const noexcept;
     void takeInLines(const Tick& tick) noexcept;
     [[nodiscard]] bool isFarOff(const Tick& tick) const noexcept;
     /// How many of the recent ticks come after a jump; 0: there was none.

@@ -1,3 +1,5 @@
+#include "app/recording/RecordedRun.h"
+#include "core/io/tables/CsvTable.h"
 #include "tests/app/window/WindowFixture.h"
 #include "tests/support/EventLoopWatchdog.h"
 #include "ui/view/ZoomView.h"
@@ -188,6 +190,27 @@ TEST_F(WindowThatExports, AFilmOfARecording) {
         << told();
     EXPECT_TRUE(std::filesystem::exists(folder.file("film") / "frames.csv"));
     EXPECT_EQ(QImage(file("film/frame_00001.png")).size(), QSize(320, 240));
+}
+
+TEST_F(WindowThatExports, AFilmOfAPartSeenFromAbove) {
+    const std::filesystem::path recording = record();
+    const double end = readRun(recording).samples.front().time + 0.2;
+    askForFilm(recording, "part");
+    const auto message = [this] { return part<QLabel>("exportMessage")->text().toStdString(); };
+    part<QComboBox>("exportFrom")->setEditText("midnight");
+    EXPECT_EQ(message().find("'midnight' is no moment of a run"), 0U) << message();
+    EXPECT_FALSE(part<QPushButton>("exportWrite")->isEnabled());
+    part<QComboBox>("exportFrom")->setEditText("Start");
+    part<QComboBox>("exportTo")->setEditText(QStringLiteral("%1 s").arg(end));
+    QComboBox* const view = part<QComboBox>("exportFilmView");
+    view->setCurrentIndex(view->findData("top"));
+    EXPECT_EQ(message(), "");
+    QTest::mouseClick(part<QPushButton>("exportWrite"), Qt::LeftButton);
+    ASSERT_TRUE(eventually([this] { return told().find("Exported to") != std::string::npos; }))
+        << told();
+    const CsvTable frames = readCsv(folder.file("part") / "frames.csv");
+    ASSERT_GT(frames.rows(), 3U);
+    EXPECT_NEAR(frames.number(frames.rows() - 1, "time_s"), end, 0.04 + 1e-3);
 }
 
 TEST_F(WindowThatExports, ACanceledFilmLeavesNothing) {

@@ -30,6 +30,22 @@ TEST(ForceTrend, StartsAnewAtAJump) {
     EXPECT_EQ(trend.sigma(), kSigma);
 }
 
+/// A fast touch: the force bends within fewer ticks than the line has.
+TEST(ForceTrend, APeakIsNotBeyondEachTick) {
+    for (const double sign : {1.0, -1.0}) {
+        ForceTrend trend;
+        double line = 0.0;
+        double peak = 0.0;
+        for (int i = 0; i < 40; ++i) {
+            trend.take(sign * std::min(4.0 * kSigma * i, 30.0 * 4.0 * kSigma), kSigma);
+            line = std::max(line, sign * trend.force());
+            peak = std::max(peak, sign > 0.0 ? trend.push() : trend.pull());
+        }
+        EXPECT_GT(line, 1.002 * 120.0 * kSigma) << "the line goes beyond";
+        EXPECT_NEAR(peak, 120.0 * kSigma, 1e-12);
+    }
+}
+
 /// The largest that the trend shows after a jump of this many standard deviations, over it.
 double overshootOf(double jump) {
     ForceTrend trend;
