@@ -16,6 +16,8 @@
 
 #include <algorithm>
 #include <array>
+#include <set>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -29,9 +31,8 @@ constexpr const char* kFormat = "asperity bundle";
 constexpr int kFormatVersion = 1;
 constexpr const char* kPicture = "picture.png";
 constexpr std::string_view kScanFolder = "scan/";
-constexpr std::uint64_t kMostDirectory = 1U << 20U;           // [byte]
-constexpr std::uint64_t kMostFile = std::uint64_t{1} << 36U;  // [byte]
-constexpr std::size_t kPiece = std::size_t{1} << 20U;         // copied at once [byte]
+constexpr std::uint64_t kMostDirectory = 1U << 20U;  // [byte]
+constexpr std::size_t kMostName = 255;               // that file systems take [byte]
 
 struct BundledFile {
     std::string name;            ///< in the bundle
@@ -103,7 +104,7 @@ void requireOwnScan(const std::filesystem::path& run, const nlohmann::ordered_js
 bool isKnown(const std::string& name) {
     if (name.starts_with(kScanFolder)) {
         const std::string scan = name.substr(kScanFolder.size());
-        return !scan.empty() && scan != "." && scan != ".." &&
+        return !scan.empty() && scan.size() <= kMostName && scan != "." && scan != ".." &&
                scan.find_first_of(std::string_view("/\\\0", 3)) == std::string::npos;
     }
     const std::vector<std::string>& names = runFileNames();
@@ -113,8 +114,22 @@ bool isKnown(const std::string& name) {
 /// What a bundle says of one of its files.
 struct ListedFile {
     std::string name;
+    std::uint64_t bytes = 0;
     std::string sha256;
 };
+
+/// @throw InputError where a name is not one that a bundle of ours gives, or comes twice
+void requireOwnNames(const std::vector<ListedFile>& files, const std::string& bundle) {
+    std::set<std::string> names;
+    for (const ListedFile& one : files) {
+        if (!isKnown(one.name)) {
+            throw InputError(bundle, kDirectory, "'" + one.name + "' is no file of a run");
+        }
+        if (!names.insert(one.name).second) {
+            throw InputError(bundle, kDirectory, "'" + one.name + "' is listed twice");
+        }
+    }
+}
 
 std::vector<ListedFile> listed(const ZipArchive& archive, const std::string& file) {
     const ZipEntry* const entry = archive.find(kDirectory);
@@ -129,28 +144,35 @@ std::vector<ListedFile> listed(const ZipArchive& archive, const std::string& fil
             throw InputError(file, kDirectory, "expected a bundle, format version 1");
         }
         for (const auto& one : json.at("files")) {
-            files.push_back({one.at("name"), one.at("sha256")});
+            files.push_back({one.at("name"), one.at("bytes"), one.at("sha256")});
         }
     } catch (const nlohmann::json::exception&) {
         throw InputError(file, kDirectory, "expected format, format_version and files of a bundle");
     }
-    for (const ListedFile& one : files) {
-        if (!isKnown(one.name)) {
-            throw InputError(file, kDirectory, "'" + one.name + "' is no file of a run");
-        }
-    }
+    requireOwnNames(files, file);
     return files;
 }
 
-void copy(const ByteSource& source, const std::filesystem::path& target) {
-    OutputFile file(target);
-    std::vector<char> piece(kPiece);
-    for (std::uint64_t place = 0; place < source.size(); place += piece.size()) {
-        piece.resize(std::min<std::uint64_t>(kPiece, source.size() - place));
-        source.read(place, piece);
-        file.stream().write(piece.data(), static_cast<std::streamsize>(piece.size()));
+/// Writes a file of a bundle into the folder, where it is as the bundle says.
+void unpack(const ZipArchive& archive, const ListedFile& file, const std::string& bundle,
+            const std::filesystem::path& folder) {
+    const ZipEntry* const entry = archive.find(file.name);
+    if (entry == nullptr) {
+        throw InputError(bundle, file.name, "this file is missing in the bundle");
     }
-    file.commit();
+    const std::filesystem::path target = folder / file.name;
+    std::filesystem::create_directories(target.parent_path());
+    OutputFile out(target);
+    Sha256 hash;
+    archive.decode(*entry, file.bytes, [&](std::span<const char> piece) {
+        hash.add(piece);
+        out.stream().write(piece.data(), static_cast<std::streamsize>(piece.size()));
+    });
+    if (hash.digits() != file.sha256) {
+        throw InputError(bundle, file.name,
+                         "this file is damaged (its hash is not that in bundle.json)");
+    }
+    out.commit();
 }
 
 }  // namespace
@@ -200,18 +222,7 @@ void unpackBundle(const std::filesystem::path& bundle, const std::filesystem::pa
     for (const ListedFile& file : files) {
         reportTo(progress, done / static_cast<double>(files.size()));
         done += 1.0;
-        const ZipEntry* const entry = archive.find(file.name);
-        if (entry == nullptr) {
-            throw InputError(bundle.string(), file.name, "this file is missing in the bundle");
-        }
-        const auto source = archive.source(*entry, kMostFile);
-        if (sha256Of(*source) != file.sha256) {
-            throw InputError(bundle.string(), file.name,
-                             "this file is damaged (its hash is not that in bundle.json)");
-        }
-        const std::filesystem::path target = folder / file.name;
-        std::filesystem::create_directories(target.parent_path());
-        copy(*source, target);
+        unpack(archive, file, bundle.string(), folder);
     }
     reportTo(progress, 1.0);
 }

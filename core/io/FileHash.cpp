@@ -15,11 +15,9 @@ namespace {
 
 constexpr std::uint64_t kBlockBytes = 65536;
 
-struct FreeContext {
-    void operator()(EVP_MD_CTX* context) const { EVP_MD_CTX_free(context); }
-};
+using Context = std::unique_ptr<EVP_MD_CTX, void (*)(EVP_MD_CTX*)>;
 
-using Context = std::unique_ptr<EVP_MD_CTX, FreeContext>;
+Context newContext() { return {EVP_MD_CTX_new(), EVP_MD_CTX_free}; }
 
 void require(int succeeded) {
     if (succeeded != 1) {
@@ -37,6 +35,13 @@ std::string hexadecimal(const unsigned char* bytes, std::size_t count) {
     return text;
 }
 
+std::string digitsOf(EVP_MD_CTX& context) {
+    std::array<unsigned char, EVP_MAX_MD_SIZE> digest{};
+    unsigned length = 0;
+    require(EVP_DigestFinal_ex(&context, digest.data(), &length));
+    return hexadecimal(digest.data(), length);
+}
+
 std::string digestOf(const ByteSource& source, EVP_MD_CTX& context, Progress* progress) {
     std::vector<char> block(kBlockBytes);
     const std::uint64_t size = source.size();
@@ -50,22 +55,29 @@ std::string digestOf(const ByteSource& source, EVP_MD_CTX& context, Progress* pr
         require(EVP_DigestUpdate(&context, block.data(), block.size()));
     }
     source.requireUnchanged();
-    std::array<unsigned char, EVP_MAX_MD_SIZE> digest{};
-    unsigned length = 0;
-    require(EVP_DigestFinal_ex(&context, digest.data(), &length));
-    return hexadecimal(digest.data(), length);
+    return digitsOf(context);
 }
 
 }  // namespace
 
+Sha256::Sha256() : context_(newContext()) {
+    require(EVP_DigestInit_ex(context_.get(), EVP_sha256(), nullptr));
+}
+
+void Sha256::add(std::span<const char> bytes) {
+    require(EVP_DigestUpdate(context_.get(), bytes.data(), bytes.size()));
+}
+
+std::string Sha256::digits() { return digitsOf(*context_); }
+
 std::string sha256Of(const ByteSource& source, Progress* progress) {
-    const Context context(EVP_MD_CTX_new());
+    const Context context = newContext();
     require(EVP_DigestInit_ex(context.get(), EVP_sha256(), nullptr));
     return digestOf(source, *context, progress);
 }
 
 std::string md5Of(const ByteSource& source) {
-    const Context context(EVP_MD_CTX_new());
+    const Context context = newContext();
     if (EVP_DigestInit_ex(context.get(), EVP_md5(), nullptr) != 1) {
         return {};
     }

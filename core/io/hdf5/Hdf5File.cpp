@@ -2,6 +2,7 @@
 
 #include "core/Error.h"
 #include "core/io/FileBytes.h"
+#include "core/io/hdf5/Hdf5Seal.h"
 
 #include <algorithm>
 
@@ -31,12 +32,20 @@ Hdf5Object created(const std::filesystem::path& path) {
     H5Pset_libver_bounds(properties.id(), H5F_LIBVER_V110, H5F_LIBVER_V110);
     const Hdf5Object creation(H5Pcreate(H5P_FILE_CREATE), H5Pclose);
     H5Pset_obj_track_times(creation.id(), 0);  // the same run, the same bytes
+    H5Pset_userblock(creation.id(), kSealBytes);
     return {H5Fcreate(path.c_str(), H5F_ACC_TRUNC, creation.id(), properties.id()), H5Fclose};
 }
 
 Hdf5Object opened(const std::filesystem::path& path) {
     const Hdf5Object properties = access();
     return {H5Fopen(path.c_str(), H5F_ACC_RDONLY, properties.id()), H5Fclose};
+}
+
+/// The size of a file that is as it was written. @throw InputError
+std::uint64_t sealedBytes(const std::filesystem::path& path) {
+    const FileBytes bytes(path);
+    requireSeal(bytes);
+    return bytes.size();
 }
 
 Hdf5Object newAttribute(hid_t object, const char* attribute, const Hdf5Object& type) {
@@ -118,12 +127,11 @@ void Hdf5Output::close() {
     if (!isWritten) {
         throw Error(name_ + ": not all of it could be written");
     }
+    sealHdf5(name_);
 }
 
 Hdf5Input::Hdf5Input(const std::filesystem::path& path)
-    : name_(path.string())
-    , mostCells_(FileBytes(path).size() * kMaxExpansion / sizeof(float))
-    , file_(opened(path)) {
+    : name_(path.string()), mostBytes_(sealedBytes(path) * kMaxExpansion), file_(opened(path)) {
     if (!file_.isOpen()) {
         throw InputError(name_, "", "expected a file in the HDF5 format");
     }
@@ -140,7 +148,8 @@ std::vector<std::uint32_t> Hdf5Input::list(const char* list) const {
     const Hdf5Object space(found.isOpen() ? H5Dget_space(found.id()) : -1, H5Sclose);
     hsize_t size = 0;
     if (!space.isOpen() || H5Sget_simple_extent_ndims(space.id()) != 1 ||
-        H5Sget_simple_extent_dims(space.id(), &size, nullptr) < 0 || size > mostCells_) {
+        H5Sget_simple_extent_dims(space.id(), &size, nullptr) < 0 ||
+        size > mostBytes_ / sizeof(std::uint32_t)) {
         fail(list, "expected a list of numbers");
     }
     std::vector<std::uint32_t> numbers(size);

@@ -22,7 +22,7 @@ public:
     void setAttribute(const char* attribute, const std::string& text);
     /// A list of numbers. @throw Error
     void addList(const char* list, std::span<const std::uint32_t> numbers);
-    /// Hands everything to the system. @throw Error where not all could be written
+    /// Hands everything to the system, and seals it. @throw Error where not all could be written
     void close();
 
 private:
@@ -33,14 +33,14 @@ private:
 /// A file in the HDF5 format that is read.
 class Hdf5Input {
 public:
-    /// @throw InputError when it cannot be read or is no such file
+    /// @throw InputError when it cannot be read, or is no file of an Hdf5Output, or not as that
+    ///        left it
     explicit Hdf5Input(const std::filesystem::path& path);
 
     [[nodiscard]] hid_t id() const noexcept { return file_.id(); }
     [[nodiscard]] const std::string& name() const noexcept { return name_; }
-    /// Cells of all columns of a table that a file of this size may hold: a damaged one may
-    /// promise more.
-    [[nodiscard]] std::uint64_t mostCells() const noexcept { return mostCells_; }
+    /// Bytes of all cells of a table that a file of this size may hold: it may promise more.
+    [[nodiscard]] std::uint64_t mostBytes() const noexcept { return mostBytes_; }
     /// Whether it holds a table or a list of this name.
     [[nodiscard]] bool has(const std::string& what) const;
     /// @return empty: it has no such attribute of text
@@ -52,7 +52,7 @@ public:
 
 private:
     std::string name_;
-    std::uint64_t mostCells_;
+    std::uint64_t mostBytes_;
     Hdf5Object file_;
 };
 

@@ -51,6 +51,11 @@ std::size_t cellBytes(const Hdf5Column& column) {
     return column.type == Hdf5Column::Type::Text ? column.width : sizeof(double);
 }
 
+/// Of a cell in the file.
+std::size_t storedBytes(const Hdf5Column& column) {
+    return column.type == Hdf5Column::Type::Single ? sizeof(float) : cellBytes(column);
+}
+
 std::vector<std::string> linksOf(hid_t group) {
     std::vector<std::string> names;
     const auto take = [](hid_t /*group*/, const char* name, const H5L_info_t* /*info*/,
@@ -77,10 +82,15 @@ Hdf5Rows::Hdf5Rows(const Hdf5Input& file, std::string name)
     for (const std::string& column : linksOf(group_.id())) {
         addColumn(column);
     }
-    if (columns_.empty() ||
-        static_cast<std::uint64_t>(rows_) > file_.mostCells() / columns_.size()) {
-        file_.fail(name_, columns_.empty() ? "the table has no column"
-                                           : "it promises more rows than its file can hold");
+    if (columns_.empty()) {
+        file_.fail(name_, "the table has no column");
+    }
+    std::uint64_t bytesOfRow = 0;
+    for (const Hdf5Column& column : columns_) {
+        bytesOfRow += storedBytes(column);
+    }
+    if (static_cast<std::uint64_t>(rows_) > file_.mostBytes() / bytesOfRow) {
+        file_.fail(name_, "it promises more rows than its file can hold");
     }
     block_.resize(columns_.size());
 }

@@ -211,7 +211,7 @@ const ZipEntry* ZipArchive::find(std::string_view name) const {
     return found == entries_.end() ? nullptr : &*found;
 }
 
-std::string ZipArchive::decoded(const ZipEntry& entry, std::uint64_t most) const {
+void ZipArchive::decode(const ZipEntry& entry, std::uint64_t most, const ByteSink& sink) const {
     if (entry.size > most) {
         throw InputError(opened_->file(), entry.name,
                          "it holds " + std::to_string(entry.size) + " bytes; at most " +
@@ -219,22 +219,30 @@ std::string ZipArchive::decoded(const ZipEntry& entry, std::uint64_t most) const
     }
     const std::scoped_lock lock(opened_->mutex());
     const OpenEntry file = opened_->open(entry);
-    std::string bytes;
-    const std::uint64_t packed = std::min(entry.packed, opened_->bytes().size());
-    bytes.reserve(static_cast<std::size_t>(std::min(entry.size, packed * kMaxExpansion) + 1));
+    std::vector<char> piece(
+        static_cast<std::size_t>(std::min<std::uint64_t>(kStep, entry.size + 1)));
+    std::uint64_t done = 0;
     // One byte more than are listed: at the end, libzip compares the CRC.
-    for (bool more = true; more && bytes.size() <= entry.size;) {
-        const std::size_t before = bytes.size();
-        bytes.resize(before + static_cast<std::size_t>(
-                                  std::min<std::uint64_t>(kStep, entry.size + 1 - before)));
-        const std::size_t count = opened_->read(*file, std::span(bytes).subspan(before), entry);
-        more = before + count == bytes.size();
-        bytes.resize(before + count);
+    for (bool more = true; more && done <= entry.size;) {
+        const std::size_t wanted =
+            static_cast<std::size_t>(std::min<std::uint64_t>(piece.size(), entry.size + 1 - done));
+        const std::size_t count = opened_->read(*file, std::span(piece).first(wanted), entry);
+        sink(std::span(piece).first(count));
+        done += count;
+        more = count == wanted;
     }
-    if (bytes.size() != entry.size) {
+    if (done != entry.size) {
         opened_->fail(entry.name, "it does not hold the " + std::to_string(entry.size) +
                                       " bytes that the directory lists");
     }
+}
+
+std::string ZipArchive::decoded(const ZipEntry& entry, std::uint64_t most) const {
+    std::string bytes;
+    const std::uint64_t packed = std::min(entry.packed, opened_->bytes().size());
+    bytes.reserve(static_cast<std::size_t>(std::min({entry.size, packed * kMaxExpansion, most})));
+    decode(entry, most,
+           [&bytes](std::span<const char> piece) { bytes.append(piece.begin(), piece.end()); });
     return bytes;
 }
 

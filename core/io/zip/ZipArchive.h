@@ -3,7 +3,9 @@
 #include "core/io/ByteSource.h"
 
 #include <cstdint>
+#include <functional>
 #include <memory>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -22,6 +24,9 @@ struct ZipEntry {
     [[nodiscard]] std::string_view baseName() const;
 };
 
+/// Takes the next bytes.
+using ByteSink = std::function<void(std::span<const char>)>;
+
 /// A zip archive, read through libzip.
 class ZipArchive {
 public:
@@ -33,9 +38,11 @@ public:
     /// Null: there is none of this name.
     [[nodiscard]] const ZipEntry* find(std::string_view name) const;
 
-    /// Decodes a whole entry and checks its CRC.
+    /// Decodes a whole entry, piece by piece, and checks its CRC at the end.
     /// @param most bytes that the entry may hold: a small archive can list a huge one
     /// @throw InputError that names file and entry, when it is larger, damaged or encrypted
+    void decode(const ZipEntry& entry, std::uint64_t most, const ByteSink& sink) const;
+    /// The same into memory.
     [[nodiscard]] std::string decoded(const ZipEntry& entry, std::uint64_t most) const;
     /// The bytes of an entry, named by file and entry. A stored one stays in the archive, any other
     /// is decoded here. @throw as decoded()
