@@ -6,7 +6,9 @@
 #include "app/commands/VirtualDisplay.h"
 #include "app/exports/ExportInput.h"
 #include "app/exports/Film.h"
+#include "app/exports/OutputName.h"
 #include "app/exports/VideoFile.h"
+#include "app/recording/ComparedRun.h"
 #include "app/runs/RunFolder.h"
 #include "core/Error.h"
 #include "core/PrintableText.h"
@@ -45,13 +47,17 @@ FilmRequest requestOf(const FilmOptions& options) {
     return request;
 }
 
-void requireUsable(const FilmOptions& options) {
+std::filesystem::path outOf(const FilmOptions& options, const FilmRequest& request) {
+    const std::string run = std::filesystem::path(runName(options.run)).stem().string();
+    return filledPath(options.out, {.file = run, .view = keyOf(request.view)});
+}
+
+void requireUsable(const FilmOptions& options, const std::filesystem::path& out) {
     if (!holdsRun(options.run)) {
         throw InputError(options.run, "",
                          "is no folder of a run: a film needs one that explore or a recording "
                          "wrote, or a bundle of it");
     }
-    const std::filesystem::path out = options.out;
     if (isVideo(out)) {
         if (!options.force && isThere(out)) {
             throw Error(out.string() +
@@ -65,7 +71,8 @@ void requireUsable(const FilmOptions& options) {
 void film(const FilmOptions& options) {
     const CancelOnSignal cancel;
     const FilmRequest request = requestOf(options);
-    requireUsable(options);
+    const std::filesystem::path out = outOf(options, request);
+    requireUsable(options, out);
     const VirtualDisplay display;
     ExportInput input = [&] {
         ProgressLine line("loading");
@@ -82,12 +89,11 @@ void film(const FilmOptions& options) {
         ProgressPart drawing(&line, 0.1, 1.0);
         const std::unique_ptr<FilmArtist> artist =
             filmArtist(input.scene(), spatialLook(request.view, request.spec));
-        isVideo(options.out)
-            ? writeVideo(*input.run(), *artist, request, ticks, options.out, &drawing)
-            : writeFrames(*input.run(), *artist, request, ticks, options.out, options.force,
-                          &drawing);
+        isVideo(out)
+            ? writeVideo(*input.run(), *artist, request, ticks, out, &drawing)
+            : writeFrames(*input.run(), *artist, request, ticks, out, options.force, &drawing);
     }
-    std::cout << ticks.size() << " frames in " << printable(options.out) << '\n';
+    std::cout << ticks.size() << " frames in " << printable(out.string()) << '\n';
 }
 
 }  // namespace
@@ -102,7 +108,7 @@ void addFilmCommand(CLI::App& program) {
     command
         ->add_option("--out", options->out,
                      "folder for frame_00001.png ... and frames.csv, or a video .mp4 or .webm "
-                     "(by the program ffmpeg)")
+                     "(by the program ffmpeg); {file}, {view} and {n} of its name are filled in")
         ->required()
         ->check(notEmpty());
     command
@@ -119,13 +125,11 @@ void addFilmCommand(CLI::App& program) {
         ->capture_default_str();
     auto* speed =
         command->add_option("--speed", options->speed, "seconds of the run per second of the film")
-            ->check(CLI::PositiveNumber)
-            ->check(finiteNumber())
+            ->check(positiveNumber())
             ->capture_default_str();
     command
         ->add_option("--duration", options->duration, "length of the film [s]; it picks the speed")
-        ->check(CLI::PositiveNumber)
-        ->check(finiteNumber())
+        ->check(positiveNumber())
         ->excludes(speed);
     addPictureOptions(*command, options->picture);
     command->add_flag("--force", options->force, "replace an earlier film");

@@ -18,6 +18,17 @@ inline CLI::Validator finiteNumber() {
             ""};
 }
 
+/// CLI11's own one names the largest number that there is.
+inline CLI::Validator positiveNumber() {
+    return {[](const std::string& text) {
+                const double number = std::strtod(text.c_str(), nullptr);
+                return std::isfinite(number) && number > 0.0
+                           ? std::string()
+                           : "expected a number above 0, not " + text;
+            },
+            ""};
+}
+
 /// A path must have a name.
 inline CLI::Validator notEmpty() {
     return {[](const std::string& text) {

@@ -80,9 +80,7 @@ void addPictureOptions(CLI::App& command, PictureOptions& options) {
     command.add_flag("--no-bars", options.noBars, "without scale bars, color bars and axes");
     command.add_flag("--no-labels", options.noLabels, "without titles, captions, notes and values");
     command.add_flag("--clean", options.clean, "without bars, labels and grid");
-    command.add_option("--width", options.width, "width of the frame [m]")
-        ->check(CLI::PositiveNumber)
-        ->check(finiteNumber());
+    command.add_option("--width", options.width, "width of the frame [m]")->check(positiveNumber());
     command
         .add_option("--height-scale", options.heightScale,
                     "factor of all heights; 1: true to scale")

@@ -168,9 +168,11 @@ void writeVideo(RunPlayback& run, FilmArtist& artist, const FilmRequest& request
     VideoFile video(path, request.spec.size, request.fps);
     drawFrames(
         run, artist, ticks,
-        [&video](std::size_t, const TickSample&, const RasterImage& image) { video.add(image); },
+        [&](std::size_t, const TickSample&, const RasterImage& image) {
+            video.add(image, progress);
+        },
         progress);
-    video.commit();
+    video.commit(progress);
 }
 
 }  // namespace asperity

@@ -48,11 +48,15 @@ std::filesystem::path namedPath(const std::filesystem::path& folder, const std::
     }
 }
 
+std::filesystem::path filledPath(const std::filesystem::path& out, const OutputNameParts& parts) {
+    return namedPath(out.parent_path(), out.filename().string(), parts);
+}
+
 std::filesystem::path outputPath(const std::string& out, const OutputNameParts& parts, bool force) {
     std::error_code unknown;
     const bool isFolder = out.ends_with('/') || std::filesystem::is_directory(out, unknown);
-    const std::string text = isFolder ? (std::filesystem::path(out) / kUsualName).string() : out;
-    std::filesystem::path path = namedPath({}, text, parts);
+    std::filesystem::path path =
+        isFolder ? namedPath(out, kUsualName, parts) : filledPath(out, parts);
     if (!force && isThere(path)) {
         throw Error(path.string() +
                     ": is there already; name another file, or replace it with --force");

@@ -45,7 +45,12 @@ PackedPixels packed(const RasterImage& image) {
     return packed;
 }
 
-[[noreturn]] void failPng(png_structp /*png*/, png_const_charp reason) { throw Error(reason); }
+constexpr const char* kStopped = "writing stopped half-way (disk full?)";
+
+/// Rows of the right size fail only where they cannot be written.
+[[noreturn]] void failPng(png_structp /*png*/, png_const_charp /*reason*/) {
+    throw Error(kStopped);
+}
 
 struct PngWriter {
     png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, failPng, nullptr);
@@ -79,7 +84,7 @@ void writePng(const std::filesystem::path& path, const RasterImage& image, doubl
     }
     png_write_end(writer.png, nullptr);
     if (std::fflush(file.get()) != 0 || std::ferror(file.get()) != 0) {
-        throw Error("writing stopped half-way (disk full?)");
+        throw Error(kStopped);
     }
 }
 
@@ -117,7 +122,7 @@ void writeTiff(const std::filesystem::path& path, const RasterImage& image, doub
                         static_cast<std::uint32_t>(row), 0) == 1;
     }
     if (!isWritten || TIFFFlush(tiff.get()) != 1) {
-        throw Error("writing stopped half-way (disk full?)");
+        throw Error(kStopped);
     }
 }
 

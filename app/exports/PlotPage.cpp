@@ -334,9 +334,10 @@ PlotPage plotPage(std::span<const Chart> charts, const PictureSpec& spec) {
     const double height = page.height / static_cast<double>(grid.rows);
     const double scale = letterScale(width, height);
     if (scale < kMinScale) {
-        throw Error(formatted("a page of %.0f x %.0f mm is too small for %zu charts whose letters "
-                              "can be read: give more pixels (--size) or fewer per inch (--dpi)",
-                              page.width / 96.0 * 25.4, page.height / 96.0 * 25.4, charts.size()));
+        throw Error(
+            formatted("a page of %.0f x %.0f mm is too small for charts (%zu) whose letters "
+                      "can be read: give more pixels (--size) or fewer per inch (--dpi)",
+                      page.width / 96.0 * 25.4, page.height / 96.0 * 25.4, charts.size()));
     }
     double titleSize = kTitle;
     for (const Chart& chart : charts) {

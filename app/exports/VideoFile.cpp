@@ -7,17 +7,23 @@
 #include <array>
 #include <cctype>
 #include <cerrno>
+#include <chrono>
 #include <csignal>
 #include <fcntl.h>
+#include <poll.h>
 #include <spawn.h>
 #include <sys/mman.h>
+#include <sys/socket.h>
 #include <sys/wait.h>
+#include <thread>
 #include <unistd.h>
 #include <vector>
 
 namespace asperity {
 
 namespace {
+
+constexpr std::chrono::milliseconds kLook(20);  // for a cancellation
 
 std::string extensionOf(const std::filesystem::path& file) {
     std::string extension = file.extension().string();
@@ -60,21 +66,12 @@ std::vector<std::string> argumentsFor(const TemporaryFile& file, PictureSize siz
     return arguments;
 }
 
-/// Errors of a pipe come as such while it lives, not as a signal that ends the program.
-class IgnoredPipeSignal {
-public:
-    IgnoredPipeSignal() {
-        struct sigaction ignore {};
-        ignore.sa_handler = SIG_IGN;
-        sigaction(SIGPIPE, &ignore, &before_);
+/// @throw Canceled
+void requireWanted(const Progress* progress) {
+    if (progress != nullptr && progress->isCanceled()) {
+        throw Canceled();
     }
-    ~IgnoredPipeSignal() { sigaction(SIGPIPE, &before_, nullptr); }
-    IgnoredPipeSignal(const IgnoredPipeSignal&) = delete;
-    IgnoredPipeSignal& operator=(const IgnoredPipeSignal&) = delete;
-
-private:
-    struct sigaction before_ {};
-};
+}
 
 /// Starts a program in a session of its own: Ctrl+C is for ours, which ends it in good order.
 /// @return the error; 0: none
@@ -114,13 +111,14 @@ VideoFile::VideoFile(const std::filesystem::path& path, PictureSize size, double
 VideoFile::~VideoFile() {
     if (encoder_ > 0) {
         kill(encoder_, SIGKILL);
-        end();
+        end(nullptr);
     }
 }
 
 void VideoFile::start(PictureSize size, double fps) {
+    // No pipe: one that is closed at the other end would end the program by a signal.
     std::array<int, 2> ends{};
-    if (pipe2(ends.data(), O_CLOEXEC) != 0) {
+    if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0) {
         throw Error(file_.target().string() + ": ffmpeg cannot be started");
     }
     const FileDescriptor input(ends[0]);
@@ -137,20 +135,23 @@ void VideoFile::start(PictureSize size, double fps) {
     }
 }
 
-void VideoFile::add(const RasterImage& frame) {
-    const IgnoredPipeSignal ignored;
+void VideoFile::add(const RasterImage& frame, const Progress* progress) {
     for (std::size_t done = 0; done < frame.pixels.size();) {
-        const ssize_t count =
-            write(frames_.get(), frame.pixels.data() + done, frame.pixels.size() - done);
-        if (count < 0 && errno != EINTR) {
+        const ssize_t count = send(frames_.get(), frame.pixels.data() + done,
+                                   frame.pixels.size() - done, MSG_NOSIGNAL | MSG_DONTWAIT);
+        if (count < 0 && errno == EAGAIN) {
+            pollfd room{.fd = frames_.get(), .events = POLLOUT, .revents = 0};
+            poll(&room, 1, static_cast<int>(kLook.count()));
+        } else if (count < 0 && errno != EINTR) {
             fail();
         }
+        requireWanted(progress);
         done += count > 0 ? static_cast<std::size_t>(count) : 0U;
     }
 }
 
-void VideoFile::commit() {
-    const int status = end();
+void VideoFile::commit(const Progress* progress) {
+    const int status = end(progress);
     if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) {
         fail();
     }
@@ -158,10 +159,12 @@ void VideoFile::commit() {
 }
 
 /// Waits for the encoder. @return how it ended
-int VideoFile::end() {
+int VideoFile::end(const Progress* progress) {
     frames_ = FileDescriptor(-1);
     int status = 0;
-    while (waitpid(encoder_, &status, 0) < 0 && errno == EINTR) {
+    while (waitpid(encoder_, &status, WNOHANG) == 0) {
+        requireWanted(progress);
+        std::this_thread::sleep_for(kLook);
     }
     encoder_ = -1;
     return status;
@@ -169,7 +172,7 @@ int VideoFile::end() {
 
 void VideoFile::fail() {
     if (encoder_ > 0) {
-        end();
+        end(nullptr);
     }
     std::array<char, 400> said{};
     const ssize_t count = pread(complaints_.get(), said.data(), said.size(), 0);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/FileDescriptor.h"
+#include "core/Progress.h"
 #include "core/TemporaryFile.h"
 #include "vtkplugins/pictures/PictureSize.h"
 #include "vtkplugins/pictures/RasterImage.h"
@@ -25,15 +26,16 @@ public:
     VideoFile(const VideoFile&) = delete;
     VideoFile& operator=(const VideoFile&) = delete;
 
-    /// @throw Error with what ffmpeg says, when it has ended
-    void add(const RasterImage& frame);
-    /// @throw Error likewise
-    void commit();
+    /// @param progress may be null; asked whether to give up while ffmpeg takes its time
+    /// @throw Error with what ffmpeg says, when it has ended; Canceled
+    void add(const RasterImage& frame, const Progress* progress);
+    /// @throw likewise
+    void commit(const Progress* progress);
 
 private:
     void start(PictureSize size, double fps);
     [[noreturn]] void fail();
-    int end();
+    int end(const Progress* progress);
 
     TemporaryFile file_;
     FileDescriptor complaints_;  ///< what ffmpeg says

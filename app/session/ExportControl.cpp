@@ -6,6 +6,7 @@
 #include "app/exports/PlotFile.h"
 #include "app/exports/RasterPixels.h"
 #include "app/exports/SurfaceFile.h"
+#include "app/recording/ComparedRun.h"
 #include "app/runs/RunFolder.h"
 #include "app/session/ExportMemory.h"
 #include "app/session/FilmOfRecording.h"
@@ -93,6 +94,9 @@ ExportControl::ExportControl(MainWindow& window, RunControl& runs, ViewControl& 
                 .failed =
                     [this](const std::exception_ptr& reason) {
                         pictureFailure_ = reasonOf(reason);
+                        if (dialog_ != nullptr) {
+                            dialog_->showWords({});
+                        }
                         showFailures();
                     }})
     , work_(loadingLine(window), {.finished = [this](QString& told) { window_.tell(told); },
@@ -122,12 +126,13 @@ void ExportControl::ask() {
         return;
     }
     runs_.fetch();
-    if (runs_.run()->loop().snapshot().statistics.ticks == 0) {
+    if (!runs_.showsRecording() && runs_.run()->loop().snapshot().statistics.ticks == 0) {
         window_.tell(tr("There is nothing to export yet: the run has not begun"));
         return;
     }
-    moment_ = std::make_shared<const ExportMoment>(presentMoment(window_, *runs_.run()));
+    moment_ = std::make_shared<const ExportMoment>(presentMoment(window_, runs_));
     windowPicture_ = {};
+    previewed_.reset();
     if (choices_.folder.isEmpty()) {
         choices_.folder = standardFolder();
     }
@@ -167,9 +172,11 @@ std::filesystem::path ExportControl::file() const {
     if (choices.name.trimmed().isEmpty() || choices.folder.trimmed().isEmpty()) {
         throw Error("Give the file a name and a folder.");
     }
-    return namedPath(
-        bytesOf(choices.folder), bytesOf(choices.name) + extension,
-        {std::filesystem::path(moment_->name).stem().string(), keyOf(choices.subject)});
+    const std::string source = choices.subject == ExportSubject::Film
+                                   ? runName(bytesOf(choices.film.recording))
+                                   : moment_->name;
+    return namedPath(bytesOf(choices.folder), bytesOf(choices.name) + extension,
+                     {std::filesystem::path(source).stem().string(), keyOf(choices.subject)});
 }
 
 void ExportControl::showFile() {
@@ -264,6 +271,10 @@ void ExportControl::preview() {
     pictureFailure_.clear();
     preview_.cancel();
     const ExportSubject subject = dialog_->choices().subject;
+    if (previewed_ != subject) {  // what is there is a picture of something else
+        dialog_->showWords(tr("Drawing …"));
+        previewed_ = subject;
+    }
     if (!isPicture(subject)) {
         dialog_->showWords(wordsFor(subject));
     } else if (subject == ExportSubject::Window) {
@@ -298,11 +309,31 @@ void ExportControl::write() {
     }
     const std::filesystem::path path = file();
     if (!isThere(path)) {
-        start(path);
+        draw(path);
         return;
     }
     askWhether(dialog_, tr("%1 is there already. Replace it?").arg(textOf(path)), tr("Replace"),
                [this, path] {
+                   if (dialog_ != nullptr) {
+                       draw(path);
+                   }
+               });
+}
+
+/// A large view stops the window while it is drawn, for so long that a recording would lose ticks.
+void ExportControl::draw(const std::filesystem::path& path) {
+    constexpr double kSoonDrawn = 8e6;  // [pixel]
+    const QSize& size = dialog_->choices().size;
+    const bool isLarge = dialog_->choices().subject == ExportSubject::View &&
+                         1.0 * size.width() * size.height() > kSoonDrawn;
+    if (!isLarge || !window_.menus().record->isChecked()) {
+        start(path);
+        return;
+    }
+    askWhether(dialog_,
+               tr("The window stands still while so large a picture is drawn, and the recording "
+                  "that is running may end. Draw it now?"),
+               tr("Draw"), [this, path] {
                    if (dialog_ != nullptr) {
                        start(path);
                    }

@@ -14,6 +14,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 
 namespace asperity {
 
@@ -50,6 +51,7 @@ private:
     [[nodiscard]] QImage picture(const PictureSpec& spec);
     [[nodiscard]] QString wordsFor(ExportSubject subject) const;
     void write();
+    void draw(const std::filesystem::path& path);
     void start(const std::filesystem::path& path);
     [[nodiscard]] ExportWork workFor(const ExportOrder& order);
     void copy();
@@ -62,6 +64,7 @@ private:
     QPointer<ExportDialog> dialog_;
     std::shared_ptr<const ExportMoment> moment_;  ///< while the dialog is open
     QImage windowPicture_;                        ///< of that moment, once it was asked for
+    std::optional<ExportSubject> previewed_;      ///< of the present preview
     QString nameFailure_;     ///< why there is no file of that name; empty: there is
     QString pictureFailure_;  ///< why there is no such picture; empty: there is
     QTimer soon_;             ///< so that choices that follow each other are drawn at once

@@ -59,17 +59,17 @@ Chart cycleChart(const CyclePanel& panel) {
 
 }  // namespace
 
-ExportMoment presentMoment(MainWindow& window, LiveRun& run) {
+ExportMoment presentMoment(MainWindow& window, RunControl& runs) {
     auto& panel = *window.findChild<CyclePanel*>();
     panel.refresh();
-    const auto& last = run.blackBox().samples();
-    const TickSample& sample = run.loop().snapshot().sample;
+    const LiveRun& run = *runs.run();
+    const TickSample& sample = runs.shown().sample;
     return {.loaded = run.shared(),
             .name = sampleName(run.scene().description.sample),
             .sample = sample,
             .patch = zoomGrid(run.scene(), sample),
             .view = *window.view().shown(),
-            .ticks = {last.begin(), last.end()},
+            .ticks = runs.shownTicks(),
             .cycles = cycleChart(panel),
             .distance = panel.showsBase() ? "base_distance_m" : "separation_m"};
 }

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/exports/SpatialLook.h"
-#include "app/runs/LiveRun.h"
+#include "app/session/RunControl.h"
 #include "core/surface/deformation/SurfaceDeformation.h"
 #include "ui/view/ShownView.h"
 #include "ui/window/ExportChoices.h"
@@ -20,16 +20,17 @@ class MainWindow;
 struct ExportMoment {
     std::shared_ptr<const LoadedScene> loaded;  ///< whose description may change meanwhile
     std::string name;                           ///< of the sample, as it was
-    TickSample sample;                          ///< the latest one
+    TickSample sample;                          ///< that it showed
     PatchGrid patch;                            ///< of the surface around the tip
     ShownView view;                             ///< of the large view
-    std::vector<TickSample> ticks;              ///< the last seconds, in order
+    std::vector<TickSample> ticks;              ///< the last seconds until then, in order
     Chart cycles;                               ///< the force-distance curves that are drawn
     std::string distance;  ///< over which they are drawn, as a table's column names it
 };
 
-/// The present one. The window shows a run, which has ticks.
-[[nodiscard]] ExportMoment presentMoment(MainWindow& window, LiveRun& run);
+/// The present one, or that of a recording that is looked at. The window shows a run, which has
+/// ticks.
+[[nodiscard]] ExportMoment presentMoment(MainWindow& window, RunControl& runs);
 
 /// How the large view is drawn into a picture.
 [[nodiscard]] OffscreenZoomLook viewLook(const ExportMoment& moment, const PictureSpec& spec);

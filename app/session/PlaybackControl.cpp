@@ -161,7 +161,7 @@ void PlaybackControl::end() {
     shown_.reset();
     tick_.reset();
     play(false);
-    runs_.showRecorded(std::nullopt);
+    runs_.showLive();
     window_.banner().setRecorded(std::nullopt);
     window_.setWindowTitle(title_);
     rewindPanels();
@@ -236,15 +236,12 @@ void PlaybackControl::take(const Stretch& stretch) {
                               [panel](const TickSample& sample) { panel->take(sample); });
     }
     tick_ = awaited_;
+    runs_.showRecorded(stretch.ticks, stretch.goesOn);
     showMoment(stretch.ticks.back());
     compute();
 }
 
 void PlaybackControl::showMoment(const TickSample& sample) {
-    runs_.showRecorded(Snapshot{.sample = sample,
-                                .memory = {},
-                                .statistics = runs_.run()->loop().snapshot().statistics,
-                                .trueTip = std::nullopt});
     window_.banner().setRecorded(sample.time);
     window_.setWindowTitle(tr("Recording, t = %1 s – %2").arg(sample.time, 0, 'f', 3).arg(title_));
     page_->showMoment(static_cast<int>(*tick_), readingsOf(sample), sample.time,

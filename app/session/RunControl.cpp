@@ -147,6 +147,35 @@ void RunControl::setForces(bool on) {
     }
 }
 
+std::vector<TickSample> RunControl::shownTicks() {
+    if (recorded_) {
+        return {recordedTicks_.begin(), recordedTicks_.end()};
+    }
+    const auto& last = run_->blackBox().samples();
+    return {last.begin(), last.end()};
+}
+
+void RunControl::showRecorded(std::span<const TickSample> ticks, bool goesOn) {
+    constexpr std::size_t kMost = 10'000;
+    if (!goesOn) {
+        recordedTicks_.clear();
+    }
+    recordedTicks_.insert(recordedTicks_.end(), ticks.begin(), ticks.end());
+    if (recordedTicks_.size() > kMost) {
+        const auto old = static_cast<std::ptrdiff_t>(recordedTicks_.size() - kMost);
+        recordedTicks_.erase(recordedTicks_.begin(), recordedTicks_.begin() + old);
+    }
+    recorded_ = Snapshot{.sample = ticks.back(),
+                         .memory = {},
+                         .statistics = run_->loop().snapshot().statistics,
+                         .trueTip = std::nullopt};
+}
+
+void RunControl::showLive() {
+    recorded_.reset();
+    recordedTicks_.clear();
+}
+
 void RunControl::showKnobs() {
     const Settings& settings = run_->settings();
     ControlBar& controls = window_.controls();

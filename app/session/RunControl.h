@@ -4,10 +4,13 @@
 
 #include <QObject>
 
+#include <deque>
 #include <functional>
 #include <memory>
 #include <optional>
+#include <span>
 #include <utility>
+#include <vector>
 
 namespace asperity {
 
@@ -49,8 +52,13 @@ public:
     [[nodiscard]] const Snapshot& shown() {
         return recorded_ ? *recorded_ : run_->loop().snapshot();
     }
-    /// Shows a tick of a recording; none: those of the loop again.
-    void showRecorded(const std::optional<Snapshot>& tick) { recorded_ = tick; }
+    /// The last seconds up to that tick, in order. There is a run.
+    [[nodiscard]] std::vector<TickSample> shownTicks();
+    [[nodiscard]] bool showsRecording() const { return recorded_.has_value(); }
+    /// Shows the last one of these ticks of a recording. @param goesOn they follow those before
+    void showRecorded(std::span<const TickSample> ticks, bool goesOn);
+    /// Shows the ticks of the loop again.
+    void showLive();
 
 Q_SIGNALS:
     /// The run is about to go. Its loop rests, and all of its ticks are fetched.
@@ -71,7 +79,8 @@ private:
     MainWindow& window_;
     TickSink sink_ = [](const TickSample&) {};
     std::unique_ptr<LiveRun> run_;
-    std::optional<Snapshot> recorded_;  ///< none: the loop's ticks are shown
+    std::optional<Snapshot> recorded_;      ///< none: the loop's ticks are shown
+    std::deque<TickSample> recordedTicks_;  ///< the last seconds up to it
 };
 
 }  // namespace asperity

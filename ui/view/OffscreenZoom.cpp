@@ -43,8 +43,10 @@ int barRows(const OffscreenZoomLook& look) {
 PictureSize barsSize(const OffscreenZoomLook& look) {
     const int rows = barRows(look);
     const double height = rows * kBarHeight * look.look.pixelRatio;
-    return {.width = look.size.width,
-            .height = rows == 0 ? 0 : std::max(kLeastBand, static_cast<int>(std::lround(height)))};
+    const int band = rows == 0 ? 0 : std::max(kLeastBand, static_cast<int>(std::lround(height)));
+    // A tiny picture is all view.
+    const bool hasRoom = look.size.height >= band + kLeastBand && look.size.width >= kLeastBand;
+    return {.width = look.size.width, .height = hasRoom ? band : 0};
 }
 
 vtkSmartPointer<vtkLookupTable> tableOf(const ColorScale& scale) {
@@ -77,6 +79,7 @@ OffscreenZoom::OffscreenZoom(const Scene& scene, const OffscreenZoomLook& look)
     , look_(look)
     , bars_(barsSize(look))
     , view_({.width = look.size.width, .height = look.size.height - bars_.height}) {
+    requireDrawable(look.size);
     const theme::LightColors light;
     prepareOffscreen(window_, view_, kOversampling);
     picture_.emplace(vtkOpenGLRenderWindow::SafeDownCast(window_));

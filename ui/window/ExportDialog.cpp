@@ -17,6 +17,7 @@
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 
+#include <algorithm>
 #include <cmath>
 
 namespace asperity {
@@ -222,8 +223,12 @@ void ExportDialog::chooseSize() {
         const double aspect = static_cast<double>(width_->value()) / height_->value();
         const double inches =
             offer_.columns[static_cast<std::size_t>(index)].width / kMillimetersPerInch;
+        const QSignalBlocker quietDpi(dpi_);
         const QSignalBlocker quietWidth(width_);
         const QSignalBlocker quietHeight(height_);
+        // The picture stays as wide as the column: no more dots than the longer side can have.
+        const double most = kMostSide / std::max(inches, inches / aspect);
+        dpi_->setValue(std::min(dpi_->value(), static_cast<int>(most)));
         width_->setValue(static_cast<int>(std::lround(inches * dpi_->value())));
         height_->setValue(static_cast<int>(std::lround(width_->value() / aspect)));
     }

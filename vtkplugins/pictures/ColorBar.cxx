@@ -15,13 +15,33 @@ namespace {
 
 constexpr double kThickness = 18.0;
 constexpr double kTickDistance = 90.0;
-constexpr int kLeastTicks = 4;  // also of a short bar
+constexpr int kLeastTicks = 4;    // also of a short bar, where their labels have room
+constexpr double kBetween = 8.0;  // labels, at least
 
 Color colorOf(vtkLookupTable* table, double value) {
     std::array<unsigned char, 3> rgb{};
     const unsigned char* mapped = table->MapValue(value);
     std::copy_n(mapped, rgb.size(), rgb.begin());
     return {rgb[0], rgb[1], rgb[2]};
+}
+
+/// Round numbers from low to high whose labels do not run into each other. @param length of the
+/// bar, as the labels are sized
+std::vector<double> fittingTicks(Painter& painter, double low, double high, double length,
+                                 const TextStyle& style) {
+    int count = std::max(kLeastTicks, static_cast<int>(length / kTickDistance));
+    for (;; --count) {
+        std::vector<double> ticks = niceTicks(low, high, count);
+        double widest = 0.0;
+        for (const std::string& label : tickLabels(ticks)) {
+            widest = std::max(widest, painter.textWidth(label, style));
+        }
+        const bool isApart =
+            ticks.size() < 2 || (ticks[1] - ticks[0]) / (high - low) * length >= widest + kBetween;
+        if (isApart || count == 1) {
+            return ticks;
+        }
+    }
 }
 
 }  // namespace
@@ -43,8 +63,7 @@ void drawColorBar(Painter& painter, const ColorBar& bar, const PixelRect& area) 
                      colorOf(bar.table, value));
     }
     const std::vector<double> ticks =
-        niceTicks(bar.low * scale.factor, bar.high * scale.factor,
-                  std::max(kLeastTicks, static_cast<int>(colors.width / kTickDistance)));
+        fittingTicks(painter, bar.low * scale.factor, bar.high * scale.factor, colors.width, plain);
     const std::vector<std::string> labels = tickLabels(ticks);
     for (std::size_t i = 0; i < ticks.size(); ++i) {
         const double part = (ticks[i] / scale.factor - bar.low) / (bar.high - bar.low);

@@ -27,15 +27,6 @@ namespace {
 constexpr int kMinSide = 32;
 constexpr int kMaxSide = 8192;  // twice as many are drawn: the largest frame of OpenGL drivers
 
-void checkSize(PictureSize size) {
-    const auto good = [](int side) { return side >= kMinSide && side <= kMaxSide; };
-    if (!good(size.width) || !good(size.height)) {
-        throw Error("A picture of " + std::to_string(size.width) + " x " +
-                    std::to_string(size.height) + " pixels cannot be drawn: each side must be " +
-                    std::to_string(kMinSide) + " to " + std::to_string(kMaxSide) + ".");
-    }
-}
-
 /// Wider lines while it lives.
 class ScaledLines {
 public:
@@ -107,8 +98,17 @@ private:
 
 }  // namespace
 
+void requireDrawable(PictureSize size) {
+    const auto good = [](int side) { return side >= kMinSide && side <= kMaxSide; };
+    if (!good(size.width) || !good(size.height)) {
+        throw Error("A picture of " + std::to_string(size.width) + " x " +
+                    std::to_string(size.height) + " pixels cannot be drawn: each side must be " +
+                    std::to_string(kMinSide) + " to " + std::to_string(kMaxSide) + ".");
+    }
+}
+
 void prepareOffscreen(vtkRenderWindow* window, PictureSize size, int oversampling) {
-    checkSize(size);
+    requireDrawable(size);
     if (!haveDisplay()) {
         throw Error("Pictures need an X display and none answers: start the program in a desktop "
                     "session or under xvfb-run.");

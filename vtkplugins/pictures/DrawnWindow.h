@@ -15,6 +15,9 @@ struct PictureLook {
     bool transparent = false;  ///< nothing is behind what is drawn
 };
 
+/// @throw Error where no picture of this size can be drawn
+void requireDrawable(PictureSize size);
+
 /// Sizes a window that nobody sees for a picture that is drawn larger and averaged down.
 /// @throw Error when there is no X display to draw with or too little memory, or the size is
 /// unreasonable

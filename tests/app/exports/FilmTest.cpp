@@ -6,6 +6,7 @@
 #include "app/program/LoadedScene.h"
 #include "core/Error.h"
 #include "core/haptics/ApproachDevice.h"
+#include "tests/support/CanceledAfter.h"
 #include "tests/support/ScratchFolder.h"
 #include "tests/support/ShippedScene.h"
 
@@ -177,14 +178,42 @@ TEST(VideoFile, SaysWhatItsProgramComplainsOf) {
                                 .height = 64,
                                 .pixels = std::vector<std::uint8_t>(std::size_t{64} * 64 * 4)};
         for (int i = 0; i < 100; ++i) {
-            video.add(frame);
+            video.add(frame, nullptr);
         }
-        video.commit();
+        video.commit(nullptr);
     } catch (const Error& error) {
         said = error.what();
     }
     setenv("PATH", path.c_str(), 1);  // NOLINT(concurrency-mt-unsafe)
     EXPECT_NE(said.find("no such codec"), std::string::npos) << said;
+    EXPECT_FALSE(std::filesystem::exists(target));
+}
+
+/// A program of this name that takes nothing and does not end.
+TEST(VideoFile, AProgramThatHangsCanBeGivenUp) {
+    const test::ScratchFolder folder;
+    const auto program = folder.write("ffmpeg", "#!/bin/sh\nexec sleep 600\n");
+    std::filesystem::permissions(program, std::filesystem::perms::owner_all);
+    const std::string path = std::getenv("PATH");  // NOLINT(concurrency-mt-unsafe)
+    setenv("PATH", (folder.path().string() + ":" + path).c_str(), 1);  // NOLINT
+    const auto target = folder.path() / "a.mp4";
+    {
+        VideoFile video(target, {.width = 640, .height = 480}, 25.0);
+        const RasterImage frame{.width = 640,
+                                .height = 480,
+                                .pixels = std::vector<std::uint8_t>(std::size_t{640} * 480 * 4)};
+        const test::CanceledAfter progress(0);
+        EXPECT_THROW(
+            {
+                for (int i = 0; i < 100; ++i) {
+                    video.add(frame, &progress);
+                }
+            },
+            Canceled);
+        const test::CanceledAfter ending(0);
+        EXPECT_THROW(video.commit(&ending), Canceled);
+    }
+    setenv("PATH", path.c_str(), 1);  // NOLINT(concurrency-mt-unsafe)
     EXPECT_FALSE(std::filesystem::exists(target));
 }
 

@@ -49,6 +49,16 @@ TEST(OutputName, OfAFolderWithBracesIsFilledInTheNameAlone) {
     EXPECT_THROW((void)namedPath(folder.path(), "{time}", kParts), Error);
 }
 
+TEST(OutputName, FoldersOfOutAreAsTheyAre) {
+    const test::ScratchFolder folder;
+    const std::filesystem::path braces = folder.path() / "a {n} {b}";
+    std::filesystem::create_directory(braces);
+    EXPECT_EQ(outputPath(braces.string() + "/", kParts, false), braces / "silicon_3d_1.png");
+    EXPECT_EQ(outputPath(braces.string(), kParts, false), braces / "silicon_3d_1.png");
+    EXPECT_EQ(outputPath((braces / "{view}.png").string(), kParts, false), braces / "3d.png");
+    EXPECT_EQ(filledPath(braces / "{file}_{n}.mp4", kParts), braces / "silicon_1.mp4");
+}
+
 TEST(OutputName, RefusesOtherPlaceholders) {
     EXPECT_THROW((void)outputPath("{time}.png", kParts, false), Error);
     EXPECT_THROW((void)outputPath("{file", kParts, false), Error);

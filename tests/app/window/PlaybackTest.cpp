@@ -6,7 +6,10 @@
 #include "tests/app/window/WindowFixture.h"
 #include "tests/support/ShippedScene.h"
 #include "ui/measure/ReadingGrid.h"
+#include "ui/window/ExportDialog.h"
 
+#include <QComboBox>
+#include <QLineEdit>
 #include <QMessageBox>
 #include <QPushButton>
 #include <QSlider>
@@ -113,6 +116,29 @@ TEST_F(Playback, PlaysToItsEnd) {
     click("playRecording");
     ASSERT_TRUE(shows(log->rows() - 1));
     EXPECT_TRUE(eventually([this] { return !child<QToolButton>("playRecording")->isChecked(); }));
+}
+
+TEST_F(Playback, WhatIsExportedIsOfTheMomentThatIsShown) {
+    look();
+    click("stepDeepest");
+    ASSERT_TRUE(eventually([this] { return tick() > 0; }));
+    live(500);  // the seconds before it are computed, too
+    session.exports().ask();
+    ExportDialog* const dialog = session.exports().dialog();
+    ASSERT_NE(dialog, nullptr);
+    const auto select = [dialog](const char* list, int index) {
+        dialog->findChild<QComboBox*>(list)->setCurrentIndex(index);
+    };
+    select("exportSubject", static_cast<int>(ExportSubject::Forces));
+    select("exportFormat", dialog->findChild<QComboBox*>("exportFormat")->findData("csv"));
+    dialog->findChild<QLineEdit*>("exportFolder")
+        ->setText(QString::fromStdString(folder.path().string()));
+    dialog->findChild<QLineEdit*>("exportName")->setText("forces");
+    dialog->findChild<QPushButton*>("exportWrite")->click();
+    ASSERT_TRUE(eventually([this] { return told().starts_with("Exported to"); })) << told();
+    const CsvTable table = readCsv(folder.file("forces.csv"));
+    EXPECT_EQ(table.rows(), tick() + 1) << "all before it, as the panels have them";
+    EXPECT_EQ(table.number(table.rows() - 1, "time_s"), logged("time_s"));
 }
 
 TEST_F(Playback, TheLiveTipComesBack) {

@@ -54,6 +54,24 @@ TEST_F(OffscreenZoomTest, HasColorBarsBelowSmallLetters) {
     EXPECT_EQ(pixelAt(image, 2, 437), pixelOf(kLightPalette.paper));
 }
 
+TEST_F(OffscreenZoomTest, ATinyOneIsAllViewAndTooSmallOrLargeOnesAreNamed) {
+    for (const PictureSize size : {PictureSize{32, 32}, {64, 40}, {200, 63}}) {
+        OffscreenZoomLook look = smallLook();
+        look.size = size;
+        look.look.pixelRatio = 0.05;
+        EXPECT_EQ(OffscreenZoom(scene, look).draw(deep, {}).height, size.height);
+    }
+    OffscreenZoomLook look = smallLook();
+    look.size = {.width = 8193, .height = 40};
+    try {
+        const OffscreenZoom zoom(scene, look);
+        ADD_FAILURE();
+    } catch (const Error& error) {
+        EXPECT_NE(std::string(error.what()).find("8193 x 40 pixels"), std::string::npos)
+            << error.what();
+    }
+}
+
 TEST_F(OffscreenZoomTest, IsLightInADarkWindow) {
     theme::choose(ThemeChoice::Light);
     const RasterImage light = OffscreenZoom(scene, smallLook()).draw(deep, "caption");
