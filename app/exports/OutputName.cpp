@@ -53,10 +53,7 @@ std::filesystem::path outputPath(const std::string& out, const OutputNameParts& 
     const bool isFolder = out.ends_with('/') || std::filesystem::is_directory(out, unknown);
     const std::string text = isFolder ? (std::filesystem::path(out) / kUsualName).string() : out;
     std::filesystem::path path = namedPath({}, text, parts);
-    if (!force && isThere(path)) {
-        throw Error(path.string() +
-                    ": is there already; name another file, or replace it with --force");
-    }
+    requireFree(path, force);
     return path;
 }
 
