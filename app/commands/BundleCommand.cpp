@@ -11,6 +11,7 @@
 #include "app/recording/RunSlice.h"
 #include "app/runs/RunFolder.h"
 #include "core/Error.h"
+#include "core/FormattedText.h"
 #include "core/PrintableText.h"
 #include "core/PrivateFolder.h"
 
@@ -32,19 +33,28 @@ struct BundleOptions {
     bool force = false;
 };
 
-void requireFree(const std::filesystem::path& target, bool force) {
-    if (!force && isThere(target)) {
-        throw Error(target.string() + ": is there already; replace it with --force");
+/// A bundle of a run that is not what it says would tell others something else than its tables.
+void requireReplay(const std::string& name, const LoadedScene& loaded, const RecordedRun& run,
+                   const std::filesystem::path& scratch) {
+    ProgressLine line("replaying");
+    const std::string difference = differenceOnReplay(loaded.scene, run, scratch, {}, &line);
+    if (!difference.empty()) {
+        throw Error(name + ": does not replay: " + difference);
     }
 }
 
-/// Ends where the run does not replay: a bundle that nobody can use is none.
-void writePart(const std::filesystem::path& folder, const RunSpan& span,
-               const std::filesystem::path& target) {
+/// The run or its part, checked. @return its folder: that of the run, or one in `scratch`
+std::filesystem::path checkedRun(const BundleOptions& options, const std::filesystem::path& folder,
+                                 const std::filesystem::path& scratch) {
     const RecordedRun run = readRun(folder);
     const LoadedScene loaded = loadSceneOnTerminal(folder / run_files::kScene, {});
     requireSameScan(loaded, run.sha256);
-    writeSlice(folder, loaded, run, span, target);
+    requireReplay(options.run, loaded, run, scratch / "replay");
+    if (!options.isPart && run.state == RunState::Complete) {
+        return folder;
+    }
+    writeSlice(folder, loaded, run, options.span, scratch / "run");
+    return scratch / "run";
 }
 
 void draw(const std::filesystem::path& run, const std::filesystem::path& picture) {
@@ -56,14 +66,15 @@ void draw(const std::filesystem::path& run, const std::filesystem::path& picture
 void bundle(const BundleOptions& options) {
     const CancelOnSignal cancel;   // between one piece of work and the next, too
     const VirtualDisplay display;  // before long work: the picture needs it
+    if (options.span.from > options.span.to) {
+        throw Error(
+            formatted("--from %g s is after --to %g s", options.span.from, options.span.to));
+    }
+    requireOutside(options.run, options.out);
     requireFree(options.out, options.force);
     const RunPlace input(options.run);
     const PrivateFolder scratch;
-    std::filesystem::path run = input.folder();
-    if (options.isPart || stateOf(run) != RunState::Complete) {
-        run = scratch.path() / "run";
-        writePart(input.folder(), options.span, run);
-    }
+    const std::filesystem::path run = checkedRun(options, input.folder(), scratch.path());
     const std::filesystem::path picture = scratch.path() / "picture.png";
     draw(run, picture);
     ProgressLine line("packing");

@@ -6,9 +6,11 @@
 #include "app/program/JsonText.h"
 #include "app/recording/ComparedRun.h"
 #include "app/recording/RunComparison.h"
+#include "app/runs/RunFolder.h"
 #include "core/FormattedText.h"
 #include "core/PrintableText.h"
 #include "core/SiFormat.h"
+#include "core/TemporaryFile.h"
 #include "core/io/tables/CsvWriter.h"
 
 #include <CLI/CLI.hpp>
@@ -23,6 +25,7 @@ struct CompareOptions {
     std::string first;
     std::string second;
     std::string out;  ///< empty: no table
+    bool force = false;
     bool json = false;
 };
 
@@ -108,7 +111,12 @@ void writeDifferences(std::ostream& out, const Compared& runs) {
 }
 
 void compare(const CompareOptions& options) {
-    requireWritableTable(options.out, {options.first, options.second});
+    if (!options.out.empty()) {
+        requireOutside(options.first, options.out);
+        requireOutside(options.second, options.out);
+        requireFree(options.out, options.force);
+        requireWritable(options.out);
+    }
     const Compared runs = compared(options);
     if (!options.out.empty()) {
         writeTable(options.out, [&runs](std::ostream& out, Progress* /*progress*/) {
@@ -139,6 +147,7 @@ void addCompareCommand(CLI::App& program) {
     command
         ->add_option("--out", options->out, "CSV file to write both forces and the difference to")
         ->check(notEmpty());
+    command->add_flag("--force", options->force, "replace a file of that name");
     command->add_flag("--json", options->json, "print JSON with SI values in full precision");
     command->callback([options] { compare(*options); });
 }

@@ -88,7 +88,7 @@ void convertRun(const std::string& run, const std::string& out, RunFormat format
     if (formatOf(run) == format) {
         throw Error(run + ": its tables have this format already");
     }
-    OutputFolder folder(out, exploredRun(), force);
+    OutputFolder folder(out, convertedRun(), force);
     folder.collect([&](const std::filesystem::path& place) { write(run, place, format); });
     folder.commit();
     std::cout << printable(out) << ": tables of " << tableBytes(out) << " bytes, before "

@@ -165,7 +165,7 @@ void tellOutcome(const FinishedRun& run) {
         std::cerr << "note: the force did not reach the setpoint of " << formatSi(*run.missed, "N")
                   << "\n";
     }
-    if (!events.snapIn) {
+    if (!events.snapIn && !events.bondedFromStart) {
         std::cerr << "note: the tip never snapped into contact\n";
     }
     if (events.faults > 0) {

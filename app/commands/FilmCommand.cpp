@@ -59,10 +59,7 @@ void requireUsable(const FilmOptions& options, const std::filesystem::path& out)
                          "wrote, or a bundle of it");
     }
     if (isVideo(out)) {
-        if (!options.force && isThere(out)) {
-            throw Error(out.string() +
-                        ": is there already; name another file, or replace it with --force");
-        }
+        requireFree(out, options.force);
     } else if (out.has_extension() && !std::filesystem::is_directory(out)) {
         throw Error(out.string() + ": a film is a folder of pictures, or a video .mp4 or .webm");
     }

@@ -67,30 +67,6 @@ RecordedRun readSomeTicks(const std::filesystem::path& folder) {
     return recorded;
 }
 
-/// Runs the ticks again. @param scratch a folder for what is needed meanwhile
-/// @return the first tick that differs from the recorded log, a clause; empty: none
-/// @throw Canceled
-std::string replayInto(RunHistory& history, const Scene& scene, const RecordedRun& recorded,
-                       const std::filesystem::path& scratch, Progress* progress) {
-    const auto ticks = static_cast<long>(recorded.samples.size());
-    constexpr long kReports = 50;
-    std::filesystem::create_directory(scratch);
-    const CsvTable log = replay(scene, recorded, scratch, [&](const TickSample& sample) {
-        if (history.events().ticks % (ticks / kReports + 1) == 0) {
-            reportTo(progress,
-                     static_cast<double>(history.events().ticks) / static_cast<double>(ticks));
-        }
-        history.take(sample);
-    });
-    std::filesystem::remove_all(scratch);
-    try {
-        requireSameLog(recorded, log);
-    } catch (const Error& difference) {
-        return difference.what();
-    }
-    return {};
-}
-
 /// @throw Canceled
 void draw(ReportedRun& run, const std::filesystem::path& scratch, Progress* progress) {
     const RunEvents& events = run.history.events();
@@ -107,19 +83,32 @@ void draw(ReportedRun& run, const std::filesystem::path& scratch, Progress* prog
     reportTo(progress, 1.0);
 }
 
-std::vector<HashedFile> hashesOf(const std::filesystem::path& folder, const LoadedScene& loaded) {
+/// Of the files of a run. @param shown what their names begin with on the page
+std::vector<HashedFile> hashesOf(const std::filesystem::path& folder,
+                                 const std::filesystem::path& shown) {
     std::vector<HashedFile> hashes;
     for (const char* name :
          {run_files::kScene, run_files::kInput, run_files::kLog, run_files::kTables}) {
         const std::filesystem::path file = folder / name;
         if (isThere(file)) {
-            hashes.push_back({sha256Of(FileBytes(file)), file.string()});
+            hashes.push_back({sha256Of(FileBytes(file)), (shown / name).string()});
         }
     }
-    if (!loaded.sha256.empty()) {
-        hashes.push_back({loaded.sha256, loaded.scene.description.sample.file});
-    }
     return hashes;
+}
+
+/// The files that the page tells of, by names that outlive it: those of a bundle are unpacked into
+/// a folder that goes.
+void addFiles(ReportedRun& run, const RunPlace& input) {
+    run.scan = run.loaded.sha256.empty() ? "" : run.loaded.scene.description.sample.file;
+    if (input.isBundle()) {
+        run.bundle = {sha256Of(FileBytes(run.folder)), run.folder.string()};
+        run.scan = std::filesystem::path(run.scan).lexically_relative(input.folder()).string();
+    }
+    run.hashes = hashesOf(input.folder(), input.isBundle() ? "" : run.folder);
+    if (!run.scan.empty()) {
+        run.hashes.push_back({run.loaded.sha256, run.scan});
+    }
 }
 
 std::string noteOn(const ReportedRun& run) {
@@ -136,17 +125,22 @@ Written writeRun(const Task& task, const std::filesystem::path& folder, Progress
     requireSameScan(loaded, recorded.sha256);
     ReportedRun run{.name = task.page,
                     .folder = task.folder,
+                    .scan = {},
                     .loaded = loaded,
                     .history = {},
                     .program = programOf(input.folder()),
                     .summary = readSummary(input.folder()),
                     .state = sentenceOf(recorded.state),
                     .difference = {},
-                    .hashes = hashesOf(input.folder(), loaded),
+                    .bundle = {},
+                    .hashes = {},
                     .overview = {},
                     .deformation = {}};
+    addFiles(run, input);
     ProgressPart replaying(progress, 0.4, 0.6);
-    run.difference = replayInto(run.history, loaded.scene, recorded, folder / "replay", &replaying);
+    run.difference = differenceOnReplay(
+        loaded.scene, recorded, folder / "replay",
+        [&run](const TickSample& sample) { run.history.take(sample); }, &replaying);
     ProgressPart drawing(progress, 0.6, 0.95);
     draw(run, folder / "picture.png", &drawing);
     writePage(folder, runPage(run, task.parent));
@@ -181,9 +175,10 @@ void requireRuns(const std::vector<Task>& tasks) {
         if (isBundle(task.folder)) {
             continue;
         }
-        const bool isPacked = isThere(task.folder / run_files::kTables);
+        const RunPlace place(task.folder);  // as other commands say it
+        const bool isPacked = isThere(place.folder() / run_files::kTables);
         for (const char* name : {run_files::kScene, run_files::kInput, run_files::kLog}) {
-            if (!isThere(task.folder / name) && !(isPacked && name != run_files::kScene)) {
+            if (!isThere(place.folder() / name) && !(isPacked && name != run_files::kScene)) {
                 throw InputError(task.folder.string(), "",
                                  std::string("holds no run: there is no ") + name);
             }

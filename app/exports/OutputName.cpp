@@ -57,10 +57,7 @@ std::filesystem::path outputPath(const std::string& out, const OutputNameParts& 
     const bool isFolder = out.ends_with('/') || std::filesystem::is_directory(out, unknown);
     std::filesystem::path path =
         isFolder ? namedPath(out, kUsualName, parts) : filledPath(out, parts);
-    if (!force && isThere(path)) {
-        throw Error(path.string() +
-                    ": is there already; name another file, or replace it with --force");
-    }
+    requireFree(path, force);
     return path;
 }
 

@@ -175,6 +175,16 @@ void unpack(const ZipArchive& archive, const ListedFile& file, const std::string
     out.commit();
 }
 
+bool isZip(const FileBytes& bytes) {
+    constexpr std::array<char, 4> kZip{'P', 'K', 3, 4};
+    std::array<char, 4> start{};
+    if (bytes.size() < start.size()) {
+        return false;
+    }
+    bytes.read(0, start);
+    return start == kZip;
+}
+
 }  // namespace
 
 void writeBundle(const std::filesystem::path& run, const std::filesystem::path& picture,
@@ -201,13 +211,7 @@ bool isBundle(const std::filesystem::path& file) {
     }
     try {
         const FileBytes bytes(file);
-        constexpr std::array<char, 4> kZip{'P', 'K', 3, 4};
-        std::array<char, 4> start{};
-        if (bytes.size() < start.size()) {
-            return false;
-        }
-        bytes.read(0, start);
-        return start == kZip && ZipArchive(bytes).find(kDirectory) != nullptr;
+        return isZip(bytes) && ZipArchive(bytes).find(kDirectory) != nullptr;
     } catch (const InputError&) {
         return false;
     }
@@ -216,6 +220,9 @@ bool isBundle(const std::filesystem::path& file) {
 void unpackBundle(const std::filesystem::path& bundle, const std::filesystem::path& folder,
                   Progress* progress) {
     const FileBytes bytes(bundle);
+    if (!isZip(bytes)) {
+        throw InputError(bundle.string(), "", "expected the folder of a run, or a bundle");
+    }
     const ZipArchive archive(bytes);
     const std::vector<ListedFile> files = listed(archive, bundle.string());
     double done = 0.0;

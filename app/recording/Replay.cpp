@@ -26,6 +26,16 @@ bool isSameSingle(const std::string& before, const std::string& now) {
             (std::isnan(*one) && std::isnan(*other)));
 }
 
+/// A log of ours, however old, has no others. @throw InputError
+void requireKnownColumns(const CsvTable& recorded, const CsvTable& replayed) {
+    for (const std::string& column : recorded.columns()) {
+        if (!replayed.has(column)) {
+            throw InputError(recorded.file(), "column " + column,
+                             "is no column of a force log: expected those that a recording writes");
+        }
+    }
+}
+
 /// What single precision does not tell. @throw Error naming the ticks
 void requireSameChecks(const RecordedRun& run, const CsvTable& replayed) {
     RowChecks checks;
@@ -98,6 +108,7 @@ CsvTable replay(const Scene& scene, const RecordedRun& run, const std::filesyste
 
 void requireSameLog(const RecordedRun& run, const CsvTable& replayed) {
     const CsvTable& recorded = run.log;
+    requireKnownColumns(recorded, replayed);
     const bool isExact = run.logChecks.empty();
     const std::size_t common = std::min(recorded.rows(), replayed.rows());
     for (std::size_t row = 0; row < common; ++row) {
@@ -121,6 +132,31 @@ void requireSameLog(const RecordedRun& run, const CsvTable& replayed) {
     if (!isExact) {
         requireSameChecks(run, replayed);
     }
+}
+
+std::string differenceOnReplay(const Scene& scene, const RecordedRun& run,
+                               const std::filesystem::path& scratch, const TickSink& sink,
+                               Progress* progress) {
+    constexpr std::size_t kReports = 50;
+    const std::size_t each = run.samples.size() / kReports + 1;
+    std::size_t done = 0;
+    std::filesystem::create_directory(scratch);
+    const CsvTable log = replay(scene, run, scratch, [&](const TickSample& sample) {
+        if (done % each == 0) {
+            reportTo(progress, static_cast<double>(done) / static_cast<double>(run.samples.size()));
+        }
+        ++done;
+        if (sink) {
+            sink(sample);
+        }
+    });
+    std::filesystem::remove_all(scratch);
+    try {
+        requireSameLog(run, log);
+    } catch (const Error& difference) {
+        return difference.what();
+    }
+    return {};
 }
 
 }  // namespace asperity

@@ -5,6 +5,7 @@
 #include "core/scene/Scene.h"
 
 #include <filesystem>
+#include <string>
 
 namespace asperity {
 
@@ -33,7 +34,16 @@ void replayTicks(const Scene& scene, const RecordedRun& run, const TickSink& sin
 /// Compares two force logs cell by cell, as text: the numbers are written to the last bit. Of a log
 /// with fewer digits, those and the checks of all. Columns that came after the recording was made
 /// are not in it.
-/// @throw Error naming the first tick that differs
+/// @throw Error naming the first tick that differs; InputError naming the recorded log where it has
+/// a column that no log has
 void requireSameLog(const RecordedRun& run, const CsvTable& replayed);
+
+/// Runs the ticks again and compares the logs.
+/// @param scratch a folder for the log meanwhile, which is not there
+/// @return the first tick that differs from the recorded log, a clause; empty: none
+/// @throw Error as replayTicks(); Canceled
+[[nodiscard]] std::string differenceOnReplay(const Scene& scene, const RecordedRun& run,
+                                             const std::filesystem::path& scratch,
+                                             const TickSink& sink, Progress* progress);
 
 }  // namespace asperity

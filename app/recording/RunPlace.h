@@ -15,6 +15,8 @@ public:
 
     /// That a run's files are in.
     [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
+    /// Whether its files are in a bundle, and the folder goes with this.
+    [[nodiscard]] bool isBundle() const { return unpacked_.has_value(); }
 
 private:
     std::optional<PrivateFolder> unpacked_;

@@ -19,9 +19,20 @@ DeformationView viewOf(const Scene& scene, const TickSample& sample, const char*
     return contactView(scene, sample, std::string(what) + ", " + timeText(sample.time));
 }
 
+bool isContact(const TickSample& sample) { return sample.output.region() == TipRegion::Contact; }
+
+std::string captionOf(const TickSample& deepest) {
+    return isContact(deepest)
+               ? "The tip at the maximum indentation, " + timeText(deepest.time) + "."
+               : "The tip nearest to the sample, " + timeText(deepest.time) +
+                     ": the contact model has no contact.";
+}
+
 std::vector<DeformationView> deformationViews(const Scene& scene, const RunEvents& events) {
     std::vector<DeformationView> views;
-    views.push_back(viewOf(scene, *events.deepest, "Maximum indentation"));
+    views.push_back(
+        viewOf(scene, *events.deepest,
+               isContact(*events.deepest) ? "Maximum indentation" : "Nearest to the sample"));
     if (events.lastHold) {
         views.push_back(viewOf(scene, *events.lastHold, "Just before pull-off"));
     }
@@ -64,15 +75,14 @@ void RunPictures::writeDeformation(const std::filesystem::path& path, PictureSiz
 
 void RunPictures::writeOverview(const std::filesystem::path& path,
                                 const std::vector<Vector3>& tipPath, PictureSize size) const {
-    writeOverviewPicture(
-        path,
-        {.title = name_,
-         .caption = "The tip at the maximum indentation, " + timeText(deepest_.time) + ".",
-         .surface = surface_,
-         .tip = deepest_.output.model.tip,
-         .zoom = zoom_,
-         .path = tipPath},
-        size);
+    writeOverviewPicture(path,
+                         {.title = name_,
+                          .caption = captionOf(deepest_),
+                          .surface = surface_,
+                          .tip = deepest_.output.model.tip,
+                          .zoom = zoom_,
+                          .path = tipPath},
+                         size);
 }
 
 }  // namespace asperity

@@ -26,6 +26,7 @@ const std::vector<std::string>& columns() {
                                                    "contact_stiffness_n_m",
                                                    "contact_stiffness_sigma_n_m",
                                                    "max_force_n",
+                                                   "max_force_sigma_n",
                                                    "max_indentation_m",
                                                    "material",
                                                    "scan"};
@@ -73,10 +74,11 @@ void writeTouches(const std::filesystem::path& file, const std::vector<Touch>& t
         row.addIf(cycle.snapIn.has_value(), cycle.snapInBaseDistance);
         row.add(cycle.pullOff);
         row.add(cycle.adhesionWork);
-        row.addIf(cycle.complete() && !cycle.slid, cycle.hysteresis);
+        const std::optional<Reading> hysteresis = cycle.closedHysteresis();
+        row.addIf(hysteresis.has_value(), hysteresis ? hysteresis->value : 0.0);
         row.add(cycle.areaSigma);
         row.add(cycle.stiffness);
-        row.add(cycle.maxForce);
+        row.add(std::optional(cycle.maxForce));
         row.add(cycle.maxIndentation);
         row.add(touches[i].material.toStdString());
         row.add(touches[i].scan.toStdString());

@@ -42,11 +42,13 @@ void OutputFolder::requireAllowed() const {
     if (isGrowing(folder_ / run_files::kInput)) {
         throw Error(folder_.string() + ": it is being recorded there");
     }
-    const bool isOurs = std::ranges::any_of(
-        content_.marks, [this](const std::string& name) { return isThere(folder_ / name); });
-    for (const std::string& name : content_.own) {
-        if (!force_ && !isOurs && isThere(folder_ / name)) {
-            throw Error((folder_ / name).string() +
+    const auto isIn = [this](const std::string& name) { return isThere(folder_ / name); };
+    const bool isOurs =
+        std::ranges::any_of(content_.marks, isIn) && std::ranges::all_of(content_.needed, isIn);
+    for (const auto* names : {&content_.marks, &content_.own}) {
+        const auto other = std::ranges::find_if(*names, isIn);
+        if (!force_ && !isOurs && other != names->end()) {
+            throw Error((folder_ / *other).string() +
                         ": is not of a whole earlier run of this command; name another folder, or "
                         "replace that file with --force");
         }

@@ -15,8 +15,9 @@ struct FolderContent {
     /// Those of its files that stand for the whole, one of them in each result, and have names that
     /// nobody else gives: without one, files with the names of the rest are taken for somebody's.
     std::vector<std::string> marks;
-    std::vector<std::string> own;      ///< the rest of its files
-    std::vector<std::string> guarded;  ///< files of others that it must not write over unasked
+    std::vector<std::string> own;          ///< the rest of its files
+    std::vector<std::string> guarded;      ///< files of others that it must not write over unasked
+    std::vector<std::string> needed = {};  ///< files that stand beside a mark in each result
 };
 
 /// The folder that a command writes its files into. They are collected in a hidden folder within it

@@ -1,5 +1,6 @@
 #include "app/runs/RunFolder.h"
 
+#include "core/Error.h"
 #include "core/TemporaryFile.h"
 
 #include <algorithm>
@@ -34,7 +35,14 @@ FolderContent exploredRun() {
     const std::vector<std::string> marks{run_files::kInput, run_files::kTables};
     return {.marks = marks,
             .own = without(runFileNames(), marks),
-            .guarded = {run_files::kManifest, run_files::kMemory}};
+            .guarded = {run_files::kManifest, run_files::kMemory},
+            .needed = {run_files::kScene, run_files::kSummary}};
+}
+
+FolderContent convertedRun() {
+    FolderContent content = exploredRun();
+    content.guarded = runFileNames();
+    return content;
 }
 
 FolderContent replayedLogs() {
@@ -69,6 +77,26 @@ void RunRecorder::close() {
 bool isThere(const std::filesystem::path& path) {
     std::error_code unknown;
     return std::filesystem::exists(std::filesystem::symlink_status(path, unknown));
+}
+
+void requireFree(const std::filesystem::path& file, bool force) {
+    if (!force && isThere(file)) {
+        throw Error(file.string() +
+                    ": is there already; name another file, or replace it with --force");
+    }
+}
+
+void requireOutside(const std::filesystem::path& input, const std::filesystem::path& file) {
+    std::error_code unknown;
+    const std::filesystem::path named = std::filesystem::absolute(file, unknown);
+    for (std::filesystem::path place : {named, std::filesystem::weakly_canonical(named, unknown)}) {
+        for (; place.has_relative_path(); place = place.parent_path()) {
+            if (std::filesystem::equivalent(input, place, unknown)) {
+                throw Error(file.string() + ": this is an input, or lies in the folder of one; "
+                                            "name a file elsewhere");
+            }
+        }
+    }
 }
 
 void writeTextFile(const std::filesystem::path& path, const std::string& text) {

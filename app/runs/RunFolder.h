@@ -30,6 +30,8 @@ inline constexpr const char* kForces = "forces.png";
 [[nodiscard]] const std::vector<std::string>& runFileNames();
 /// What `asperity explore` leaves: it replaces another such run, and no recording unasked.
 [[nodiscard]] FolderContent exploredRun();
+/// What `asperity convert` makes of a run: it replaces no other one unasked, not even its own.
+[[nodiscard]] FolderContent convertedRun();
 /// What `asperity replay` leaves: it replaces other logs of its own, and no run unasked.
 [[nodiscard]] FolderContent replayedLogs();
 
@@ -54,6 +56,11 @@ private:
 
 /// Whether the path leads to anything, a link to nothing included.
 [[nodiscard]] bool isThere(const std::filesystem::path& path);
+/// Refuses to write over what is there. @param force it may go @throw Error
+void requireFree(const std::filesystem::path& file, bool force);
+/// Refuses to write into an input, the folder of a run or a file, which nothing may replace.
+/// @throw Error
+void requireOutside(const std::filesystem::path& input, const std::filesystem::path& file);
 
 /// Writes a small text file whole or not at all. @throw Error
 void writeTextFile(const std::filesystem::path& path, const std::string& text);

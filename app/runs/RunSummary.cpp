@@ -132,10 +132,11 @@ Json cycleJson(const ContactCycle& cycle) {
             {"pull_off_force_n", readingJson(cycle.pullOff)},
             {"pull_off_force_sigma_n", cycle.pullOff ? Json(cycle.pullOff->sigma) : Json(nullptr)},
             {"adhesion_work_j", cycle.adhesionWork},
-            {"hysteresis_j", cycle.slid ? Json(nullptr) : Json(cycle.hysteresis)},
+            {"hysteresis_j", readingJson(cycle.closedHysteresis())},
             {"area_sigma_j", cycle.areaSigma},
             {"contact_stiffness_n_m", readingJson(cycle.stiffness)},
-            {"max_force_n", cycle.maxForce},
+            {"max_force_n", cycle.maxForce.value},
+            {"max_force_sigma_n", cycle.maxForce.sigma},
             {"max_indentation_m", cycle.maxIndentation}};
 }
 

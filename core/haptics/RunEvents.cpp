@@ -71,6 +71,7 @@ void RunEventRecorder::takeJumps(const TickSample& sample) {
         holds_.take(sample);
     }
     if (!previous_) {
+        events_.bondedFromStart = now == ContactBranch::Bonded;
         return;
     }
     const ContactBranch before = previous_->output.model.contact.branch;

@@ -15,6 +15,8 @@ namespace asperity {
 /// read from the estimate.
 struct RunEvents {
     long ticks = 0;
+    bool bondedFromStart =
+        false;  ///< the model is in contact in the first tick: no snap-in is seen
     std::optional<TickSample> beforeSnapIn;
     std::optional<TickSample> snapIn;         ///< first tick of the first contact
     std::optional<TickSample> beforePullOff;  ///< last tick of the last contact

@@ -72,6 +72,8 @@ std::optional<Reading> readingOf(const ContactCycle& cycle, int column) {
                              : std::nullopt;
     case TouchModel::Stiffness:
         return cycle.stiffness;
+    case TouchModel::MaxForce:
+        return cycle.maxForce;
     default:
         return std::nullopt;
     }
@@ -88,8 +90,6 @@ std::optional<double> valueOf(const ContactCycle& cycle, int column) {
         return cycle.place.y();
     case TouchModel::SnapInDistance:
         return cycle.snapIn ? std::optional(cycle.snapInBaseDistance) : std::nullopt;
-    case TouchModel::MaxForce:
-        return cycle.maxForce;
     case TouchModel::MaxIndentation:
         return cycle.maxIndentation;
     default:

@@ -62,8 +62,8 @@ std::optional<Reading> workOf(const ContactCycle& cycle) {
 
 /// An open loop has no area, and one that could be nothing but noise is none.
 std::optional<Reading> hysteresisOf(const ContactCycle& cycle) {
-    const bool isKnown = cycle.complete() && !cycle.slid && cycle.hysteresis > cycle.areaSigma;
-    return isKnown ? std::optional(Reading{cycle.hysteresis, cycle.areaSigma}) : std::nullopt;
+    const std::optional<Reading> area = cycle.closedHysteresis();
+    return area && area->value > area->sigma ? area : std::nullopt;
 }
 
 QString explanation() {
@@ -116,7 +116,7 @@ QString CycleTable::details(int row) const {
               "%5\nMaximum force: %6\nMaximum indentation: %7")
         .arg(material, withSigma(cycle.pullOff, kNanonewtons), withSigma(workOf(cycle), energies()),
              withSigma(hysteresisOf(cycle), energies()), withSigma(cycle.stiffness, kPerMeter),
-             asperity::text(cycle.maxForce, kNanonewtons),
+             withSigma(cycle.maxForce, kNanonewtons),
              asperity::text(cycle.maxIndentation, kNanometers));
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -57,6 +58,25 @@ Way wayOf(const std::vector<TouchCurve>& curves) {
     }
     const double free = kFreeShare * (way.high - way.low);
     return {way.low - 0.1 * free, way.high + free};
+}
+
+/// Whether the tip kept its distance: at rest, or in a single tick.
+bool isOnePlace(const RunHistory& history) {
+    std::vector<const CycleTrace*> traces{&history.present()};
+    for (const TouchCurve& curve : history.curves()) {
+        traces.push_back(&curve.trace);
+    }
+    std::optional<double> first;
+    for (const CycleTrace* trace : traces) {
+        for (std::size_t i = 0; i < trace->size(); ++i) {
+            const double distance = (*trace)[i].baseDistance;
+            if (distance != first.value_or(distance)) {
+                return false;
+            }
+            first = distance;
+        }
+    }
+    return true;
 }
 
 /// How a touch is drawn.
@@ -124,6 +144,10 @@ void addCurves(PageContent& page, const RunHistory& history) {
                    std::to_string(RunHistory::kDrawnTouches) + " are drawn.";
     }
     page.addHeading("Force–distance curve");
+    if (isOnePlace(history)) {
+        page.addParagraph("The tip did not move to or from the sample: there is no curve.");
+        return;
+    }
     page.addPlot({plotOf(history), caption});
 }
 

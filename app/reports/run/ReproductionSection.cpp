@@ -36,12 +36,21 @@ std::vector<std::string> commandsOf(const ReportedRun& run) {
             "asperity report " + folder + " --out REPORT"};
 }
 
-std::vector<std::string> hashesOf(const ReportedRun& run) {
-    std::vector<std::string> lines;
-    for (const HashedFile& file : run.hashes) {
-        lines.push_back(file.sha256 + "  " + file.file);
+std::string lineOf(const HashedFile& file) { return file.sha256 + "  " + file.file; }
+
+void addHashes(PageContent& page, const ReportedRun& run) {
+    page.addParagraph("SHA-256, as sha256sum prints and checks it:");
+    if (run.bundle) {
+        page.addCode({lineOf(*run.bundle)});
+        page.addParagraph("Of the files in the bundle " + run.folder.filename().string() +
+                          ", in the folder that it is unpacked into:");
     }
-    return lines;
+    std::vector<std::string> lines;
+    lines.reserve(run.hashes.size());
+    for (const HashedFile& file : run.hashes) {
+        lines.push_back(lineOf(file));
+    }
+    page.addCode(lines);
 }
 
 }  // namespace
@@ -59,8 +68,7 @@ void addReproduction(PageContent& page, const ReportedRun& run) {
     page.addParagraph(
         "The first command repeats the run and compares every tick, the second makes this page:");
     page.addCode(commandsOf(run));
-    page.addParagraph("SHA-256, as sha256sum prints and checks it:");
-    page.addCode(hashesOf(run));
+    addHashes(page, run);
 }
 
 }  // namespace asperity

@@ -31,7 +31,7 @@ RunVerdict verdictOn(const RunHistory& history) {
                 "Forces were off after a fault " + inTicks(events.faults, events.ticks) + ": " +
                     namesOf(history.faults()) + ". What follows the fault is no measurement."};
     }
-    if (events.cycles.empty() && !events.snapIn) {
+    if (events.cycles.empty() && !events.snapIn && !events.bondedFromStart) {
         return {PageTone::Plain, "no contact",
                 "The tip never touched the sample: there is no contact to judge."};
     }

@@ -60,9 +60,11 @@ std::string smoothingText(const SampleDescription& sample) {
                : std::string("none");
 }
 
-void addScan(PageTable& facts, const LoadedScene& loaded) {
+void addScan(PageTable& facts, const ReportedRun& run) {
+    const LoadedScene& loaded = run.loaded;
     const SampleDescription& sample = loaded.scene.description.sample;
-    addFact(facts, "File", sample.file);
+    addFact(facts, "File",
+            run.bundle ? run.scan + " in the bundle " + run.folder.filename().string() : run.scan);
     addFact(facts, "Format", loaded.format);
     addFact(facts, "SHA-256", loaded.sha256);
     addFact(facts, "Channel", sample.channel);
@@ -83,8 +85,9 @@ void addScan(PageTable& facts, const LoadedScene& loaded) {
 
 void addPlaces(PageTable& facts, const RunEvents& events) {
     if (!events.cycles.empty()) {
-        const Vector2& place = events.cycles.front().place;
-        addFact(facts, "First contact", placeText({place.x(), place.y(), 0.0}));
+        const ContactCycle& first = events.cycles.front();
+        addFact(facts, first.fromStart ? "In contact from the start at" : "First contact",
+                placeText({first.place.x(), first.place.y(), 0.0}));
         addFact(facts, "Deepest contact", placeText(events.deepest->output.model.tip));
     } else if (events.deepest) {
         addFact(facts, "Nearest to the sample", placeText(events.deepest->output.model.tip));
@@ -107,7 +110,7 @@ void addSample(PageContent& page, const ReportedRun& run) {
     if (sample.shape) {
         addFact(facts, "Shape", sampleName(sample));
     } else {
-        addScan(facts, run.loaded);
+        addScan(facts, run);
     }
     addFact(facts, "Imaging tip", imagingTipWords(run.loaded.scene));
     addFact(facts, "Material", sample.material.name);

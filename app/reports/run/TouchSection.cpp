@@ -20,13 +20,6 @@ std::optional<Reading> workOf(const ContactCycle& cycle) {
                          : std::nullopt;
 }
 
-/// An open loop has no area.
-std::optional<Reading> hysteresisOf(const ContactCycle& cycle) {
-    return cycle.complete() && !cycle.slid
-               ? std::optional(Reading{cycle.hysteresis, cycle.areaSigma})
-               : std::nullopt;
-}
-
 /// Of the readings that the touches have.
 template <class ReadingOf>
 std::optional<TouchMean> meanOf(const std::vector<ContactCycle>& cycles, ReadingOf readingOf) {
@@ -62,7 +55,8 @@ std::optional<Reading> plain(double value) { return Reading{value, 0.0}; }
 
 const std::vector<TouchColumn>& contactColumns() {
     static const std::vector<TouchColumn> kColumns{
-        {"max. force", "N", [](const ContactCycle& cycle) { return plain(cycle.maxForce); }},
+        {"max. force", "N",
+         [](const ContactCycle& cycle) { return std::optional(cycle.maxForce); }},
         {"max. indentation", "m",
          [](const ContactCycle& cycle) { return plain(cycle.maxIndentation); }},
         {"snap-in force", "N", [](const ContactCycle& cycle) { return cycle.snapIn; }},
@@ -76,7 +70,7 @@ const std::vector<TouchColumn>& adhesionColumns() {
     static const std::vector<TouchColumn> kColumns{
         {"pull-off force", "N", [](const ContactCycle& cycle) { return cycle.pullOff; }},
         {"work of adhesion", "J", workOf},
-        {"hysteresis", "J", hysteresisOf},
+        {"hysteresis", "J", [](const ContactCycle& cycle) { return cycle.closedHysteresis(); }},
         {"contact stiffness", "N/m", [](const ContactCycle& cycle) { return cycle.stiffness; }}};
     return kColumns;
 }
@@ -93,11 +87,15 @@ SiScale scaleOfColumn(const TouchColumn& column, const std::vector<ContactCycle>
 }
 
 std::string remarkOn(const ContactCycle& cycle) {
-    std::string remark = cycle.complete() ? "" : "still in contact at the end";
-    if (cycle.slid) {
-        remark += (remark.empty() ? "" : "; ") +
-                  std::string("slid: approach and retract at different places");
-    }
+    std::string remark;
+    const auto add = [&remark](bool holds, const char* words) {
+        if (holds) {
+            remark += std::string(remark.empty() ? "" : "; ") + words;
+        }
+    };
+    add(cycle.fromStart, "in contact from the start");
+    add(!cycle.complete(), "still in contact at the end");
+    add(cycle.slid, "slid: approach and retract at different places");
     return remark;
 }
 
@@ -198,8 +196,8 @@ void addTouches(PageContent& page, const std::vector<ContactCycle>& cycles) {
         page.addParagraph(means);
     }
     page.addParagraph(
-        "As the lever signals have it, not as the contact model does. x and y: the tip at first "
-        "contact, from the lower left corner of the scan. Work of adhesion: area between the "
+        "As the lever signals have it, not as the contact model does. x and y: the tip when the "
+        "touch begins, from the lower left corner of the scan. Work of adhesion: area between the "
         "retract curve and zero force, where it pulls; hysteresis: area between approach and "
         "retract. ± is one standard deviation from the noise of the signals alone: errors of the "
         "parameters and of the contact model are not in it. A value without ± has none that the "

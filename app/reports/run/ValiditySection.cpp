@@ -122,7 +122,9 @@ void addValidity(PageContent& page, const RunHistory& history) {
         addWidth(list, events.deepest->output.model);
     }
     addMoment(list, "Just before pull-off", events.lastHold);
-    if (!events.snapIn) {
+    if (events.bondedFromStart) {
+        list.emplace_back("The contact model is in contact from the first tick on.");
+    } else if (!events.snapIn) {
         list.emplace_back("The contact model never snapped into contact.");
     }
     page.addList(list);

@@ -30,8 +30,10 @@ struct ContactCycle {
     double touchTime = 0.0;           ///< first tick in contact [s]
     Vector2 place = Vector2::Zero();  ///< of the tip in that tick, world x, y [m]
     double offTime = 0.0;             ///< first tick after it [s]
-    double maxForce = 0.0;            ///< repulsive [N]
-    double maxIndentation = 0.0;      ///< of the undeformed surface, >= 0 [m]
+    /// The tip was in contact when the run began: there is no approach, and its touch is not seen.
+    bool fromStart = false;
+    Reading maxForce;             ///< repulsive [N]
+    double maxIndentation = 0.0;  ///< of the undeformed surface, >= 0 [m]
     /// Strongest pull of the first approach, > 0; none: no pull beyond the noise [N]
     std::optional<Reading> snapIn;
     double snapInSeparation = 0.0;    ///< where that was [m]
@@ -42,7 +44,7 @@ struct ContactCycle {
     double pullOffBaseDistance = 0.0;  ///< [m]
     /// Work of adhesion: area between the last retract branch and zero force, where it pulls [J]
     double adhesionWork = 0.0;
-    double hysteresis = 0.0;  ///< area between approach and retract: energy dissipated [J]
+    double hysteresis = 0.0;  ///< area between approach and retract so far [J]
     /// Standard deviation of both areas: noise of the force, and ticks too few for its jumps [J]
     double areaSigma = 0.0;
     bool slid = false;  ///< tip or base moved sideways in contact: the curves are not of one place
@@ -52,6 +54,12 @@ struct ContactCycle {
 
     [[nodiscard]] bool touched() const noexcept { return phase != CyclePhase::Apart; }
     [[nodiscard]] bool complete() const noexcept { return phase == CyclePhase::Complete; }
+    /// The energy dissipated. None where approach and retract are no closed loop at one place: the
+    /// tip has not come off, slid, or was in contact from the start [J]
+    [[nodiscard]] std::optional<Reading> closedHysteresis() const noexcept {
+        return complete() && !slid && !fromStart ? std::optional(Reading{hysteresis, areaSigma})
+                                                 : std::nullopt;
+    }
 };
 
 }  // namespace asperity

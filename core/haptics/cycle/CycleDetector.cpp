@@ -45,6 +45,10 @@ void CycleDetector::take(double time, const TickInput& input, const TickOutput& 
     if (cycle_.complete() && stillPulls && branch_.branch() == CurveBranch::Retract) {
         cycle_.phase = CyclePhase::Contact;
     }
+    // The noise may hide a weak force for some ticks: the model knows of the contact at once.
+    if (cycle_.phase == CyclePhase::Apart) {
+        cycle_.fromStart = (cycle_.fromStart || !started_) && (bonded || trend_.pushes());
+    }
     if (cycle_.phase == CyclePhase::Contact) {
         takeContact(time, turned, bonded || trend_.pushes() || stillPulls);
     } else {
@@ -90,7 +94,9 @@ void CycleDetector::takeContact(double time, bool turned, bool held) noexcept {
     }
     cycle_.slid = cycle_.slid || (place_ - touched_).norm() > kSlide ||
                   (tip_ - tipTouched_).norm() > kTipSlide;
-    cycle_.maxForce = std::max(cycle_.maxForce, trend_.push());
+    if (const double push = trend_.push(); push > cycle_.maxForce.value) {
+        cycle_.maxForce = {.value = push, .sigma = trend_.sigma()};
+    }
     cycle_.maxIndentation = std::max(cycle_.maxIndentation, -point_.separation);
     takeUnloading();
     if (branch_.branch() != CurveBranch::Retract) {
@@ -109,7 +115,8 @@ void CycleDetector::takeContact(double time, bool turned, bool held) noexcept {
 /// same tick.
 void CycleDetector::takeSnapIn() noexcept {
     const double pull = trend_.pull();
-    const bool approaches = !retracted_ && branch_.branch() == CurveBranch::Approach;
+    const bool approaches =
+        !cycle_.fromStart && !retracted_ && branch_.branch() == CurveBranch::Approach;
     if (approaches && trend_.pulls() && pull > (cycle_.snapIn ? cycle_.snapIn->value : 0.0)) {
         cycle_.snapIn = {.value = pull, .sigma = trend_.sigma()};
         cycle_.snapInSeparation = point_.separation;

@@ -121,6 +121,33 @@ TEST_F(Bundle, ReplacesNothingUnasked) {
     const auto again = run("bundle " + in("run") + " " + in("run.zip"));
     EXPECT_EQ(again.exitCode, 1);
     EXPECT_THAT(again.output, HasSubstr("is there already"));
+    const std::string log = test::contentOf(scratch->file("run") / "force_log.csv");
+    const auto inside = run("bundle " + in("run") + " " + in("run/force_log.csv") + " --force");
+    EXPECT_EQ(inside.exitCode, 1);
+    EXPECT_THAT(inside.output, HasSubstr("lies in the folder of one"));
+    EXPECT_EQ(test::contentOf(scratch->file("run") / "force_log.csv"), log);
+}
+
+TEST_F(Bundle, IsRefusedWhereTheRunDoesNotReplay) {
+    fs::remove_all(scratch->file("tampered"));
+    fs::copy(scratch->file("run"), scratch->file("tampered"));
+    std::string log = test::contentOf(scratch->file("tampered") / "force_log.csv");
+    const std::size_t line = log.find("\n0.5,");
+    ASSERT_NE(line, std::string::npos);
+    log.insert(log.find(',', log.find(',', line + 1) + 1), "1");
+    std::ofstream(scratch->file("tampered") / "force_log.csv") << log;
+    for (const char* part : {"", " --from 0.1 --to 0.2"}) {
+        const auto refused = run("bundle " + in("tampered") + " " + in("tampered.zip") + part);
+        EXPECT_EQ(refused.exitCode, 1);
+        EXPECT_THAT(refused.output, HasSubstr("does not replay: first differing tick: 500"));
+        EXPECT_FALSE(fs::exists(in("tampered.zip")));
+    }
+}
+
+TEST_F(Bundle, HasNoPartThatEndsBeforeItBegins) {
+    const auto none = run("bundle " + in("run") + " " + in("none.zip") + " --from 0.5 --to 0.3");
+    EXPECT_EQ(none.exitCode, 1);
+    EXPECT_THAT(none.output, HasSubstr("--from 0.5 s is after --to 0.3 s"));
 }
 
 TEST_F(Bundle, IsRefusedWhereTheScanIsAnother) {

@@ -9,6 +9,7 @@
 #include <fstream>
 #include <memory>
 #include <string>
+#include <tuple>
 #include <utility>
 
 namespace asperity {
@@ -82,6 +83,27 @@ TEST_F(CompactRun, IsConvertedToTextAndBackToTheSameBytes) {
     EXPECT_EQ(packed.exitCode, 0) << packed.output;
     EXPECT_EQ(test::contentOf(scratch->file("packed") / "recording.h5"),
               test::contentOf(scratch->file("compact") / "recording.h5"));
+}
+
+TEST_F(CompactRun, IsConvertedOntoNoOtherRunUnasked) {
+    const auto other = test::runProgram("explore " + test::shippedScene("granular_film").string() +
+                                        " --duration 0.1 --out " + in("theirs"));
+    ASSERT_EQ(other.exitCode, 0) << other.output;
+    fs::create_directory(scratch->file("lone"));
+    fs::copy_file(scratch->file("compact") / "recording.h5",
+                  scratch->file("lone") / "recording.h5");
+    for (const auto& [from, to, format, kept] :
+         {std::tuple("text", "theirs", "h5", "force_log.csv"),
+          std::tuple("compact", "lone", "csv", "recording.h5")}) {
+        const std::string before = test::contentOf(scratch->file(to) / kept);
+        const std::string call = "convert " + in(from) + " " + in(to) + " --format " + format;
+        const auto refused = run(call);
+        EXPECT_EQ(refused.exitCode, 1) << call;
+        EXPECT_THAT(refused.output, HasSubstr("--force"));
+        EXPECT_EQ(test::contentOf(scratch->file(to) / kept), before) << call;
+        EXPECT_EQ(run(call + " --force").exitCode, 0) << call;
+        EXPECT_FALSE(fs::exists(scratch->file(to) / kept)) << call;
+    }
 }
 
 TEST_F(CompactRun, IsNotConvertedInVain) {

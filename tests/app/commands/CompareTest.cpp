@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -99,6 +100,36 @@ TEST_F(Compare, RefusesWhatIsNoRunInASentence) {
     const auto none = compare(in("weak") + " " + in("nothing"));
     EXPECT_NE(none.exitCode, 0);
     EXPECT_THAT(none.output, HasSubstr("nothing"));
+    (void)scratch->write("notes.txt", "no archive, longer than the end of one");
+    const auto text = compare(in("weak") + " " + in("notes.txt"));
+    EXPECT_EQ(text.exitCode, 3);
+    EXPECT_THAT(text.output, HasSubstr("notes.txt: expected the folder of a run, or a bundle"));
+}
+
+TEST_F(Compare, ReplacesAFileOnlyWithForce) {
+    (void)scratch->write("mine.csv", "mine");
+    const std::string call = in("weak") + " " + in("strong") + " --out " + in("mine.csv");
+    const auto refused = compare(call);
+    EXPECT_EQ(refused.exitCode, 1);
+    EXPECT_THAT(refused.output, HasSubstr("mine.csv: is there already; name another file, or "
+                                          "replace it with --force"));
+    EXPECT_EQ(test::contentOf(scratch->file("mine.csv")), "mine");
+    EXPECT_EQ(compare(call + " --force").exitCode, 0);
+    EXPECT_GT(readCsv(scratch->file("mine.csv")).rows(), 0U);
+}
+
+TEST_F(Compare, WritesIntoNoRunThatItCompares) {
+    std::filesystem::create_symlink("strong", scratch->file("link"));
+    const std::string log = test::contentOf(scratch->file("strong") / "force_log.csv");
+    for (const char* file : {"weak/force_log.csv", "strong/force_log.csv", "link/force_log.csv",
+                             "strong/new.csv", "strong/../weak/new.csv"}) {
+        const auto refused =
+            compare(in("weak") + " " + in("strong") + " --force --out " + in(file));
+        EXPECT_EQ(refused.exitCode, 1) << file;
+        EXPECT_THAT(refused.output, HasSubstr("lies in the folder of one")) << file;
+    }
+    EXPECT_EQ(test::contentOf(scratch->file("strong") / "force_log.csv"), log);
+    EXPECT_FALSE(std::filesystem::exists(scratch->file("weak") / "new.csv"));
 }
 
 }  // namespace

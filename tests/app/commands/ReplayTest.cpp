@@ -194,5 +194,17 @@ TEST_F(Replay, RefusesWhatIsNoRunAndToOverwriteTheRun) {
     EXPECT_EQ(none.exitCode, 3) << none.output;
 }
 
+/// A damaged log is named, not the hidden one that it is compared with.
+TEST_F(Replay, NamesTheLogWithAColumnThatNoneHas) {
+    std::string log = test::contentOf(run / "force_log.csv");
+    log.replace(log.find("est_fz_n"), 8, "est_fq_n");
+    std::ofstream(run / "force_log.csv") << log;
+    const auto again = replay();
+    EXPECT_EQ(again.exitCode, 3) << again.output;
+    EXPECT_NE(again.output.find((run / "force_log.csv").string() + ": column est_fq_n: "),
+              std::string::npos)
+        << again.output;
+}
+
 }  // namespace
 }  // namespace asperity

@@ -136,7 +136,7 @@ TEST_F(Report, HasTheNumbersOfTheSummary) {
     expectSame(page, cycles, "time [s]", "touch_s");
     expectSame(page, cycles, "x [", "x_m");
     expectSame(page, cycles, "y [", "y_m");
-    expectSame(page, cycles, "max. force", "max_force_n");
+    expectSame(page, cycles, "max. force", "max_force_n", "max_force_sigma_n");
     expectSame(page, cycles, "max. indentation", "max_indentation_m");
     expectSame(page, cycles, "snap-in force", "snap_in_force_n", "snap_in_force_sigma_n");
     expectSame(page, cycles, "snap-in at gap", "snap_in_distance_m");
@@ -315,7 +315,7 @@ TEST_F(Report, RefusesInOneSentenceAndLeavesNothing) {
         EXPECT_EQ(std::ranges::count(made.output, '\n'), 1) << made.output;
         EXPECT_FALSE(std::filesystem::exists(out));
     };
-    expectRefused(good + " " + scratch.file("nothing").string(), "holds no run");
+    expectRefused(good + " " + scratch.file("nothing").string(), "expected the folder of a run");
     const std::string scene = test::contentOf(run / "scene.toml");
     const std::string name = "particles.gsf";
     std::string other = scene;

@@ -102,6 +102,10 @@ TEST_F(TouchControlTest, ExportsATableThatReadsBackToTheSameBits) {
     EXPECT_EQ(table.number(0, "pull_off_force_n"), cycle.pullOff->value);
     EXPECT_EQ(table.number(0, "adhesion_work_j"), cycle.adhesionWork);
     EXPECT_EQ(table.number(0, "contact_stiffness_n_m"), cycle.stiffness->value);
+    EXPECT_EQ(table.number(0, "max_force_n"), cycle.maxForce.value);
+    EXPECT_EQ(table.number(0, "max_force_sigma_n"), cycle.maxForce.sigma);
+    EXPECT_EQ(table.number(0, "hysteresis_j"), cycle.closedHysteresis().value().value);
+    EXPECT_EQ(table.text(1, "hysteresis_j"), "") << "it is in contact";
     EXPECT_EQ(table.text(0, "snap_in_force_n"), "") << "nothing pulled";
     EXPECT_EQ(table.text(1, "off_s"), "") << "it is in contact";
     EXPECT_EQ(table.text(0, "material"), "polystyrene");

@@ -118,7 +118,17 @@ TEST(RunEvents, ListsCyclesUpToOneThatIsStillInContact) {
     EXPECT_NEAR(cycles[0].pullOff.value().value, 3e-9, 1e-15);
     EXPECT_NEAR(cycles[1].pullOff.value().value, 4e-9, 1e-15);
     EXPECT_FALSE(cycles[2].complete());
-    EXPECT_NEAR(cycles[2].maxForce, 6e-9, 1e-15);
+    EXPECT_NEAR(cycles[2].maxForce.value, 6e-9, 1e-15);
+}
+
+TEST(RunEvents, ARunThatBeginsInContactHasNoSnapIn) {
+    for (const ContactBranch first : {ContactBranch::Far, ContactBranch::Bonded}) {
+        RunEventRecorder recorder;
+        recorder.take(sampleOf(0.0, first, 0.0, 0.0));
+        recorder.take(sampleOf(1.0, ContactBranch::Bonded, 1.0, 0.0));
+        EXPECT_EQ(recorder.events().bondedFromStart, first == ContactBranch::Bonded);
+        EXPECT_EQ(recorder.events().snapIn.has_value(), first == ContactBranch::Far);
+    }
 }
 
 TEST(RunEvents, CountsFlagsAndFaults) {

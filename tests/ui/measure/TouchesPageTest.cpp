@@ -23,7 +23,7 @@ Touch touchOf(double pullOff, double x) {
         touch.cycle.adhesionWork = 12.1e-18;
         touch.cycle.areaSigma = 0.1e-18;
     }
-    touch.cycle.maxForce = 5e-9;
+    touch.cycle.maxForce = {.value = 5e-9, .sigma = 0.04e-9};
     touch.material = QStringLiteral("silicon oxide");
     touch.scan = QStringLiteral("steps.gsf");
     return touch;

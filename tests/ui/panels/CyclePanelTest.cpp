@@ -83,6 +83,9 @@ TEST_F(CyclePanelTest, AnAreaThatIsNoneIsNotShown) {
     EXPECT_EQ(table.text(0, CycleTable::Hysteresis), QStringLiteral("2040 fJ"));
     EXPECT_TRUE(table.details(0).contains(QStringLiteral("± 10.0 fJ")))
         << table.details(0).toStdString();
+    row.cycle.fromStart = true;
+    table.setRows({row});
+    EXPECT_EQ(table.text(0, CycleTable::Hysteresis), QStringLiteral("–")) << "no approach";
 }
 
 TEST_F(CyclePanelTest, TwoCyclesShowOnTheSmallestScreen) {

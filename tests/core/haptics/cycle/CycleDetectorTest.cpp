@@ -22,7 +22,7 @@ TEST(CycleDetector, ReadsAllOfACycle) {
     const ContactCycle& cycle = run.cycle();
     EXPECT_TRUE(cycle.complete());
     EXPECT_LT(cycle.touchTime, cycle.offTime);
-    EXPECT_NEAR(cycle.maxForce, 2e-9 * SpringContact::kTogether, kForceStep);
+    EXPECT_NEAR(cycle.maxForce.value, 2e-9 * SpringContact::kTogether, kForceStep);
     EXPECT_NEAR(cycle.maxIndentation, 2e-9 * SpringContact::kTogether / SpringContact::kContact,
                 1e-14);
     EXPECT_NEAR(cycle.pullOff.value().value, SpringContact::kPull, kForceStep);
@@ -225,11 +225,11 @@ TEST(CycleDetector, TicksWithoutAnEquilibriumAreLeftOut) {
     const ContactCycle before = run.cycle();
     run.solved = false;
     run.moveTo(-2.5e-9);
-    EXPECT_EQ(run.cycle().maxForce, before.maxForce);
+    EXPECT_EQ(run.cycle().maxForce.value, before.maxForce.value);
     TickOutput out;
     out.estimate.force.z() = std::numeric_limits<double>::quiet_NaN();
     run.detector.take(1.0, {}, out);
-    EXPECT_EQ(run.cycle().maxForce, before.maxForce);
+    EXPECT_EQ(run.cycle().maxForce.value, before.maxForce.value);
 }
 
 TEST(CycleDetector, AllocatesNothing) {
@@ -238,6 +238,44 @@ TEST(CycleDetector, AllocatesNothing) {
     run.oneCycle();
     run.oneCycle();
     EXPECT_EQ(test::allocationCount(), before);
+}
+
+/// Without the approach the loop is open, and its force is no attraction before contact.
+TEST(CycleDetector, AContactFromTheStartHasNeitherHysteresisNorSnapIn) {
+    for (const double start : {-1e-9, 0.0, 0.3e-9}) {  // it pushes, nothing, it pulls
+        SpringContact run(SpringContact::kSigma);
+        run.moveTo(-1e-9);
+        run.moveTo(start);
+        run.detector = {};
+        run.moveTo(-2e-9);
+        run.moveTo(4e-9);
+        EXPECT_TRUE(run.cycle().complete());
+        EXPECT_TRUE(run.cycle().fromStart) << start;
+        EXPECT_FALSE(run.cycle().closedHysteresis()) << start;
+        EXPECT_FALSE(run.cycle().snapIn) << start;
+        EXPECT_NEAR(run.cycle().pullOff.value().value, SpringContact::kPull,
+                    5.0 * SpringContact::kSigma);
+        run.oneCycle();
+        EXPECT_FALSE(run.cycle().fromStart) << "the next one has its approach";
+        EXPECT_TRUE(run.cycle().closedHysteresis());
+    }
+}
+
+TEST(CycleDetector, AContactThatBeginsLaterIsNotFromTheStart) {
+    SpringContact run;
+    run.oneCycle();
+    EXPECT_FALSE(run.cycle().fromStart);
+    ASSERT_TRUE(run.cycle().closedHysteresis());
+    EXPECT_EQ(run.cycle().closedHysteresis()->value, run.cycle().hysteresis);
+}
+
+TEST(CycleDetector, TheMaximumForceHasAStandardDeviation) {
+    SpringContact run(SpringContact::kSigma);
+    run.oneCycle();
+    const Reading& most = run.cycle().maxForce;
+    EXPECT_GT(most.sigma, 0.1 * SpringContact::kSigma);
+    EXPECT_LT(most.sigma, SpringContact::kSigma);
+    EXPECT_NEAR(most.value, 2e-9 * SpringContact::kTogether, 5.0 * most.sigma);
 }
 
 }  // namespace
