@@ -147,6 +147,11 @@ void RunControl::setForces(bool on) {
     }
 }
 
+void RunControl::refuseTip(const QString& why) {
+    tipRefusal_ = why;
+    window_.refuseTip(why);
+}
+
 void RunControl::showKnobs() {
     const Settings& settings = run_->settings();
     ControlBar& controls = window_.controls();

@@ -3,6 +3,7 @@
 #include "app/runs/LiveRun.h"
 
 #include <QObject>
+#include <QString>
 
 #include <functional>
 #include <memory>
@@ -52,6 +53,10 @@ public:
     /// Shows a tick of a recording; none: those of the loop again.
     void showRecorded(const std::optional<Snapshot>& tick) { recorded_ = tick; }
 
+    /// Nobody moves the tip of the run meanwhile. @param why for tool tips; empty: it can be moved
+    void refuseTip(const QString& why);
+    [[nodiscard]] const QString& tipRefusal() const { return tipRefusal_; }
+
 Q_SIGNALS:
     /// The run is about to go. Its loop rests, and all of its ticks are fetched.
     void ending();
@@ -72,6 +77,7 @@ private:
     TickSink sink_ = [](const TickSample&) {};
     std::unique_ptr<LiveRun> run_;
     std::optional<Snapshot> recorded_;  ///< none: the loop's ticks are shown
+    QString tipRefusal_;
 };
 
 }  // namespace asperity
