@@ -13,10 +13,13 @@ using namespace std::chrono_literals;
 
 bool eventually(const std::function<bool()>& holds) {
     const auto end = std::chrono::steady_clock::now() + 20s;
-    while (!holds() && std::chrono::steady_clock::now() < end) {
+    while (std::chrono::steady_clock::now() < end) {
+        if (holds()) {
+            return true;
+        }
         std::this_thread::sleep_for(2ms);
     }
-    return holds();
+    return false;
 }
 
 /// A disk that can be full.
