@@ -84,8 +84,8 @@ void recordOrQuit(Session& session, const std::filesystem::path& input,
     QObject::connect(&session.runs(), &RunControl::begun, once, &QObject::deleteLater);
 }
 
-/// Where an earlier session cannot be opened any more, the scene that comes with the program is.
-void openSession(Session& session, const std::filesystem::path& file) {
+/// Where the last session cannot be opened any more, the scene that comes with the program is.
+void openLastSession(Session& session) {
     auto* const once = new QObject(&session);
     QObject::connect(&session.scenes(), &SceneControl::openFailed, once, [&session, once] {
         once->deleteLater();
@@ -96,7 +96,7 @@ void openSession(Session& session, const std::filesystem::path& file) {
     });
     QObject::connect(&session.runs(), &RunControl::begun, once, &QObject::deleteLater);
     showShippedInstead(session);
-    session.scenes().open(file);
+    session.saving().openLast();
 }
 
 int execWith(LiveWindow& live, const std::filesystem::path& input, const SceneOverrides& overrides,
@@ -113,9 +113,10 @@ int execWith(LiveWindow& live, const std::filesystem::path& input, const SceneOv
 
 /// Without a file: the last session, or the scene that comes with the program.
 int execAsBefore(LiveWindow& live) {
-    const std::filesystem::path before = live.session().saving().before();
-    if (!before.empty() && live.window().menus().startWithSession->isChecked()) {
-        openSession(live.session(), before);
+    const SessionFolder* const kept = live.session().saving().folder();
+    if (kept != nullptr && !kept->last().empty() &&
+        live.window().menus().startWithSession->isChecked()) {
+        openLastSession(live.session());
         return live.exec();
     }
     const std::filesystem::path shipped = defaultSceneFile();
@@ -165,7 +166,7 @@ int openWindow(const WindowOptions& options) {
     if (!options.record.empty()) {
         recordFromTheStart(live.session(), {options.record, options.force, options.format});
     }
-    live.session().saving().keepIn(sessionFolder());
+    live.session().keepIn(sessionFolder());
     const bool isRecorded = !options.record.empty();
     if (options.input.empty() && !isRecorded) {
         return execAsBefore(live);

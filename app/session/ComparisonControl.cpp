@@ -1,15 +1,12 @@
 #include "app/session/ComparisonControl.h"
 
 #include "app/recording/RunComparison.h"
+#include "app/recording/RunPlace.h"
 #include "core/Error.h"
 #include "core/SiFormat.h"
-#include "ui/panels/LoadingBar.h"
 #include "ui/playback/ThinnedLine.h"
 #include "ui/window/Dialogs.h"
 #include "ui/window/MainWindow.h"
-#include "ui/window/WindowMenus.h"
-
-#include <QAction>
 
 namespace asperity {
 
@@ -56,8 +53,6 @@ ComparisonControl::ComparisonControl(MainWindow& window, PlaybackControl& playba
     connect(&bar, &PlaybackBar::endComparisonRequested, this,
             [this] { playback_.page().setComparison(std::nullopt); });
     connect(&playback, &PlaybackControl::ended, this, &ComparisonControl::cancel);
-    connect(window.menus().cancelLoading, &QAction::triggered, this, &ComparisonControl::cancel);
-    connect(&window.loading(), &LoadingBar::cancelRequested, this, &ComparisonControl::cancel);
 }
 
 void ComparisonControl::ask() {

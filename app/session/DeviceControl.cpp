@@ -52,10 +52,12 @@ DeviceControl::DeviceControl(MainWindow& window, RunControl& runs)
     connect(&controls, &ControlBar::deviceChosen, this, &DeviceControl::choose);
     connect(&controls, &ControlBar::knobTurned, this, &DeviceControl::turnKnob);
     connect(&window.view(), &ZoomView::tipDragged, this, [this](double dx, double dy) {
-        device_.displace({dx, dy, 0.0});
+        if (runs_.tipRefusal().isEmpty()) {
+            device_.displace({dx, dy, 0.0});
+        }
     });
     connect(&window.view(), &ZoomView::lifted, this, [this](double notches) {
-        if (runs_.run() != nullptr) {
+        if (runs_.run() != nullptr && runs_.tipRefusal().isEmpty()) {
             const Scene& scene = runs_.run()->scene();
             device_.lift(notches,
                          fineLiftStep(window_.view().halfWidth(), scene.description.setpoint,
@@ -164,6 +166,10 @@ void DeviceControl::travelTo(const Vector2& place) {
     if (runs_.run() == nullptr) {
         return;
     }
+    if (!runs_.tipRefusal().isEmpty()) {
+        window_.tell(runs_.tipRefusal());
+        return;
+    }
     if (device_.driver() != &pointerDriver()) {
         device_.use(pointerDriver());
         show();
@@ -198,7 +204,9 @@ void DeviceControl::chooseGuide(FixtureKind kind) {
 
 void DeviceControl::advance(double seconds) {
     const double halfWidth = window_.view().halfWidth();
-    device_.setVelocity(halfWidth * keyVelocity(keys_->direction(), window_.view().camera()));
+    const Vector3 keys = keyVelocity(keys_->direction(), window_.view().camera());
+    device_.setVelocity(runs_.tipRefusal().isEmpty() ? Vector3(halfWidth * keys)
+                                                     : Vector3(Vector3::Zero()));
     device_.advance(seconds, halfWidth);
     turnAxes(seconds);
     const std::string words = wordsOf(runs_.run()->device().status());

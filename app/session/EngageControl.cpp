@@ -50,9 +50,12 @@ void EngageControl::withdraw() {
 }
 
 void EngageControl::advance() {
-    window_.engage().setRefusal(runs_.run()->coupling().coupled() != nullptr
-                                    ? tr("The operator approaches with the force-feedback device")
-                                    : QString());
+    const QString hidden = runs_.tipRefusal();
+    const bool isCoupled = runs_.run()->coupling().coupled() != nullptr;
+    window_.engage().setRefusals(hidden.isEmpty() && isCoupled
+                                     ? tr("The operator approaches with the force-feedback device")
+                                     : hidden,
+                                 hidden);
     const ApproachDevice* const approach = devices_.approaching();
     if (!engaging_ || approach == nullptr) {
         engaging_ = false;

@@ -32,9 +32,12 @@ void EntryControl::showThoseOfARun() {
     const QString noRun = unless(run != nullptr, QObject::tr("Open a scan or a scene first"));
     for (QAction* const entry :
          {menus.aboutScan, menus.exportView, menus.record, menus.saveSession, menus.saveSessionAs,
-          menus.saveLastSeconds, menus.bundle, menus.startPause, menus.followPathFile,
-          menus.followRecording, menus.tipControl, menus.clutch, menus.copyNumbers}) {
+          menus.saveLastSeconds, menus.bundle, menus.startPause, menus.tipControl, menus.clutch,
+          menus.copyNumbers}) {
         menus.refuse(*entry, noRun);
+    }
+    for (QAction* const entry : {menus.followPathFile, menus.followRecording}) {
+        menus.refuse(*entry, noRun.isEmpty() ? runs_.tipRefusal() : noRun);
     }
     const bool isFaulty =
         run != nullptr && run->loop().snapshot().sample.output.fault != Fault::None;

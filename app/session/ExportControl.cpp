@@ -14,7 +14,6 @@
 #include "core/Error.h"
 #include "core/PrintableText.h"
 #include "core/TemporaryFile.h"
-#include "ui/panels/LoadingBar.h"
 #include "ui/window/Dialogs.h"
 #include "ui/window/MainWindow.h"
 #include "ui/window/WindowMenus.h"
@@ -108,8 +107,6 @@ ExportControl::ExportControl(MainWindow& window, RunControl& runs, ViewControl& 
     soon_.setInterval(kSettled);
     connect(&soon_, &QTimer::timeout, this, &ExportControl::preview);
     connect(window.menus().exportView, &QAction::triggered, this, &ExportControl::ask);
-    connect(window.menus().cancelLoading, &QAction::triggered, this, &ExportControl::cancel);
-    connect(&window.loading(), &LoadingBar::cancelRequested, this, &ExportControl::cancel);
 }
 
 void ExportControl::remember(std::unique_ptr<QSettings> settings) {

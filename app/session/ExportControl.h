@@ -34,8 +34,6 @@ public:
     void ask();
     /// The dialog; null: it is closed.
     [[nodiscard]] ExportDialog* dialog() { return dialog_; }
-    /// Nothing comes of the file that is being written.
-    void cancel() { work_.cancel(); }
 
 private:
     void connectDialog();

@@ -17,9 +17,13 @@ struct WorkLine {
     std::function<void(const QString& words)> begin;   ///< what is being done
     std::function<void(double fraction)> setFraction;  ///< how far it is, 0..1
     std::function<void()> end;
+    /// Work is under way, shown or not yet. @param cancel ends it, as a user asks for it
+    std::function<void(const std::function<void()>& cancel)> enter =
+        [](const std::function<void()>& /*cancel*/) {};
+    std::function<void()> leave = [] {};  ///< it is not any more
 };
 
-/// The window's bottom line. Its button, File > Cancel loading and Esc are answered by who works.
+/// The window's bottom line. Its button, File > Cancel loading and Esc cancel what it names.
 [[nodiscard]] WorkLine loadingLine(MainWindow& window);
 
 /// Work that lasts this long is shown: sooner it would only flicker [ms].
@@ -35,6 +39,8 @@ public:
     struct Answers {
         std::function<void(Result& result)> finished;
         std::function<void(const std::exception_ptr& reason)> failed;
+        std::function<void()> cancel =
+            {};  ///< what a user's Cancel does; none: nothing comes of it
     };
 
     LongWork(WorkLine line, Answers answers)
@@ -60,6 +66,13 @@ public:
         words_ = words;
         fraction_ = 0.0;
         isAwaited_ = true;
+        line_.enter([this] {
+            if (answers_.cancel) {
+                answers_.cancel();
+            } else {
+                cancel();
+            }
+        });
         if (isShown_) {
             line_.begin(words_);
         } else if (!soon_.isActive()) {  // changes in a row do not put it off
@@ -97,6 +110,7 @@ private:
         if (std::exchange(isShown_, false)) {
             line_.end();
         }
+        line_.leave();
     }
 
     WorkLine line_;

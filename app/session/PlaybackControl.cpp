@@ -2,7 +2,9 @@
 
 #include "app/exports/RunMoment.h"
 #include "app/recording/ComparedRun.h"
+#include "app/recording/RunPlace.h"
 #include "app/recording/RunWithScene.h"
+#include "app/session/StayingRun.h"
 #include "ui/CoreWords.h"
 #include "ui/Steady.h"
 #include "ui/panels/RunPanel.h"
@@ -21,14 +23,16 @@ namespace {
 /// What the panels are shown before a moment, so that their curves are those of the live run.
 constexpr std::size_t kHistory = 10'000;
 constexpr std::size_t kAtOnce = 1'000;   ///< that the curves go on by; more are another time
-constexpr double kLoaded = 0.3;          ///< share of the time that reading a run takes
+constexpr double kUnpacked = 0.1;        ///< share of the time that a bundle takes
+constexpr double kLoaded = 0.3;          ///< the same with reading the run
 constexpr int kDrawnStretches = 50'000;  ///< of a line: a zoom by ten still shows all
 
 /// Reads a run and runs through it once, so that any tick is at hand. @return its scene
-LoadedScene read(LookedAtRun& run, const RunPlace& place, Progress& progress) {
-    ProgressPart loading(&progress, 0.0, kLoaded);
+LoadedScene read(LookedAtRun& run, Progress& progress) {
+    ProgressPart unpacking(&progress, 0.0, kUnpacked);
+    ProgressPart loading(&progress, kUnpacked, kLoaded);
     ProgressPart running(&progress, kLoaded, 1.0);
-    RunWithScene read = readRunWithScene(place.folder(), &loading);
+    RunWithScene read = readRunWithScene(stayingRun(run.input, &unpacking), &loading);
     run.note = sentenceOf(read.run.state);
     run.conditions = conditionsOf(read.loaded);
     run.playback.emplace(read.loaded.scene, std::move(read.run.inputs));
@@ -116,16 +120,9 @@ PlaybackControl::PlaybackControl(MainWindow& window, RunControl& runs, SceneCont
 void PlaybackControl::look(const std::filesystem::path& file) {
     const auto run = std::make_shared<LookedAtRun>();
     run->input = runOf(file);
-    const auto place = std::make_shared<std::optional<RunPlace>>();
     scenes_.open(
-        run->input,
-        [run, place](Progress& progress) {
-            return read(*run, place->emplace(run->input), progress);
-        },
-        [this, run, place] {
-            places_.push_back(place);
-            show(run);
-        });
+        run->input, [run](Progress& progress) { return read(*run, progress); },
+        [this, run] { show(run); });
 }
 
 void PlaybackControl::show(const std::shared_ptr<LookedAtRun>& run) {
@@ -134,6 +131,7 @@ void PlaybackControl::show(const std::shared_ptr<LookedAtRun>& run) {
     run->loaded = runs_.run()->shared();
     run->playback->moveTo(run->loaded->scene);
     shown_ = run;
+    runs_.refuseTip(tr("A recording is looked at: first go back to the live tip"));
     title_ = window_.windowTitle();
     tick_.reset();
     hasHistory_ = false;
@@ -159,6 +157,7 @@ void PlaybackControl::end() {
     }
     work_.cancel();
     shown_.reset();
+    runs_.refuseTip({});
     tick_.reset();
     play(false);
     runs_.showLive();

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "app/recording/RunDifferences.h"
-#include "app/recording/RunPlace.h"
 #include "app/recording/RunSurvey.h"
 #include "app/session/BackgroundWork.h"
 #include "app/session/SceneControl.h"
@@ -77,8 +76,6 @@ private:
     SceneControl& scenes_;
     PlaybackPage* page_;  ///< the window's
     std::shared_ptr<LookedAtRun> shown_;
-    /// Of bundles: a change of their scene reads the scan again.
-    std::vector<std::shared_ptr<const std::optional<RunPlace>>> places_;
     QString title_;  ///< of the window without a recording
     std::optional<std::size_t> tick_;
     std::size_t wanted_ = 0;

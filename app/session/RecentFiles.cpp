@@ -28,10 +28,21 @@ void RecentFiles::remember(std::unique_ptr<QSettings> settings) {
     Q_EMIT changed();
 }
 
+void RecentFiles::leaveOut(const std::filesystem::path& folder) {
+    leftOut_ = folder;
+    const auto isInside = [&folder](const std::filesystem::path& file) {
+        return file.parent_path() == folder;
+    };
+    if (std::erase_if(files_, isInside) > 0) {
+        write();
+        Q_EMIT changed();
+    }
+}
+
 void RecentFiles::add(const std::filesystem::path& file) {
     std::error_code unknown;
     const std::filesystem::path whole = std::filesystem::absolute(file, unknown).lexically_normal();
-    if (unknown) {
+    if (unknown || whole.parent_path() == leftOut_) {
         return;
     }
     std::erase(files_, whole);

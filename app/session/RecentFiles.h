@@ -22,6 +22,8 @@ public:
     /// Reads from `settings` what they remember, and keeps there what changes from now on.
     void remember(std::unique_ptr<QSettings> settings);
 
+    /// Files of this folder are never listed.
+    void leaveOut(const std::filesystem::path& folder);
     /// @param file as it was opened
     void add(const std::filesystem::path& file);
     void clear();
@@ -41,6 +43,7 @@ private:
     std::unique_ptr<QSettings> settings_;
     std::vector<std::filesystem::path> files_;
     QString folder_;
+    std::filesystem::path leftOut_;  ///< empty: none is
 };
 
 }  // namespace asperity

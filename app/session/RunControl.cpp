@@ -176,6 +176,11 @@ void RunControl::showLive() {
     recordedTicks_.clear();
 }
 
+void RunControl::refuseTip(const QString& why) {
+    tipRefusal_ = why;
+    window_.refuseTip(why);
+}
+
 void RunControl::showKnobs() {
     const Settings& settings = run_->settings();
     ControlBar& controls = window_.controls();

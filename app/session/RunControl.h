@@ -3,6 +3,7 @@
 #include "app/runs/LiveRun.h"
 
 #include <QObject>
+#include <QString>
 
 #include <deque>
 #include <functional>
@@ -60,6 +61,10 @@ public:
     /// Shows the ticks of the loop again.
     void showLive();
 
+    /// Nobody moves the tip of the run meanwhile. @param why for tool tips; empty: it can be moved
+    void refuseTip(const QString& why);
+    [[nodiscard]] const QString& tipRefusal() const { return tipRefusal_; }
+
 Q_SIGNALS:
     /// The run is about to go. Its loop rests, and all of its ticks are fetched.
     void ending();
@@ -81,6 +86,7 @@ private:
     std::unique_ptr<LiveRun> run_;
     std::optional<Snapshot> recorded_;      ///< none: the loop's ticks are shown
     std::deque<TickSample> recordedTicks_;  ///< the last seconds up to it
+    QString tipRefusal_;
 };
 
 }  // namespace asperity

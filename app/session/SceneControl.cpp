@@ -2,18 +2,17 @@
 
 #include "app/recording/Bundle.h"
 #include "app/runs/RunFolder.h"
+#include "app/session/StayingRun.h"
 #include "app/session/WindowSection.h"
 #include "core/Error.h"
 #include "core/PathText.h"
 #include "core/PrintableText.h"
 #include "core/io/heightmap/MissingScale.h"
 #include "core/surface/MergedScale.h"
-#include "ui/panels/LoadingBar.h"
 #include "ui/window/MainWindow.h"
 #include "ui/window/WindowMenus.h"
 
 #include <QAction>
-#include <QStandardPaths>
 
 #include <memory>
 #include <utility>
@@ -22,15 +21,13 @@ namespace asperity {
 
 namespace {
 
-/// What is loaded of a file: of a bundle its scene, unpacked to stay.
+/// What is loaded of a file: of a bundle its scene.
 std::filesystem::path sceneIn(const std::filesystem::path& input, Progress& progress) {
     if (!isBundle(input)) {
         return input;
     }
-    const QString place = QStandardPaths::writableLocation(QStandardPaths::AppDataLocation);
     ProgressPart unpacking(&progress, 0.0, 0.3);
-    return keptBundle(input, std::filesystem::path(place.toStdString()) / "bundles", &unpacking) /
-           run_files::kScene;
+    return stayingRun(input, &unpacking) / run_files::kScene;
 }
 
 }  // namespace
@@ -42,8 +39,6 @@ SceneControl::SceneControl(MainWindow& window, RunControl& runs, SceneEdits& edi
         open(pathFromText(text).value_or(text));
     });
     WindowMenus& menus = window.menus();
-    connect(menus.cancelLoading, &QAction::triggered, this, &SceneControl::cancelOpen);
-    connect(&window.loading(), &LoadingBar::cancelRequested, this, &SceneControl::cancelOpen);
     connect(menus.undo, &QAction::triggered, &edits, &SceneEdits::undo);
     connect(menus.redo, &QAction::triggered, &edits, &SceneEdits::redo);
     connect(&menus, &WindowMenus::channelChosen, this, &SceneControl::chooseChannel);
@@ -62,30 +57,32 @@ SceneControl::SceneControl(MainWindow& window, RunControl& runs, SceneEdits& edi
                 });
             });
     connect(&runs, &RunControl::begun, this, &SceneControl::showChannels);
-    connect(&runs, &RunControl::begun, this, &SceneControl::suggestFile);
     connect(&edits, &SceneEdits::changed, this, &SceneControl::showChannels);
 }
 
-void SceneControl::open(const std::filesystem::path& input, const SceneOverrides& overrides) {
+void SceneControl::open(const std::filesystem::path& input, const SceneOverrides& overrides,
+                        const FailureWords& failureWords) {
     askedWith_ = overrides;
     const auto kept = std::make_shared<QVariantMap>();
-    begin(input, {.name = {},
-                  .load =
-                      [input, overrides, kept](Progress& progress) {
-                          const std::filesystem::path scene = sceneIn(input, progress);
-                          *kept = windowSectionOf(scene);
-                          return loadScene(scene, overrides, &progress);
-                      },
-                  .place = [kept] { return tipPlaceIn(*kept); },
-                  .opened =
-                      [this, input, kept] {
-                          Q_EMIT opened(input);
-                          if (!kept->isEmpty()) {
-                              Q_EMIT sessionOpened(input, *kept);
-                          }
-                      },
-                  .failed = {},
-                  .canceled = {}});
+    begin(input,
+          {.name = {},
+           .load =
+               [input, overrides, kept](Progress& progress) {
+                   const std::filesystem::path scene = sceneIn(input, progress);
+                   *kept = windowSectionOf(scene);
+                   return loadScene(scene, overrides, &progress);
+               },
+           .place = [kept] { return tipPlaceIn(*kept); },
+           .opened =
+               [this, input, kept] {
+                   Q_EMIT opened(input);
+                   if (!kept->isEmpty()) {
+                       Q_EMIT sessionOpened(input, *kept);
+                   }
+               },
+           .failed = {},
+           .canceled = {}},
+          failureWords);
 }
 
 void SceneControl::open(const std::filesystem::path& input, const LongWork<LoadedScene>::Work& load,
@@ -93,7 +90,8 @@ void SceneControl::open(const std::filesystem::path& input, const LongWork<Loade
     begin(input, {.name = {}, .load = load, .opened = shown, .failed = {}, .canceled = {}});
 }
 
-void SceneControl::begin(const std::filesystem::path& input, SceneEdits::Opening opening) {
+void SceneControl::begin(const std::filesystem::path& input, SceneEdits::Opening opening,
+                         const FailureWords& failureWords) {
     scales_.withdraw();
     asked_ = input;
     const QString name = QString::fromStdString(printable(input.filename().string()));
@@ -102,7 +100,9 @@ void SceneControl::begin(const std::filesystem::path& input, SceneEdits::Opening
         Q_EMIT sceneTaken();
         opened();
     };
-    opening.failed = [this](const std::exception_ptr& reason) { fail(reason); };
+    opening.failed = [this, failureWords](const std::exception_ptr& reason) {
+        fail(reason, failureWords);
+    };
     opening.canceled = [this, name] {
         window_.tell(tr("Loading of %1 canceled").arg(name));
         Q_EMIT openCanceled();
@@ -112,14 +112,14 @@ void SceneControl::begin(const std::filesystem::path& input, SceneEdits::Opening
 
 void SceneControl::cancelOpen() { edits_.cancel(); }
 
-void SceneControl::fail(const std::exception_ptr& reason) {
+void SceneControl::fail(const std::exception_ptr& reason, const FailureWords& words) {
     if (asksFor(reason)) {
         return;
     }
     openError_ = reason;
-    const QString words = reasonOf(reason);
-    window_.complain(words);
-    Q_EMIT openFailed(words);
+    const QString why = reasonOf(reason);
+    window_.complain(words ? words(why) : why);
+    Q_EMIT openFailed(why);
 }
 
 bool SceneControl::asksFor(const std::exception_ptr& reason) {
@@ -150,16 +150,6 @@ void SceneControl::chooseChannel(const QString& name) {
         next.sample.channel = name.toStdString();
         edits_.change(tr("Channel: %1").arg(name), next);
     }
-}
-
-/// The scene that was opened, else beside the scan, under its name.
-void SceneControl::suggestFile() {
-    std::filesystem::path file = runs_.run()->scene().description.sample.file;
-    if (asked_.extension() == ".toml") {
-        file = asked_;
-    }
-    window_.setSceneFile(QString::fromStdString(
-        file.empty() ? "scene.toml" : file.replace_extension(".toml").string()));
 }
 
 void SceneControl::showChannels() {

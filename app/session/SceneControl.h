@@ -7,6 +7,7 @@
 #include <QVariantMap>
 
 #include <filesystem>
+#include <functional>
 
 namespace asperity {
 
@@ -15,12 +16,16 @@ class SceneControl : public QObject {
     Q_OBJECT
 
 public:
+    using FailureWords = std::function<QString(const QString& reason)>;
+
     SceneControl(MainWindow& window, RunControl& runs, SceneEdits& edits);
 
     /// Loads in the background, then shows; says so in the window when that fails. Where a file
     /// does not hold its scale the user is asked for it first. Another one that is being loaded is
     /// given up.
-    void open(const std::filesystem::path& input, const SceneOverrides& overrides = {});
+    /// @param failureWords what to say where that fails, of the reason; none: the reason
+    void open(const std::filesystem::path& input, const SceneOverrides& overrides = {},
+              const FailureWords& failureWords = {});
     /// The same of a scene that is loaded in another way. @param shown is called once it is there
     void open(const std::filesystem::path& input, const LongWork<LoadedScene>::Work& load,
               const std::function<void()>& shown);
@@ -44,12 +49,13 @@ Q_SIGNALS:
 
 private:
     /// @param opening with `load`, `place` and `opened`
-    void begin(const std::filesystem::path& input, SceneEdits::Opening opening);
+    void begin(const std::filesystem::path& input, SceneEdits::Opening opening,
+               const FailureWords& failureWords = {});
     /// Of the scan that is open.
     void showChannels();
     void chooseChannel(const QString& name);
-    void suggestFile();
-    void fail(const std::exception_ptr& reason);
+    /// @param words of the reason; none: the reason
+    void fail(const std::exception_ptr& reason, const FailureWords& words);
     /// Whether the user is asked for the scale that is missing.
     [[nodiscard]] bool asksFor(const std::exception_ptr& reason);
     /// For what the scale is asked for: is called with it.

@@ -47,7 +47,8 @@ SceneEdits::SceneEdits(MainWindow& window, RunControl& runs)
     , runs_(runs)
     , work_(loadingLine(window),
             {.finished = [this](LoadedScene& scene) { opening_ ? useOpened(scene) : use(scene); },
-             .failed = [this](const std::exception_ptr& reason) { fail(reason); }}) {
+             .failed = [this](const std::exception_ptr& reason) { fail(reason); },
+             .cancel = [this] { cancel(); }}) {
     connect(&runs, &RunControl::begun, this, &SceneEdits::begun);
 }
 
@@ -55,6 +56,7 @@ SceneEdits::SceneEdits(MainWindow& window, RunControl& runs)
 void SceneEdits::begun() {
     if (!using_) {
         giveUp();
+        origin_ = ++origins_;
         history_.clear();
         stands_.clear();
     }
@@ -77,7 +79,7 @@ const SceneDescription& SceneEdits::goalOf(const Target& target) const {
     if (!target.steps.empty()) {
         return target.steps.back().after;
     }
-    return target.index == history_.index() ? present() : history_.after(target.index);
+    return target.index == history_.index() ? present() : history_.after(target.index).description;
 }
 
 bool SceneEdits::isOpening() {
@@ -194,16 +196,18 @@ void SceneEdits::rememberPlace() {
                                            .halfWidth = window_.view().halfWidth()};
 }
 
-void SceneEdits::keep(const Target& target, SceneDescription before,
+void SceneEdits::keep(const Target& target, const SceneDescription& before,
                       const SceneDescription& after) {
+    PastScene from{.description = before, .origin = origin_};
     if (target.index != history_.index()) {
-        before = history_.after(target.index);
+        from = history_.after(target.index);
         history_.moveTo(target.index);
+        origin_ = from.origin;
     }
     for (const Step& step : target.steps) {
         const bool isLast = &step == &target.steps.back();
-        history_.add(step.name, step.number, before, isLast ? after : step.after);
-        before = step.after;
+        history_.add(step.name, step.number, from, {isLast ? after : step.after, origin_});
+        from.description = step.after;
     }
 }
 
@@ -218,16 +222,17 @@ void SceneEdits::useOpened(LoadedScene& scene) {
     const Opening opening = *opening_;
     giveUp();
     const SceneDescription after = scene.scene.description;
-    std::optional<SceneDescription> before;
+    std::optional<PastScene> before;
     if (runs_.run() != nullptr) {
-        before = present();
+        before = {.description = present(), .origin = origin_};
         rememberPlace();
     }
     using_ = true;
     runs_.use(std::move(scene), opening.place());
     using_ = false;
+    origin_ = ++origins_;
     if (before) {
-        history_.add(tr("Open %1").arg(opening.name), {}, *before, after);
+        history_.add(tr("Open %1").arg(opening.name), {}, *before, {after, origin_});
     }
     opening.opened();
     Q_EMIT changed();

@@ -27,6 +27,9 @@ public:
     /// What the scene is to be: as it is, or as the change under way will make it; that is what
     /// the next change starts from. Null: there is no scene.
     [[nodiscard]] const SceneDescription* wanted() const;
+    /// Number of the opening that the scene came by: changes keep it, undo of an opening gives back
+    /// the one before.
+    [[nodiscard]] int origin() const { return origin_; }
 
     /// Makes the scene that of another description; says in the window why it cannot be so.
     /// @param name   of the change in the menu: "Tip radius: 20 nm"
@@ -95,11 +98,13 @@ private:
     void explain(const Target& failed, const std::exception_ptr& reason);
     void giveUp();
     /// Moves the history to where the scene is. @param before the change
-    void keep(const Target& target, SceneDescription before, const SceneDescription& after);
+    void keep(const Target& target, const SceneDescription& before, const SceneDescription& after);
 
     MainWindow& window_;
     RunControl& runs_;
     SceneHistory history_;
+    int origin_ = 0;                  ///< of the present scene
+    int origins_ = 0;                 ///< so many there were
     std::optional<Target> target_;    ///< none: no change is under way
     std::optional<Opening> opening_;  ///< none: nothing is being opened
     bool using_ = false;              ///< the run that begins is of a change or opening here

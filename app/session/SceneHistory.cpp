@@ -12,14 +12,14 @@ constexpr int kNumberId = 1;       ///< of commands that may be one
 /// One change. It does nothing itself: a change that takes time is made before it is told here.
 class ChangeMade : public QUndoCommand {
 public:
-    ChangeMade(const QString& name, QString number, SceneDescription before, SceneDescription after)
+    ChangeMade(const QString& name, QString number, PastScene before, PastScene after)
         : QUndoCommand(name)
         , number_(std::move(number))
         , before_(std::move(before))
         , after_(std::move(after)) {}
 
-    [[nodiscard]] const SceneDescription& before() const { return before_; }
-    [[nodiscard]] const SceneDescription& after() const { return after_; }
+    [[nodiscard]] const PastScene& before() const { return before_; }
+    [[nodiscard]] const PastScene& after() const { return after_; }
 
     [[nodiscard]] int id() const override { return number_.isEmpty() ? -1 : kNumberId; }
     bool mergeWith(const QUndoCommand* other) override {
@@ -29,26 +29,26 @@ public:
         }
         setText(next.text());
         after_ = next.after_;
-        setObsolete(after_ == before_);
+        setObsolete(after_.description == before_.description);
         return true;
     }
 
 private:
     QString number_;
-    SceneDescription before_;
-    SceneDescription after_;
+    PastScene before_;
+    PastScene after_;
 };
 
 }  // namespace
 
 SceneHistory::SceneHistory() { stack_.setUndoLimit(kMostChanges); }
 
-void SceneHistory::add(const QString& name, const QString& number, const SceneDescription& before,
-                       const SceneDescription& after) {
+void SceneHistory::add(const QString& name, const QString& number, const PastScene& before,
+                       const PastScene& after) {
     stack_.push(new ChangeMade(name, number, before, after));
 }
 
-const SceneDescription& SceneHistory::after(int changes) const {
+const PastScene& SceneHistory::after(int changes) const {
     const auto made = [this](int change) -> const ChangeMade& {
         return static_cast<const ChangeMade&>(*stack_.command(change));
     };

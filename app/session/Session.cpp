@@ -1,5 +1,6 @@
 #include "app/session/Session.h"
 
+#include "ui/panels/WorkInBackground.h"
 #include "ui/window/MainWindow.h"
 
 #include <QApplication>
@@ -42,7 +43,7 @@ Session::Session(MainWindow& window)
     , clipboard_(window, runs_, views_)
     , exports_(window, runs_, views_)
     , help_(window)
-    , saving_(window, runs_, scenes_)
+    , saving_(window, runs_, edits_, scenes_, playback_)
     , bundles_(window, runs_, recordings_, views_)
     , entries_(window, runs_, devices_, edits_) {
     runs_.setSink([this](const TickSample& sample) {
@@ -57,6 +58,11 @@ Session::Session(MainWindow& window)
 }
 
 Session::~Session() { runs_.end(); }
+
+void Session::keepIn(const std::filesystem::path& folder) {
+    saving_.keepIn(folder);
+    files_.recent().leaveOut(folder);
+}
 
 bool Session::eventFilter(QObject* watched, QEvent* event) {
     if (event->type() == QEvent::KeyPress || event->type() == QEvent::ShortcutOverride) {
@@ -81,9 +87,7 @@ void Session::stop() {
                                  QApplication::activePopupWidget() != nullptr ||
                                  QApplication::activeModalWidget() != nullptr;
     if (!closesSomething && !measuring_.leaveTool()) {
-        scenes_.cancelOpen();
-        exports_.cancel();
-        comparisons_.cancel();
+        window_.works().cancel();
     }
 }
 

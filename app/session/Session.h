@@ -50,6 +50,8 @@ public:
     [[nodiscard]] LibraryControl& materials() { return materials_; }
     [[nodiscard]] LibraryControl& probes() { return probes_; }
     [[nodiscard]] SessionControl& saving() { return saving_; }
+    /// The session is kept in a folder, whose files are no recent ones of the user's.
+    void keepIn(const std::filesystem::path& folder);
     [[nodiscard]] OpenControl& files() { return files_; }
     [[nodiscard]] ExportControl& exports() { return exports_; }
     [[nodiscard]] DeviceControl& devices() { return devices_; }

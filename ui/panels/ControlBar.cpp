@@ -25,7 +25,7 @@ constexpr int kControlHeight = 26;   ///< [px, as theme::scaled() takes them]
 constexpr int kKnobWidth = 96;       ///< likewise
 constexpr int kLetterRoom = 8;       ///< [px]
 constexpr int kMaxGroupWidth = 260;  ///< of a list with what belongs to it [px]
-constexpr const char* kTip = "tip";  ///< property: what a knob says while it can be turned
+constexpr const char* kTip = "tip";  ///< property: what a control says while it can be used
 
 void addWithCaption(FlowLayout& bar, const QString& caption, const QList<QWidget*>& widgets,
                     int stretch) {
@@ -215,6 +215,16 @@ void ControlBar::refuseKnob(const std::string& column, const QString& reason) {
     GainSpinBox& box = *knobs_.at(column);
     box.setEnabled(reason.isEmpty());
     box.setToolTip(reason.isEmpty() ? box.property(kTip).toString() : reason);
+}
+
+void ControlBar::refuseTip(const QString& reason) {
+    for (QWidget* const widget : std::initializer_list<QWidget*>{device_, path_, pathFile_}) {
+        if (!widget->property(kTip).isValid()) {
+            widget->setProperty(kTip, widget->toolTip());
+        }
+        widget->setEnabled(reason.isEmpty());
+        widget->setToolTip(reason.isEmpty() ? widget->property(kTip).toString() : reason);
+    }
 }
 
 void ControlBar::setRecording(bool recording) {

@@ -40,6 +40,8 @@ public:
     /// Disables a knob that cannot be turned now. @param column of its setting
     /// @param reason that its tool tip says; empty: it can
     void refuseKnob(const std::string& column, const QString& reason);
+    /// Disables what moves the tip: device and path. @param reason likewise
+    void refuseTip(const QString& reason);
     void setRecording(bool recording);
 
 Q_SIGNALS:

@@ -36,7 +36,7 @@ EngageBar::EngageBar(QWidget* parent)
     : QWidget(parent)
     , setpoint_(new GainSpinBox(kPerNewton * kMinSetpoint, kPerNewton * kMaxSetpoint, this))
     , engage_(newButton("engage", tr("Engage"), {}, this))
-    , withdraw_(newButton("withdraw", tr("Withdraw"), tr("Rise out of the sample's reach"), this)) {
+    , withdraw_(newButton("withdraw", tr("Withdraw"), {}, this)) {
     setpoint_->setObjectName(QStringLiteral("setpoint"));
     setpoint_->setToolTip(tr("Force along z at which an approach ends [nN]"));
     setpoint_->setFixedSize(theme::scaled(kSetpointWidth), theme::scaled(kControlHeight));
@@ -53,7 +53,7 @@ EngageBar::EngageBar(QWidget* parent)
     row->addStretch(1);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     setSetpoint(SceneDescription{}.setpoint);
-    setRefusal({});
+    setRefusals({}, {});
     connect(engage_, &QPushButton::clicked, this, &EngageBar::engageChosen);
     connect(withdraw_, &QPushButton::clicked, this, &EngageBar::withdrawChosen);
     connect(setpoint_, qOverload<double>(&QDoubleSpinBox::valueChanged), this,
@@ -69,9 +69,11 @@ void EngageBar::setSetpoint(double force) {
     setpoint_->setValue(kPerNewton * force);
 }
 
-void EngageBar::setRefusal(const QString& why) {
+void EngageBar::setRefusals(const QString& why, const QString& whyNotUp) {
     engage_->setEnabled(why.isEmpty());
     engage_->setToolTip(why.isEmpty() ? tr("Approach until the force reaches the setpoint") : why);
+    withdraw_->setEnabled(whyNotUp.isEmpty());
+    withdraw_->setToolTip(whyNotUp.isEmpty() ? tr("Rise out of the sample's reach") : whyNotUp);
 }
 
 }  // namespace asperity

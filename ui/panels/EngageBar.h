@@ -20,7 +20,8 @@ public:
     [[nodiscard]] double setpoint() const;
     void setSetpoint(double force);
     /// @param why it cannot engage, for the button's tool tip; empty: it can
-    void setRefusal(const QString& why);
+    /// @param whyNotUp the same of withdrawing
+    void setRefusals(const QString& why, const QString& whyNotUp);
 
 Q_SIGNALS:
     void engageChosen();

@@ -89,6 +89,8 @@ public:
     [[nodiscard]] QWidget& area() { return *plot_->canvas(); }
     [[nodiscard]] const QString& reading() const { return reading_->text(); }
     void showAxes(const PlotWindow& window);
+    /// An empty plot has no numbers.
+    void showNumbers(bool shown);
     void showLines(const std::vector<Line>& lines, const PlotWindow& window);
     void showMoment(const std::optional<QPointF>& moment);
     void showReading(const std::vector<Line>& lines);
@@ -168,6 +170,12 @@ void RunPlot::Canvas::showAxes(const PlotWindow& window) {
     y_ = scaleOf(window.y, setup_.yUnit);
     showAxis(QwtPlot::yLeft, *yLabels_, window.y, y_, plot_->canvas()->height() / kMinTickHeight);
     showAxis(QwtPlot::xBottom, *xLabels_, window.x, x_, plot_->canvas()->width() / kMinTickWidth);
+}
+
+void RunPlot::Canvas::showNumbers(bool shown) {
+    for (NumberScaleDraw* const labels : {xLabels_, yLabels_}) {
+        labels->enableComponent(QwtAbstractScaleDraw::Labels, shown);
+    }
 }
 
 /// Of rising times, only what is in sight.
@@ -266,6 +274,7 @@ void RunPlot::draw() {
                            widened(extentOf(lines_, yOf), setup_.smallest, kMargin)};
     const PlotWindow& window = canvas_->navigation().fit(whole);
     canvas_->showAxes(window);
+    canvas_->showNumbers(extentOf(lines_, xOf).has_value());
     canvas_->showLines(lines_, window);
     canvas_->showMoment(moment_);
     canvas_->showReading(lines_);

@@ -91,9 +91,9 @@ void askWhether(QWidget* window, const QString& question, const QString& action,
     box->open();
 }
 
-QString askForSceneFile(QWidget* window, const QString& suggestion) {
-    return QFileDialog::getSaveFileName(window, QObject::tr("Save the scene"), suggestion,
-                                        QObject::tr("Scenes (*.toml)"));
+QString askForSession(QWidget* window, const QString& suggestion) {
+    return QFileDialog::getSaveFileName(window, QObject::tr("Save the session"), suggestion,
+                                        QObject::tr("Sessions (*.toml)"));
 }
 
 void complainIn(QWidget* window, const QString& message) {

@@ -42,8 +42,8 @@ void askForName(QWidget* window, const QString& title, const QString& label, con
 void askWhether(QWidget* window, const QString& question, const QString& action,
                 const std::function<void()>& act);
 
-/// The file to write a scene to. @param suggestion its path
-[[nodiscard]] QString askForSceneFile(QWidget* window, const QString& suggestion);
+/// The file to write a session to. @param suggestion its path
+[[nodiscard]] QString askForSession(QWidget* window, const QString& suggestion);
 
 /// What must be read; the window goes on meanwhile.
 void complainIn(QWidget* window, const QString& message);

@@ -18,6 +18,7 @@
 #include "ui/panels/OverviewPanel.h"
 #include "ui/panels/ScenePanel.h"
 #include "ui/panels/StateBanner.h"
+#include "ui/panels/WorkInBackground.h"
 #include "ui/view/ZoomView.h"
 #include "ui/window/CardColumn.h"
 #include "ui/window/ColorsMenu.h"
@@ -94,6 +95,7 @@ MainWindow::MainWindow()
     , view_(new ZoomView(this))
     , second_(new SecondView(this))
     , loading_(new LoadingBar(this))
+    , works_(new WorkInBackground(this))
     , viewSide_(new ViewSide({banner_, engage_, view_, second_, loading_}, this))
     , layout_(new WindowLayout(controls_, viewSide_, this))
     , overview_(new OverviewPanel(this))
@@ -106,6 +108,7 @@ MainWindow::MainWindow()
     placeAll();
     connectMenus();
     connectViews();
+    connectWorks();
     giveFocusBack(*controls_, *view_);
     connect(engage_, &EngageBar::setpointEntered, view_, [this] { view_->setFocus(); });
     tellRefusals();
@@ -228,7 +231,8 @@ void MainWindow::connectMenus() {
         connect(action, &QAction::triggered, this, what);
     };
     const auto askSceneFile = [this](QWidget* window) {
-        return askForSceneFile(window, sceneFile_);
+        Q_EMIT sceneFileWanted();
+        return askForSession(window, sceneFile_);
     };
     on(menus_->saveSessionAs, ask(askSceneFile, &MainWindow::sceneFileChosen));
     on(menus_->savePicture, ask(askForPicture, &MainWindow::pictureFileChosen));
@@ -305,6 +309,13 @@ void MainWindow::tell(const QString& message, MessageKind kind) {
     }
 }
 
+void MainWindow::connectWorks() {
+    connect(works_, &WorkInBackground::named, this, &MainWindow::showLoading);
+    connect(works_, &WorkInBackground::progressed, loading_, &LoadingBar::setFraction);
+    connect(loading_, &LoadingBar::cancelRequested, works_, &WorkInBackground::cancel);
+    connect(menus_->cancelLoading, &QAction::triggered, works_, &WorkInBackground::cancel);
+}
+
 void MainWindow::showLoading(const QString& words) {
     loading_->begin(words);
     viewSide_->setLoading(!words.isEmpty());
@@ -317,9 +328,22 @@ void MainWindow::setEmergencyStop(bool active) {
         escape->setEnabled(!active);
     }
     layout_->maximizer().setEscape(!active);
-    const QString gestures = tr("Drag: move the tip   ·   Wheel: up and down   ·   "
-                                "Right drag: turn   ·   Ctrl + wheel: zoom");
-    viewSide_->setHint(active ? tr("%1   ·   Esc: forces off").arg(gestures) : gestures);
+    hasEmergencyStop_ = active;
+    showHint();
+}
+
+void MainWindow::refuseTip(const QString& why) {
+    controls_->refuseTip(why);
+    tipMoves_ = why.isEmpty();
+    showHint();
+}
+
+void MainWindow::showHint() {
+    QString hint = tr("Right drag: turn   ·   Ctrl + wheel: zoom");
+    if (tipMoves_) {
+        hint = tr("Drag: move the tip   ·   Wheel: up and down   ·   %1").arg(hint);
+    }
+    viewSide_->setHint(hasEmergencyStop_ ? tr("%1   ·   Esc: forces off").arg(hint) : hint);
 }
 
 void MainWindow::lock() {

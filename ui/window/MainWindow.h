@@ -31,6 +31,7 @@ class SecondView;
 class StateBanner;
 class SurfaceField;
 class ViewSide;
+class WorkInBackground;
 class WindowLayout;
 class WindowMenus;
 class ZoomView;
@@ -84,14 +85,14 @@ public:
     /// Shows such a page and puts it on top.
     void showSidePage(QWidget* page);
 
-    /// What the dialog that saves the scene begins with.
+    /// What the dialog that saves the session begins with.
     void setSceneFile(const QString& path) { sceneFile_ = path; }
     /// How the surface is colored in all views. @param field what the look's quantity is on it
     void showLook(const SurfaceLook& look, const SurfaceField& field);
     /// Sets the scene of all panels; null: none. The scene outlives its use here.
     void showScene(const Scene* scene, const QString& title);
-    /// Shows in place of the hint what is being done, "Loading steps.gsf …"; empty: nothing is.
-    void showLoading(const QString& words);
+    /// What goes on in the background; a line in place of the hint names it, once it is shown.
+    [[nodiscard]] WorkInBackground& works() { return *works_; }
     [[nodiscard]] LoadingBar& loading() { return *loading_; }
     /// A short message for a while.
     void tell(const QString& message);
@@ -101,6 +102,8 @@ public:
     /// Whether Esc switches the forces of a device off, whatever window is active; else it closes
     /// what is open, no more.
     void setEmergencyStop(bool active);
+    /// What moves the tip is disabled. @param why for tool tips; empty: it can be moved
+    void refuseTip(const QString& why);
     /// Nothing can be changed any more: for measurements.
     void lock();
     /// A message that must be read; the window goes on meanwhile.
@@ -114,6 +117,8 @@ Q_SIGNALS:
     /// To be looked at: a file of its folder, or a bundle.
     void runChosen(QString file);
     void pictureFileChosen(QString file);
+    /// The dialog that saves the session is about to open.
+    void sceneFileWanted();
     void sceneFileChosen(QString file);  ///< to be written
 
 protected:
@@ -133,9 +138,15 @@ private:
     void tellRefusals();
     void connectMenus();
     void connectViews();
+    void connectWorks();
+    /// Empty: nothing is done.
+    void showLoading(const QString& words);
+    void showHint();
 
     QString sceneFile_;
     bool hasShownScene_ = false;
+    bool hasEmergencyStop_ = false;
+    bool tipMoves_ = true;
     MessageLog* messages_;
     WindowMenus* menus_;
     ControlBar* controls_;
@@ -144,6 +155,7 @@ private:
     ZoomView* view_;
     SecondView* second_;
     LoadingBar* loading_;
+    WorkInBackground* works_;
     ViewSide* viewSide_;
     WindowLayout* layout_;
     OverviewPanel* overview_;

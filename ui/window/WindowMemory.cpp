@@ -1,5 +1,6 @@
 #include "ui/window/WindowMemory.h"
 
+#include "core/Error.h"
 #include "ui/Theme.h"
 #include "ui/window/LayoutMemory.h"
 #include "ui/window/MainWindow.h"
@@ -19,6 +20,7 @@ namespace asperity {
 
 namespace {
 
+constexpr int kKeepPeriod = 500;  // between two looks at what has changed [ms]
 const QString kGeometry = QStringLiteral("window/geometry");
 const QString kStart = QStringLiteral("session/startWithLast");
 const QString kCompact = QStringLiteral("recordings/compact");
@@ -53,45 +55,72 @@ void restoreTheme(const QSettings& settings) {
     }
 }
 
-void keepTheme(QSettings& settings) {
+void keepTheme(QVariantMap& kept) {
     for (const auto& [choice, name] : kThemes) {
         if (choice == theme::choice()) {
-            settings.setValue(kTheme, name);
+            kept.insert(kTheme, name);
         }
     }
+}
+
+/// Writes into the settings that a file holds. It runs in a thread of its own.
+LatestWriter<QVariantMap>::Write writerTo(const QSettings& settings) {
+    return [file = settings.fileName(), format = settings.format()](const QVariantMap& kept) {
+        QSettings written(file, format);
+        for (auto value = kept.cbegin(); value != kept.cend(); ++value) {
+            written.setValue(value.key(), value.value());
+        }
+        written.sync();
+        if (written.status() != QSettings::NoError) {
+            throw Error(file.toStdString() + ": the settings cannot be written");
+        }
+    };
 }
 
 }  // namespace
 
 WindowMemory::WindowMemory(MainWindow& window, std::unique_ptr<QSettings> settings)
-    : window_(window), settings_(std::move(settings)) {
-    if (window_.restoreGeometry(settings_->value(kGeometry).toByteArray()) &&
+    : window_(window), writer_(writerTo(*settings)) {
+    if (window_.restoreGeometry(settings->value(kGeometry).toByteArray()) &&
         !window_.isMaximized() && !window_.isFullScreen()) {
         bringOnScreen(window_);
     }
     QVariantMap kept;
-    for (const QString& key : settings_->allKeys()) {
-        kept.insert(key, settings_->value(key));
+    for (const QString& key : settings->allKeys()) {
+        kept.insert(key, settings->value(key));
     }
     restoreViews(window_, kept);  // first: which of them share the room
     restoreLayout(window_, kept);
-    restoreTheme(*settings_);
-    window_.menus().startWithSession->setChecked(settings_->value(kStart, true).toBool());
-    window_.menus().compactRecordings->setChecked(settings_->value(kCompact, false).toBool());
+    restoreTheme(*settings);
+    window_.menus().startWithSession->setChecked(settings->value(kStart, true).toBool());
+    window_.menus().compactRecordings->setChecked(settings->value(kCompact, false).toBool());
+    kept_ = present();
+    QObject::connect(&due_, &QTimer::timeout, &due_, [this] { keep(); });
+    due_.start(kKeepPeriod);
 }
 
 WindowMemory::~WindowMemory() {
     window_.layout().maximizer().restore();
+    keep();
+}
+
+QVariantMap WindowMemory::present() const {
     QVariantMap kept;
     keepLayout(window_, kept);
     keepViews(window_, kept);
-    for (auto value = kept.cbegin(); value != kept.cend(); ++value) {
-        settings_->setValue(value.key(), value.value());
+    keepTheme(kept);
+    kept.insert(kStart, window_.menus().startWithSession->isChecked());
+    kept.insert(kCompact, window_.menus().compactRecordings->isChecked());
+    kept.insert(kGeometry, window_.saveGeometry());
+    return kept;
+}
+
+void WindowMemory::keep() {
+    QVariantMap now = present();
+    if (now != kept_) {
+        kept_ = now;
+        writer_.write(std::move(now));
     }
-    keepTheme(*settings_);
-    settings_->setValue(kStart, window_.menus().startWithSession->isChecked());
-    settings_->setValue(kCompact, window_.menus().compactRecordings->isChecked());
-    settings_->setValue(kGeometry, window_.saveGeometry());
 }
 
 std::unique_ptr<QSettings> userSettings() {

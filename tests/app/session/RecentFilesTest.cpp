@@ -31,6 +31,15 @@ TEST_F(RecentFilesTest, TheNewestComesFirstAndEachOnce) {
     EXPECT_EQ(changed.count(), 3);
 }
 
+TEST_F(RecentFilesTest, AFolderCanBeLeftOut) {
+    RecentFiles recent;
+    recent.add("/data/session/session_before.toml");
+    recent.add("/scans/a.gwy");
+    recent.leaveOut("/data/session");
+    recent.add("/data/session/session_last.toml");
+    EXPECT_EQ(recent.files(), std::vector<std::filesystem::path>{"/scans/a.gwy"});
+}
+
 TEST_F(RecentFilesTest, TenAreKept) {
     RecentFiles recent;
     for (int i = 0; i < 15; ++i) {

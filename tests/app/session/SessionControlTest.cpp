@@ -9,7 +9,14 @@
 #include "ui/window/WindowMenus.h"
 
 #include <QAction>
+#include <QApplication>
+#include <QDir>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QMessageBox>
 #include <QSignalSpy>
+#include <QStandardPaths>
+#include <QTimer>
 #include <QtTest>
 
 #include <filesystem>
@@ -65,6 +72,20 @@ protected:
         QTest::keyClick(&window, Qt::Key_S, Qt::ControlModifier);
     }
 
+    /// A program before this one showed silicon.
+    void leaveSilicon() {
+        MainWindow first;
+        Session earlier(first);
+        earlier.keepIn(kept());
+        earlier.scenes().open(shippedScene("silicon"));
+        ASSERT_TRUE(keeps(readScene(shippedScene("silicon")).setpoint));
+    }
+    bool showsSilicon() {
+        return session.run() != nullptr &&
+               session.run()->scene().description.sample.material.name.find("silicon") !=
+                   std::string::npos;
+    }
+
     [[nodiscard]] fs::path kept() const { return folder.file("kept"); }
     /// Whether the session that is kept by itself has this setpoint.
     bool keeps(double setpoint) {
@@ -106,10 +127,47 @@ TEST_F(SavedSession, CtrlSWritesToTheFileThatItHas) {
         eventually([this] { return readScene(folder.file("mine.toml")).setpoint == 4e-9; }));
 }
 
-TEST_F(SavedSession, IsKeptByItselfAndTheOneBeforeStays) {
+TEST_F(SavedSession, CtrlSAfterUndoneOpenWritesToTheFileOfTheSceneThatIsBack) {
     openShipped();
-    session.saving().keepIn(kept());
-    EXPECT_TRUE(session.saving().before().empty());
+    session.saving().saveAs(folder.file("first.toml"));
+    session.saving().saveAs(folder.file("second.toml"));
+    const std::string second = contentOf(folder.file("second.toml"));
+    open(folder.file("first.toml"));
+    SceneDescription next = *session.edits().wanted();
+    next.setpoint = 5e-9;
+    session.edits().change("Setpoint", next);
+    open(folder.file("second.toml"));
+    ASSERT_TRUE(eventually([this] { return window.menus().undo->isEnabled(); }));
+    QTest::keyClick(&window, Qt::Key_Z, Qt::ControlModifier);
+    ASSERT_TRUE(eventually([this] { return session.run()->scene().description.setpoint == 5e-9; }));
+    ASSERT_NO_FATAL_FAILURE(pressSave());
+    EXPECT_TRUE(
+        eventually([this] { return readScene(folder.file("first.toml")).setpoint == 5e-9; }));
+    EXPECT_EQ(contentOf(folder.file("second.toml")), second);
+}
+
+TEST_F(SavedSession, CtrlSAsksForANameOnceASceneWithoutOneIsBack) {
+    openShipped();
+    session.saving().saveAs(folder.file("mine.toml"));
+    const std::string mine = contentOf(folder.file("mine.toml"));
+    open(shippedScene("silicon"));
+    open(folder.file("mine.toml"));
+    ASSERT_TRUE(eventually([this] { return window.menus().undo->isEnabled(); }));
+    QTest::keyClick(&window, Qt::Key_Z, Qt::ControlModifier);
+    ASSERT_TRUE(changeEnds());
+    QSignalSpy asked(window.menus().saveSessionAs, &QAction::triggered);
+    QTimer::singleShot(0, [] {  // the question for a name holds this thread
+        ASSERT_TRUE(eventually([] { return QApplication::activeModalWidget() != nullptr; }));
+        QApplication::activeModalWidget()->close();
+    });
+    ASSERT_NO_FATAL_FAILURE(pressSave());
+    EXPECT_EQ(asked.count(), 1);
+    EXPECT_EQ(contentOf(folder.file("mine.toml")), mine);
+}
+
+TEST_F(SavedSession, IsKeptByItself) {
+    openShipped();
+    session.keepIn(kept());
     EXPECT_FALSE(window.menus().restoreSession->isEnabled());
     change();
     ASSERT_TRUE(keeps(3e-9));
@@ -117,31 +175,80 @@ TEST_F(SavedSession, IsKeptByItselfAndTheOneBeforeStays) {
     {
         MainWindow next;
         Session another(next);
-        another.saving().keepIn(kept());
-        EXPECT_TRUE(another.saving().before().empty()) << "the first one keeps the folder";
+        another.keepIn(kept());
+        EXPECT_EQ(another.saving().folder(), nullptr) << "the first one keeps the folder";
     }
 }
 
 TEST_F(SavedSession, TheOneBeforeIsOffered) {
+    leaveSilicon();
     openShipped();
+    session.keepIn(kept());
+    const fs::path offered = session.saving().folder()->before();
+    const std::string before = contentOf(offered);
+    ASSERT_TRUE(window.menus().restoreSession->isEnabled());
+    window.menus().restoreSession->trigger();
+    ASSERT_TRUE(eventually([this] { return showsSilicon(); }));
+    EXPECT_TRUE(keeps(session.run()->scene().description.setpoint));
+    EXPECT_EQ(contentOf(offered), before);
+    EXPECT_TRUE(session.files().recent().files().empty() ||
+                session.files().recent().files().front() != offered)
+        << "it is no file of the user's";
+}
+
+TEST_F(SavedSession, ItsFileIsKnownAfterAnotherStart) {
     {
         MainWindow first;
         Session earlier(first);
-        earlier.saving().keepIn(kept());
+        earlier.keepIn(kept());
         earlier.scenes().open(shippedScene("silicon"));
-        ASSERT_TRUE(keeps(readScene(shippedScene("silicon")).setpoint));
+        ASSERT_TRUE(eventually([&] { return earlier.run() != nullptr; }));
+        earlier.saving().saveAs(folder.file("mine.toml"));
     }
-    session.saving().keepIn(kept());
-    EXPECT_EQ(session.saving().before(), kept() / "session_before.toml");
-    ASSERT_TRUE(window.menus().restoreSession->isEnabled());
-    const std::string before = contentOf(session.saving().before());
-    window.menus().restoreSession->trigger();
-    ASSERT_TRUE(eventually([this] {
-        return session.run()->scene().description.sample.material.name.find("silicon") !=
-               std::string::npos;
-    }));
-    EXPECT_TRUE(keeps(session.run()->scene().description.setpoint));
-    EXPECT_EQ(contentOf(session.saving().before()), before);
+    session.keepIn(kept());
+    session.saving().openLast();
+    ASSERT_TRUE(eventually([this] { return session.run() != nullptr; }));
+    SceneDescription next = *session.edits().wanted();
+    next.setpoint = 6e-9;
+    session.edits().change("Setpoint", next);
+    ASSERT_NO_FATAL_FAILURE(pressSave());
+    EXPECT_TRUE(
+        eventually([this] { return readScene(folder.file("mine.toml")).setpoint == 6e-9; }));
+}
+
+TEST_F(SavedSession, TheLastOneThatCannotBeOpenedStaysAndTheWindowSaysWhere) {
+    fs::create_directories(kept());
+    (void)folder.write("kept/session.toml", "[sample]\nfile = \"/media/away/scan.gsf\"\n");
+    session.keepIn(kept());
+    session.saving().openLast();
+    ASSERT_TRUE(eventually([this] { return window.findChild<QMessageBox*>() != nullptr; }));
+    const std::string words = window.findChild<QMessageBox*>()->text().toStdString();
+    const fs::path aside = kept() / "session_unopened.toml";
+    for (const std::string& part : {std::string("could not be opened"), aside.string(),
+                                    std::string("scan.gsf"), std::string("Restore the session")}) {
+        EXPECT_NE(words.find(part), std::string::npos) << part << " is not in: " << words;
+    }
+    openShipped();
+    EXPECT_TRUE(keeps(readScene(shippedScene("polystyrene")).setpoint));
+    EXPECT_NE(contentOf(aside).find("/media/away/scan.gsf"), std::string::npos);
+    EXPECT_EQ(session.saving().folder()->before(), aside);
+}
+
+TEST_F(SavedSession, ANameIsSuggestedAmongTheDocumentsOrWhereTheLastOneWasSaved) {
+    openShipped();
+    QString suggested;
+    QTimer::singleShot(0, [&suggested] {  // the question for a name holds this thread
+        ASSERT_TRUE(eventually([] { return QApplication::activeModalWidget() != nullptr; }));
+        auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
+        ASSERT_NE(dialog, nullptr);
+        EXPECT_EQ(dialog->windowTitle(), QStringLiteral("Save the session"));
+        suggested = dialog->selectedFiles().value(0);
+        dialog->close();
+    });
+    ASSERT_NO_FATAL_FAILURE(pressSave());
+    const QString documents = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
+    EXPECT_EQ(QFileInfo(suggested).fileName(), QStringLiteral("polystyrene.toml"));
+    EXPECT_EQ(QDir(documents).exists() ? QFileInfo(suggested).path() : documents, documents);
 }
 
 TEST(WindowSection, ComesBackAsItWas) {
@@ -165,29 +272,6 @@ TEST(WindowSection, ComesBackAsItWas) {
     EXPECT_EQ(back["names"].toStringList(), kept["names"].toStringList());
     EXPECT_TRUE(windowSectionOf(scratch.write("b.toml", "[window\n")).isEmpty());
     EXPECT_TRUE(windowSectionOf(scratch.file("none.toml")).isEmpty());
-}
-
-TEST(LatestFile, HoldsTheLastText) {
-    const ScratchFolder scratch;
-    {
-        LatestFile file(scratch.file("a"));
-        for (int i = 0; i <= 200; ++i) {
-            file.write(std::to_string(i));
-        }
-    }
-    EXPECT_EQ(contentOf(scratch.file("a")), "200");
-}
-
-TEST(LatestFile, SaysWhyItCannotBeWritten) {
-    const ScratchFolder scratch;
-    LatestFile file(scratch.file("none") / "a");
-    file.write("x");
-    std::string failure;
-    ASSERT_TRUE(QTest::qWaitFor([&] {
-        failure = file.takeFailure();
-        return !failure.empty();
-    }));
-    EXPECT_NE(failure.find("none"), std::string::npos);
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
 #include "app/program/LoadedScene.h"
+#include "app/session/LongWork.h"
 #include "tests/app/window/WindowFixture.h"
 #include "ui/panels/LoadingBar.h"
 #include "ui/window/WindowMenus.h"
@@ -10,7 +11,9 @@
 #include <QtTest>
 
 #include <algorithm>
+#include <chrono>
 #include <string>
+#include <thread>
 #include <vector>
 
 namespace asperity::test {
@@ -101,6 +104,27 @@ TEST_F(WindowThatLoads, CancelLeavesTheSceneAsItWas) {
     EXPECT_TRUE(session.run()->settings().forcesOn);
     EXPECT_TRUE(session.run()->loop().running());
     expectTheNextToBeTheFirstShown();
+}
+
+TEST_F(WindowThatLoads, CancelEndsWhatTheLineNamesAndTheLineGoesBackToTheOther) {
+    LongWork<int> film(loadingLine(window),
+                       {.finished = [](int) {}, .failed = [](const std::exception_ptr&) {}});
+    film.start(QStringLiteral("Writing film …"), [](Progress& progress) -> int {
+        for (;;) {  // until it is canceled
+            reportTo(&progress, 0.5);
+            std::this_thread::sleep_for(std::chrono::milliseconds(2));
+        }
+    });
+    ASSERT_TRUE(eventually([this] { return isLoading(); }));
+    session.scenes().open(large_);
+    ASSERT_TRUE(eventually([this] { return text("loadingWords").starts_with("Loading"); }));
+    QTest::mouseClick(child<QPushButton>("cancelLoading"), Qt::LeftButton);
+    EXPECT_TRUE(isLoading());
+    EXPECT_EQ(text("loadingWords"), "Writing film …");
+    EXPECT_TRUE(film.isAwaited());
+    QTest::keyClick(&window, Qt::Key_Escape);
+    EXPECT_FALSE(film.isAwaited());
+    EXPECT_FALSE(isLoading());
 }
 
 TEST_F(WindowThatLoads, TheMenuCancels) {

@@ -1,13 +1,18 @@
+#include "app/recording/Bundle.h"
 #include "app/recording/ComparedRun.h"
 #include "app/recording/RunComparison.h"
 #include "app/runs/RunFolder.h"
+#include "core/io/scene/SceneFile.h"
 #include "core/io/tables/CsvTable.h"
 #include "tests/app/ProgramRun.h"
 #include "tests/app/window/WindowFixture.h"
 #include "tests/support/ShippedScene.h"
 #include "ui/measure/ReadingGrid.h"
+#include "ui/panels/OverviewPanel.h"
 #include "ui/window/ExportDialog.h"
+#include "ui/window/WindowMenus.h"
 
+#include <QAction>
 #include <QComboBox>
 #include <QLineEdit>
 #include <QMessageBox>
@@ -44,6 +49,19 @@ protected:
 
     void look() {
         session.playback().look(of("polystyrene") / run_files::kLog);
+        ASSERT_TRUE(eventually([this] { return session.playback().tick() == 0U; }, 60000));
+    }
+    /// A session is kept whose scene is another than that of the recording.
+    void keepSilicon() {
+        session.keepIn(folder.file("kept"));
+        session.scenes().open(shippedScene("silicon"));
+        ASSERT_TRUE(eventually(
+            [this] { return std::filesystem::exists(folder.file("kept/session.toml")); }, 60000));
+    }
+    [[nodiscard]] SceneDescription kept() { return readScene(folder.file("kept/session.toml")); }
+    void lookAtBundle() {
+        writeBundle(of("polystyrene"), {}, folder.file("run.zip"));
+        session.playback().look(folder.file("run.zip"));
         ASSERT_TRUE(eventually([this] { return session.playback().tick() == 0U; }, 60000));
     }
     void click(const char* button) {
@@ -153,6 +171,49 @@ TEST_F(Playback, TheLiveTipComesBack) {
         << window.windowTitle().toStdString();
     EXPECT_FALSE(child<QToolButton>("compareRuns")->isEnabled());
     EXPECT_EQ(&session.runs().shown(), &session.run()->loop().snapshot());
+}
+
+TEST_F(Playback, TheLiveTipCannotBeMovedMeanwhile) {
+    look();
+    const auto canMove = [this] {
+        return child<QPushButton>("engage")->isEnabled() &&
+               child<QPushButton>("withdraw")->isEnabled() && child<QWidget>("path")->isEnabled() &&
+               window.menus().followPathFile->isEnabled();
+    };
+    live(100);
+    for (const char* const button : {"engage", "withdraw"}) {
+        EXPECT_FALSE(child<QPushButton>(button)->isEnabled());
+        EXPECT_TRUE(child<QPushButton>(button)->toolTip().contains("back to the live tip"));
+    }
+    EXPECT_FALSE(child<QWidget>("path")->isEnabled());
+    EXPECT_FALSE(window.menus().followPathFile->isEnabled());
+    EXPECT_EQ(text("hint").find("move the tip"), std::string::npos) << text("hint");
+    Q_EMIT window.overview().placeChosen(50e-9, 50e-9);
+    EXPECT_NE(told().find("back to the live tip"), std::string::npos) << told();
+    click("backToLive");
+    EXPECT_TRUE(eventually(canMove));
+    EXPECT_NE(text("hint").find("move the tip"), std::string::npos) << text("hint");
+}
+
+TEST_F(Playback, TheSessionThatIsKeptIsTheOneBeforeTheLook) {
+    keepSilicon();
+    lookAtBundle();
+    live(600);
+    EXPECT_EQ(kept().sample.material.name, readScene(shippedScene("silicon")).sample.material.name);
+    session.runs().end();  // as at the end of the program
+    live(600);
+    EXPECT_EQ(kept().sample.material.name, readScene(shippedScene("silicon")).sample.material.name);
+}
+
+TEST_F(Playback, BackAtTheLiveTipASessionIsKeptWhoseFilesStay) {
+    keepSilicon();
+    lookAtBundle();
+    click("backToLive");
+    const std::string material = session.run()->scene().description.sample.material.name;
+    ASSERT_TRUE(eventually([&] { return kept().sample.material.name == material; }));
+    const std::string scan = kept().sample.file;
+    EXPECT_TRUE(std::filesystem::exists(scan)) << scan;
+    EXPECT_NE(scan.find("/bundles/"), std::string::npos) << scan;
 }
 
 TEST_F(Playback, StartingTheRunLeavesTheRecording) {

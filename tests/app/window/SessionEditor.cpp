@@ -25,7 +25,7 @@ int main(int /*argc*/, char** argv) {
     const int log = open(argv[3], O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0644);
     asperity::LiveWindow live;
     asperity::Session& session = live.session();
-    session.saving().keepIn(argv[1]);
+    session.keepIn(argv[1]);
     session.scenes().open(argv[2]);
     QTimer edits;
     int count = 0;

@@ -40,11 +40,13 @@ TEST_F(EngageBarTest, ButtonsSayWhatWasChosen) {
 }
 
 TEST_F(EngageBarTest, SaysWhyItCannotEngage) {
-    bar.setRefusal(QStringLiteral("why not"));
+    bar.setRefusals(QStringLiteral("why not"), {});
     EXPECT_FALSE(button("engage").isEnabled());
     EXPECT_EQ(button("engage").toolTip(), "why not");
     EXPECT_TRUE(button("withdraw").isEnabled());
-    bar.setRefusal({});
+    bar.setRefusals({}, QStringLiteral("nor this"));
+    EXPECT_FALSE(button("withdraw").isEnabled());
+    EXPECT_EQ(button("withdraw").toolTip(), "nor this");
     EXPECT_TRUE(button("engage").isEnabled());
     EXPECT_NE(button("engage").toolTip(), "why not");
 }

@@ -1,6 +1,7 @@
 #include "ui/window/WindowMemory.h"
 
 #include "tests/support/ScratchFolder.h"
+#include "ui/Theme.h"
 #include "ui/panels/Card.h"
 #include "ui/view/ZoomView.h"
 #include "ui/window/CardColumn.h"
@@ -8,7 +9,9 @@
 #include "ui/window/Maximizer.h"
 #include "ui/window/PageTabs.h"
 #include "ui/window/WindowLayout.h"
+#include "ui/window/WindowMenus.h"
 
+#include <QAction>
 #include <QLabel>
 #include <QScreen>
 #include <QSplitter>
@@ -119,6 +122,32 @@ TEST_F(WindowMemoryTest, SplittersOfALargerScreenLeaveEveryPanelItsRoom) {
     EXPECT_GT(sizes.at(0), 200);
     EXPECT_GE(sizes.at(1), 372);
     EXPECT_EQ(window.width(), 1012);
+}
+
+TEST_F(WindowMemoryTest, WritesAChoiceWhileTheProgramGoesOn) {
+    MainWindow window;
+    const WindowMemory memory(window, settings());
+    window.show();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(&window));
+    const ThemeChoice before = theme::choice();
+    theme::choose(ThemeChoice::Dark);
+    window.menus().startWithSession->setChecked(false);
+    window.menus().compactRecordings->setChecked(true);
+    window.setGeometry(130, 95, 1150, 720);
+    const auto isWritten = [this](const char* line) {
+        return QTest::qWaitFor(
+            [&] {
+                const std::filesystem::path file = folder.file("a.ini");
+                return std::filesystem::exists(file) &&
+                       contentOf(file).find(line) != std::string::npos;
+            },
+            20000);
+    };
+    EXPECT_TRUE(isWritten("theme=dark"));
+    EXPECT_TRUE(isWritten("startWithLast=false"));
+    EXPECT_TRUE(isWritten("compact=true"));
+    EXPECT_TRUE(isWritten("geometry="));
+    theme::choose(before);
 }
 
 TEST_F(WindowMemoryTest, BringsAWindowBackToAScreenThatHasBecomeSmaller) {
