@@ -169,11 +169,12 @@ std::filesystem::path ExportControl::file() const {
     if (choices.name.trimmed().isEmpty() || choices.folder.trimmed().isEmpty()) {
         throw Error("Give the file a name and a folder.");
     }
-    const std::string source = choices.subject == ExportSubject::Film
-                                   ? runName(bytesOf(choices.film.recording))
-                                   : moment_->name;
+    const std::string source =
+        choices.subject == ExportSubject::Film
+            ? std::filesystem::path(runName(bytesOf(choices.film.recording))).stem().string()
+            : moment_->name;
     return namedPath(bytesOf(choices.folder), bytesOf(choices.name) + extension,
-                     {std::filesystem::path(source).stem().string(), keyOf(choices.subject)});
+                     {source, keyOf(choices.subject)});
 }
 
 void ExportControl::showFile() {

@@ -57,6 +57,10 @@ Chart cycleChart(const CyclePanel& panel) {
     return chart;
 }
 
+std::string nameOf(const SampleDescription& sample) {
+    return sample.shape ? sampleName(sample) : std::filesystem::path(sample.file).stem().string();
+}
+
 }  // namespace
 
 ExportMoment presentMoment(MainWindow& window, RunControl& runs) {
@@ -65,7 +69,7 @@ ExportMoment presentMoment(MainWindow& window, RunControl& runs) {
     const LiveRun& run = *runs.run();
     const TickSample& sample = runs.shown().sample;
     return {.loaded = run.shared(),
-            .name = sampleName(run.scene().description.sample),
+            .name = nameOf(run.scene().description.sample),
             .sample = sample,
             .patch = zoomGrid(run.scene(), sample),
             .view = *window.view().shown(),

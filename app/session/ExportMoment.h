@@ -19,7 +19,7 @@ class MainWindow;
 /// holds the scene: the run may end meanwhile.
 struct ExportMoment {
     std::shared_ptr<const LoadedScene> loaded;  ///< whose description may change meanwhile
-    std::string name;                           ///< of the sample, as it was
+    std::string name;                           ///< of the scan's file, or of the shape
     TickSample sample;                          ///< that it showed
     PatchGrid patch;                            ///< of the surface around the tip
     ShownView view;                             ///< of the large view

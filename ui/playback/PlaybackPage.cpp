@@ -15,10 +15,9 @@ constexpr double kLeastForce = 0.2e-9;       ///< extent of a force axis [N]
 constexpr double kLeastDifference = 10e-12;  ///< of that of a difference [N]
 constexpr int kPlotHeight = 92;              ///< least [px]
 constexpr int kMarkWidth = 40;               ///< beside a name, as theme::scaled() takes it
-constexpr int kShownDifferences = 4;         ///< the others are in the tool tip
 
 RunPlotSetup forceSetup() {
-    return {.title = PlaybackPage::tr("Normal force over time"),
+    return {.title = PlaybackPage::tr("Force over time"),
             .xName = PlaybackPage::tr("time"),
             .xUnit = QStringLiteral("s"),
             .yUnit = QStringLiteral("N"),
@@ -38,15 +37,15 @@ RunPlotSetup differenceSetup() {
 }
 
 RunPlotSetup distanceSetup() {
-    return {.title = PlaybackPage::tr("Normal force over indentation"),
+    return {.title = PlaybackPage::tr("Force over indentation"),
             .xName = PlaybackPage::tr("indentation"),
             .xUnit = QStringLiteral("m"),
             .yUnit = QStringLiteral("N"),
             .smallest = kLeastForce,
             .order = RunPlotSetup::Order::Any,
-            .toolTip =
-                PlaybackPage::tr("Left of zero: the gap between tip and surface; right of "
-                                 "it: the indentation; the dot is the moment that is shown")};
+            .toolTip = PlaybackPage::tr("Estimated force along the normal of the surface. Left of "
+                                        "zero: the gap between tip and surface; right of it: the "
+                                        "indentation; the dot is the moment that is shown")};
 }
 
 }  // namespace
@@ -79,7 +78,7 @@ PlaybackPage::PlaybackPage(QWidget* parent)
     names_->setTextFormat(Qt::RichText);
     names_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
     differs_->setObjectName(QStringLiteral("runsDiffer"));
-    differs_->setWordWrap(true);
+    differs_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
     differs_->setTextFormat(Qt::PlainText);
     differs_->setTextInteractionFlags(Qt::TextSelectableByMouse);
     auto* column = new QVBoxLayout(this);
@@ -140,6 +139,7 @@ void PlaybackPage::showMoment(int tick, const Readings& readings, double time, d
 void PlaybackPage::setComparison(const std::optional<Comparison>& comparison) {
     other_ = comparison;
     bar_->setComparing(other_.has_value());
+    readings_->setVisible(!other_);  // the banner and the force panel have them, too
     comparison_->setVisible(other_.has_value());
     difference_->setVisible(other_.has_value());
     names_->setVisible(other_.has_value());
@@ -149,9 +149,9 @@ void PlaybackPage::setComparison(const std::optional<Comparison>& comparison) {
         comparison_->set("differenceRms", other_->rms);
         comparison_->set("differenceLargest", other_->largest);
         comparison_->set("differenceOverlap", other_->overlap);
-        showDifferences(other_->differs);
     }
     showNames();
+    showDifferences();
     showLines();
 }
 
@@ -174,16 +174,19 @@ void PlaybackPage::showNames() {
 void PlaybackPage::resizeEvent(QResizeEvent* event) {
     QWidget::resizeEvent(event);
     showNames();
+    showDifferences();
 }
 
-void PlaybackPage::showDifferences(const QStringList& differs) {
-    const QString between = QStringLiteral("   ·   ");
-    QString text = differs.isEmpty() ? tr("Scan and parameters of both runs are the same")
-                                     : QStringList(differs.mid(0, kShownDifferences)).join(between);
-    if (differs.size() > kShownDifferences) {
-        text += between + tr("%1 more").arg(differs.size() - kShownDifferences);
+/// In one line: the tool tip has them all.
+void PlaybackPage::showDifferences() {
+    if (!other_) {
+        return;
     }
-    differs_->setText(text);
+    const QStringList& differs = other_->differs;
+    const QString text = differs.isEmpty() ? tr("Scan and parameters of both runs are the same")
+                                           : differs.join(QStringLiteral("   ·   "));
+    differs_->setText(differs_->fontMetrics().elidedText(text, Qt::ElideRight,
+                                                         width() - theme::scaled(kMarkWidth)));
     differs_->setToolTip(
         (QStringList(tr("In what the runs differ, first → second:")) << differs).join('\n'));
 }

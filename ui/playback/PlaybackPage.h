@@ -64,7 +64,7 @@ protected:
 
 private:
     void buildReadings();
-    void showDifferences(const QStringList& differs);
+    void showDifferences();
     void showNames();
     void showLines();
 

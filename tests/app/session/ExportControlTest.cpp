@@ -197,6 +197,11 @@ TEST_F(ExportControlTest, AColumnOfAJournalSaysTheWidth) {
     EXPECT_FALSE(child<QSpinBox>("exportWidth")->isEnabled());
     child<QSpinBox>("exportDpi")->setValue(600);
     EXPECT_EQ(child<QSpinBox>("exportWidth")->value(), 2008);
+    columns->setCurrentIndex(columns->findData("double"));
+    child<QSpinBox>("exportDpi")->setValue(2400);  // more than the widest picture has
+    const double inches = child<QSpinBox>("exportWidth")->value() /
+                          static_cast<double>(child<QSpinBox>("exportDpi")->value());
+    EXPECT_NEAR(inches, 174.0 / 25.4, 0.01) << "fewer dots, not a narrower picture";
 }
 
 TEST_F(ExportControlTest, CopyPutsThePictureOnTheClipboard) {
