@@ -73,6 +73,14 @@ QString standardFolder() {
     return (pictures.isEmpty() ? QStringLiteral(".") : pictures) + QStringLiteral("/Asperity");
 }
 
+/// @throw Error where a film of this cannot be made
+void requireFilm(const FilmChoices& choices) {
+    (void)filmRequest(choices, {});
+    if (!holdsRun(bytesOf(choices.recording))) {
+        throw Error("Choose the recording: the folder of a run, or a bundle.");
+    }
+}
+
 /// A picture that takes longer than a frame says so.
 class WaitCursor {
 public:
@@ -180,14 +188,10 @@ std::filesystem::path ExportControl::file() const {
 void ExportControl::showFile() {
     nameFailure_.clear();
     try {
-        const ExportChoices& choices = dialog_->choices();
-        dialog_->showFile(textOf(file()));
-        if (choices.subject == ExportSubject::Film) {
-            (void)filmRequest(choices.film, {});
-            if (!holdsRun(bytesOf(choices.film.recording))) {
-                nameFailure_ = tr("Choose the recording: the folder of a run, or a bundle.");
-            }
+        if (dialog_->choices().subject == ExportSubject::Film) {
+            requireFilm(dialog_->choices().film);
         }
+        dialog_->showFile(textOf(file()));
     } catch (const std::exception& error) {
         dialog_->showFile({});
         nameFailure_ = QString::fromStdString(printable(error.what()));

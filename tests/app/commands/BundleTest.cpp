@@ -172,7 +172,7 @@ TEST_F(Bundle, SaysWhichFileIsDamaged) {
     const auto outside = run(
         "replay " +
         altered("bundle.json", R"({"format": "asperity bundle", "format_version": 1, "files": [)"
-                               R"({"name": "scan/../../x", "sha256": ""}]})") +
+                               R"({"name": "scan/../../x", "bytes": 1, "sha256": ""}]})") +
         replay);
     EXPECT_EQ(outside.exitCode, 3);
     EXPECT_THAT(outside.output, HasSubstr("is no file of a run"));
