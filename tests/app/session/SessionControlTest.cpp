@@ -20,11 +20,30 @@
 #include <QtTest>
 
 #include <filesystem>
+#include <functional>
 
 namespace asperity::test {
 namespace {
 
 namespace fs = std::filesystem;
+
+/// Closes the question for a file's name, which holds this thread, while it lives.
+class ClosedQuestion {
+public:
+    /// @param look before it is closed
+    explicit ClosedQuestion(const std::function<void(const QFileDialog&)>& look) {
+        QObject::connect(&timer_, &QTimer::timeout, [look] {
+            if (auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget())) {
+                look(*dialog);
+                dialog->close();
+            }
+        });
+        timer_.start(50);
+    }
+
+private:
+    QTimer timer_;
+};
 
 class SavedSession : public Window {
 protected:
@@ -156,11 +175,10 @@ TEST_F(SavedSession, CtrlSAsksForANameOnceASceneWithoutOneIsBack) {
     QTest::keyClick(&window, Qt::Key_Z, Qt::ControlModifier);
     ASSERT_TRUE(changeEnds());
     QSignalSpy asked(window.menus().saveSessionAs, &QAction::triggered);
-    QTimer::singleShot(0, [] {  // the question for a name holds this thread
-        ASSERT_TRUE(eventually([] { return QApplication::activeModalWidget() != nullptr; }));
-        QApplication::activeModalWidget()->close();
-    });
+    bool wasAsked = false;
+    const ClosedQuestion question([&wasAsked](const QFileDialog&) { wasAsked = true; });
     ASSERT_NO_FATAL_FAILURE(pressSave());
+    EXPECT_TRUE(eventually([&wasAsked] { return wasAsked; }));
     EXPECT_EQ(asked.count(), 1);
     EXPECT_EQ(contentOf(folder.file("mine.toml")), mine);
 }
@@ -237,15 +255,12 @@ TEST_F(SavedSession, TheLastOneThatCannotBeOpenedStaysAndTheWindowSaysWhere) {
 TEST_F(SavedSession, ANameIsSuggestedAmongTheDocumentsOrWhereTheLastOneWasSaved) {
     openShipped();
     QString suggested;
-    QTimer::singleShot(0, [&suggested] {  // the question for a name holds this thread
-        ASSERT_TRUE(eventually([] { return QApplication::activeModalWidget() != nullptr; }));
-        auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
-        ASSERT_NE(dialog, nullptr);
-        EXPECT_EQ(dialog->windowTitle(), QStringLiteral("Save the session"));
-        suggested = dialog->selectedFiles().value(0);
-        dialog->close();
+    const ClosedQuestion question([&suggested](const QFileDialog& dialog) {
+        EXPECT_EQ(dialog.windowTitle(), QStringLiteral("Save the session"));
+        suggested = dialog.selectedFiles().value(0);
     });
     ASSERT_NO_FATAL_FAILURE(pressSave());
+    ASSERT_TRUE(eventually([&suggested] { return !suggested.isEmpty(); }));
     const QString documents = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
     EXPECT_EQ(QFileInfo(suggested).fileName(), QStringLiteral("polystyrene.toml"));
     EXPECT_EQ(QDir(documents).exists() ? QFileInfo(suggested).path() : documents, documents);
