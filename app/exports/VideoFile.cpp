@@ -77,6 +77,7 @@ void requireWanted(const Progress* progress) {
 /// @return the error; 0: none
 int spawn(pid_t& child, std::vector<std::string> arguments, int input, int complaints) {
     std::vector<char*> pointers;
+    pointers.reserve(arguments.size() + 1);
     for (std::string& argument : arguments) {
         pointers.push_back(argument.data());
     }
@@ -111,7 +112,8 @@ VideoFile::VideoFile(const std::filesystem::path& path, PictureSize size, double
 VideoFile::~VideoFile() {
     if (encoder_ > 0) {
         kill(encoder_, SIGKILL);
-        end(nullptr);
+        while (waitpid(encoder_, nullptr, 0) < 0 && errno == EINTR) {
+        }
     }
 }
 

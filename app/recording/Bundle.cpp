@@ -239,7 +239,7 @@ std::filesystem::path keptBundle(const std::filesystem::path& bundle,
     constexpr std::size_t kDigits = 12;  // of the hash
     ProgressPart hashing(progress, 0.0, 0.2);
     const std::string hash = sha256Of(FileBytes(bundle), &hashing);
-    const std::filesystem::path folder =
+    std::filesystem::path folder =
         parent / (bundle.stem().string() + "_" + hash.substr(0, kDigits));
     const std::filesystem::path mark = folder / kDirectory;  // written last: it is whole
     if (!isThere(mark)) {

@@ -22,7 +22,7 @@ void beSilent() { H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr); }
 Hdf5Object access() {
     beSilent();
     Hdf5Object properties(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
-    H5Pset_file_locking(properties.id(), 0, 1);
+    H5Pset_file_locking(properties.id(), false, true);
     return properties;
 }
 
@@ -31,7 +31,7 @@ Hdf5Object created(const std::filesystem::path& path) {
     const Hdf5Object properties = access();
     H5Pset_libver_bounds(properties.id(), H5F_LIBVER_V110, H5F_LIBVER_V110);
     const Hdf5Object creation(H5Pcreate(H5P_FILE_CREATE), H5Pclose);
-    H5Pset_obj_track_times(creation.id(), 0);  // the same run, the same bytes
+    H5Pset_obj_track_times(creation.id(), false);  // the same run, the same bytes
     H5Pset_userblock(creation.id(), kSealBytes);
     return {H5Fcreate(path.c_str(), H5F_ACC_TRUNC, creation.id(), properties.id()), H5Fclose};
 }
@@ -111,7 +111,7 @@ void Hdf5Output::addList(const char* list, std::span<const std::uint32_t> number
     const hsize_t size = numbers.size();
     const Hdf5Object space(H5Screate_simple(1, &size, nullptr), H5Sclose);
     const Hdf5Object properties(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
-    H5Pset_obj_track_times(properties.id(), 0);
+    H5Pset_obj_track_times(properties.id(), false);
     const Hdf5Object made(H5Dcreate2(id(), list, H5T_STD_U32LE, space.id(), H5P_DEFAULT,
                                      properties.id(), H5P_DEFAULT),
                           H5Dclose);

@@ -22,7 +22,7 @@ std::optional<Hdf5Column> columnOf(hid_t dataset) {
     }
     Hdf5Column column;
     const std::size_t size = H5Tget_size(type.id());
-    if (H5Tget_class(type.id()) == H5T_STRING && H5Tis_variable_str(type.id()) == 0 &&
+    if (H5Tget_class(type.id()) == H5T_STRING && H5Tis_variable_str(type.id()) == 0 && size > 0 &&
         size <= kMaxWidth) {
         column.type = Hdf5Column::Type::Text;
         column.width = size;
@@ -85,7 +85,7 @@ Hdf5Rows::Hdf5Rows(const Hdf5Input& file, std::string name)
     if (columns_.empty()) {
         file_.fail(name_, "the table has no column");
     }
-    std::uint64_t bytesOfRow = 0;
+    std::uint64_t bytesOfRow = 1;
     for (const Hdf5Column& column : columns_) {
         bytesOfRow += storedBytes(column);
     }
