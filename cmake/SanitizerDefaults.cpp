@@ -21,6 +21,7 @@ const char* __lsan_default_suppressions() {
            "leak:libX11\n"
            "leak:libxcb\n"
            "leak:libfontconfig\n"
+           "leak:argz_add_sep\n"        // of glibc, where LOCPATH names the locales
            "leak:libhdf5_serial.so\n";  // where a file is damaged
 }
 
