@@ -8,7 +8,6 @@
 #include "app/exports/Film.h"
 #include "app/exports/OutputName.h"
 #include "app/exports/VideoFile.h"
-#include "app/recording/ComparedRun.h"
 #include "app/runs/RunFolder.h"
 #include "core/Error.h"
 #include "core/PrintableText.h"
@@ -48,8 +47,7 @@ FilmRequest requestOf(const FilmOptions& options) {
 }
 
 std::filesystem::path outOf(const FilmOptions& options, const FilmRequest& request) {
-    const std::string run = std::filesystem::path(runName(options.run)).stem().string();
-    return filledPath(options.out, {.file = run, .view = keyOf(request.view)});
+    return filledPath(options.out, {.file = exportName(options.run), .view = keyOf(request.view)});
 }
 
 void requireUsable(const FilmOptions& options, const std::filesystem::path& out) {

@@ -6,7 +6,6 @@
 #include "app/exports/PlotFile.h"
 #include "app/exports/RasterPixels.h"
 #include "app/exports/SurfaceFile.h"
-#include "app/recording/ComparedRun.h"
 #include "app/runs/RunFolder.h"
 #include "app/session/ExportMemory.h"
 #include "app/session/FilmOfRecording.h"
@@ -177,10 +176,9 @@ std::filesystem::path ExportControl::file() const {
     if (choices.name.trimmed().isEmpty() || choices.folder.trimmed().isEmpty()) {
         throw Error("Give the file a name and a folder.");
     }
-    const std::string source =
-        choices.subject == ExportSubject::Film
-            ? std::filesystem::path(runName(bytesOf(choices.film.recording))).stem().string()
-            : moment_->name;
+    const std::string source = choices.subject == ExportSubject::Film
+                                   ? exportName(bytesOf(choices.film.recording))
+                                   : moment_->name;
     return namedPath(bytesOf(choices.folder), bytesOf(choices.name) + extension,
                      {source, keyOf(choices.subject)});
 }

@@ -1,5 +1,6 @@
 #include "app/session/SessionFolder.h"
 
+#include "app/runs/RunFolder.h"
 #include "app/session/WindowSection.h"
 
 #include <QStandardPaths>
@@ -16,11 +17,6 @@ constexpr const char* kSession = "session.toml";
 constexpr const char* kBefore = "session_before.toml";
 constexpr const char* kLast = "session_last.toml";
 const QString kEdited = QStringLiteral("session/edited");
-
-bool isThere(const std::filesystem::path& file) {
-    std::error_code unknown;
-    return std::filesystem::exists(file, unknown);
-}
 
 /// Names for sessions that cannot be opened, from 1.
 std::filesystem::path unopened(const std::filesystem::path& folder, int number) {

@@ -112,6 +112,27 @@ TEST_F(ExportControlTest, ForcesAreATableOfTheLastSeconds) {
     EXPECT_GT(table.number(table.rows() - 1, "time_s"), table.number(0, "time_s"));
 }
 
+TEST_F(ExportControlTest, NoPreviewIsOfAnotherSubject) {
+    ask(ExportSubject::Forces, "png");
+    ASSERT_TRUE(eventually([this] { return !preview().picture().isNull(); }));
+    child<QComboBox>("exportSubject")->setCurrentIndex(static_cast<int>(ExportSubject::Cycle));
+    ASSERT_TRUE(eventually(
+        [this] { return child<QLabel>("exportMessage")->text().startsWith("There is no force"); }));
+    EXPECT_TRUE(preview().picture().isNull());
+}
+
+TEST_F(ExportControlTest, ALargeViewAsksFirstWhileARecordingRuns) {
+    ask(ExportSubject::View, "png");
+    setSize(4096, 2048);
+    window.menus().record->setChecked(true);
+    write();
+    auto* question = exports.dialog()->findChild<QMessageBox*>();
+    ASSERT_NE(question, nullptr);
+    EXPECT_TRUE(question->text().contains("recording"));
+    question->reject();
+    EXPECT_NE(exports.dialog(), nullptr) << "nothing is written";
+}
+
 TEST_F(ExportControlTest, ThereIsNoCycleBeforeTheTipHasMoved) {
     ask(ExportSubject::Cycle, "png");
     EXPECT_TRUE(eventually(
