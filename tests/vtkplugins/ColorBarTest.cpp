@@ -1,0 +1,72 @@
+#include "vtkplugins/pictures/ColorBar.h"
+
+#include "tests/vtkplugins/NeedsDisplay.h"
+#include "vtkplugins/pictures/OffscreenPicture.h"
+
+#include <vtkLookupTable.h>
+#include <vtkNew.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <vector>
+
+namespace asperity {
+namespace {
+
+constexpr int kHeight = 80;
+constexpr int kLabels = 26;  // rows below the colors, from the bottom of the picture
+constexpr int kBetween = 5;  // columns without ink between two labels, more than within one
+constexpr int kWidest = 60;  // of a label
+
+/// Columns of the picture in which a label has ink.
+std::vector<bool> inkOfLabels(int width, double low, double high) {
+    vtkNew<vtkLookupTable> table;
+    table->SetRange(low, high);
+    table->Build();
+    OffscreenPicture picture({.width = width, .height = kHeight});
+    picture.paint([&](Painter& painter) {
+        drawColorBar(painter, {"displacement", "m", low, high, table},
+                     {0.0, 0.0, static_cast<double>(width), kHeight - 30.0});
+    });
+    const RasterImage image = picture.image();
+    std::vector<bool> ink(static_cast<std::size_t>(width), false);
+    for (int row = kHeight - kLabels; row < kHeight; ++row) {
+        for (int column = 0; column < width; ++column) {
+            const std::uint8_t* at = image.row(row) + static_cast<std::ptrdiff_t>(4) * column;
+            ink[static_cast<std::size_t>(column)] =
+                ink[static_cast<std::size_t>(column)] || at[0] < 160;
+        }
+    }
+    return ink;
+}
+
+/// The widest stretch of ink without a gap between labels.
+int widestOf(const std::vector<bool>& ink) {
+    int widest = 0;
+    int begin = -1;
+    int last = -1;
+    for (int column = 0; column < static_cast<int>(ink.size()); ++column) {
+        if (!ink[static_cast<std::size_t>(column)]) {
+            continue;
+        }
+        begin = begin < 0 || column - last > kBetween ? column : begin;
+        last = column;
+        widest = std::max(widest, last - begin + 1);
+    }
+    return widest;
+}
+
+TEST(ColorBar, LabelsDoNotRunIntoEachOther) {
+    ASPERITY_NEEDS_DISPLAY();
+    for (const int width : {300, 340, 400, 480, 640, 1000}) {
+        for (const double high : {1e-9, 0.4e-9, 50e-12}) {
+            const int widest = widestOf(inkOfLabels(width, -high, high));
+            EXPECT_GT(widest, 5) << width << " has no label";
+            EXPECT_LT(widest, kWidest) << width << " pixels, to " << high << " m";
+        }
+    }
+}
+
+}  // namespace
+}  // namespace asperity
