@@ -54,7 +54,9 @@ TEST_F(SteadyLayout, ARunWithAllItsNumbersAndCurvesLaysNoPanelOutInEachFrame) {
     ASSERT_TRUE(eventually([this] { return far(); })) << state();
     EXPECT_GT(count.frames, 20);
     EXPECT_EQ(count.resizes, 0);
-    EXPECT_LT(count.layouts, count.frames / 4) << "of " << count.frames << " frames";
+    // Some texts get wider in such a run, however many frames a slow machine draws of it.
+    constexpr int kMostWiderTexts = 16;
+    EXPECT_LT(count.layouts, kMostWiderTexts) << "of " << count.frames << " frames";
 }
 
 }  // namespace
