@@ -84,9 +84,9 @@ void film(const FilmOptions& options) {
         ProgressPart drawing(&line, 0.1, 1.0);
         const std::unique_ptr<FilmArtist> artist =
             filmArtist(input.scene(), spatialLook(request.view, request.spec));
-        isVideo(out)
-            ? writeVideo(*input.run(), *artist, request, ticks, out, &drawing)
-            : writeFrames(*input.run(), *artist, request, ticks, out, options.force, &drawing);
+        const FilmWork film{*input.run(), *artist, ticks};
+        isVideo(out) ? writeVideo(film, request, out, &drawing)
+                     : writeFrames(film, request, out, options.force, &drawing);
     }
     std::cout << ticks.size() << " frames in " << printable(out.string()) << '\n';
 }

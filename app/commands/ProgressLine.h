@@ -17,6 +17,8 @@ public:
     /// @param work a word for people: "loading" @param pause between lines of a log
     explicit ProgressLine(std::string work, std::chrono::seconds pause = std::chrono::seconds(10));
     ~ProgressLine() override;
+    ProgressLine(const ProgressLine&) = delete;
+    ProgressLine& operator=(const ProgressLine&) = delete;
 
     void report(double fraction) override;
     [[nodiscard]] bool isCanceled() const override { return CancelOnSignal::hasArrived(); }

@@ -45,9 +45,9 @@ private:
 };
 
 /// Draws all frames. First all are foreseen, undrawn.
-void drawFrames(RunPlayback& run, FilmArtist& artist, const std::vector<std::size_t>& ticks,
-                const FrameSink& sink, Progress* progress) {
+void drawFrames(const FilmWork& film, const FrameSink& sink, Progress* progress) {
     constexpr double kForeseen = 0.15;  // of the work
+    const auto& [run, artist, ticks] = film;
     MomentCaption caption;
     const double count = static_cast<double>(ticks.size());
     for (std::size_t i = 0; i < ticks.size(); ++i) {
@@ -128,10 +128,9 @@ std::vector<std::size_t> filmTicks(RunPlayback& run, const FilmRequest& request,
     return ticks;
 }
 
-void writeFrames(RunPlayback& run, FilmArtist& artist, const FilmRequest& request,
-                 const std::vector<std::size_t>& ticks, const std::filesystem::path& folder,
-                 bool force, Progress* progress) {
-    const FolderContent content = filmFiles(folder, ticks.size());
+void writeFrames(const FilmWork& film, const FilmRequest& request,
+                 const std::filesystem::path& folder, bool force, Progress* progress) {
+    const FolderContent content = filmFiles(folder, film.ticks.size());
     requireFree(folder, content, force);
     constexpr bool kMayReplace = true;  // what there is was asked for above
     OutputFolder out(folder, content, kMayReplace);
@@ -141,7 +140,7 @@ void writeFrames(RunPlayback& run, FilmArtist& artist, const FilmRequest& reques
                          "normal force on the tip, estimated; indentation < 0: a gap"},
                         {"frame", "time_s", "normal_force_n", "indentation_m", "state"});
         drawFrames(
-            run, artist, ticks,
+            film,
             [&](std::size_t frame, const TickSample& sample, const RasterImage& image) {
                 writePicture(staging / frameName(frame), image, ExportFormat::Png,
                              request.spec.dpi);
@@ -159,15 +158,14 @@ void writeFrames(RunPlayback& run, FilmArtist& artist, const FilmRequest& reques
     out.commit();
 }
 
-void writeVideo(RunPlayback& run, FilmArtist& artist, const FilmRequest& request,
-                const std::vector<std::size_t>& ticks, const std::filesystem::path& path,
+void writeVideo(const FilmWork& film, const FilmRequest& request, const std::filesystem::path& path,
                 Progress* progress) {
     if (request.spec.transparent) {
         throw Error(path.string() + ": a video has no transparency; give a folder for pictures");
     }
     VideoFile video(path, request.spec.size, request.fps);
     drawFrames(
-        run, artist, ticks,
+        film,
         [&](std::size_t, const TickSample&, const RasterImage& image) {
             video.add(image, progress);
         },

@@ -46,6 +46,13 @@ public:
 [[nodiscard]] std::vector<std::size_t> filmTicks(RunPlayback& run, const FilmRequest& request,
                                                  Progress* progress = nullptr);
 
+/// What a film shows, and who draws it.
+struct FilmWork {
+    RunPlayback& run;
+    FilmArtist& artist;
+    const std::vector<std::size_t>& ticks;  ///< of the frames
+};
+
 /// "frame_00001.png": of the first one, from 1.
 [[nodiscard]] std::string frameName(std::size_t frame);
 
@@ -53,14 +60,12 @@ public:
 /// go. All or nothing.
 /// @param force earlier frames may go
 /// @throw Error; Canceled
-void writeFrames(RunPlayback& run, FilmArtist& artist, const FilmRequest& request,
-                 const std::vector<std::size_t>& ticks, const std::filesystem::path& folder,
-                 bool force, Progress* progress = nullptr);
+void writeFrames(const FilmWork& film, const FilmRequest& request,
+                 const std::filesystem::path& folder, bool force, Progress* progress = nullptr);
 
 /// Draws the frames into a video, .mp4 or .webm. Whole or not at all.
 /// @throw Error, also where there is no ffmpeg; Canceled
-void writeVideo(RunPlayback& run, FilmArtist& artist, const FilmRequest& request,
-                const std::vector<std::size_t>& ticks, const std::filesystem::path& path,
+void writeVideo(const FilmWork& film, const FilmRequest& request, const std::filesystem::path& path,
                 Progress* progress = nullptr);
 
 }  // namespace asperity

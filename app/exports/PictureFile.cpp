@@ -78,7 +78,8 @@ void writePng(const std::filesystem::path& path, const RasterImage& image, doubl
     const auto perMeter = static_cast<png_uint_32>(std::lround(dpi / 0.0254));
     png_set_pHYs(writer.png, writer.info, perMeter, perMeter, PNG_RESOLUTION_METER);
     png_write_info(writer.png, writer.info);
-    const std::size_t rowBytes = static_cast<std::size_t>(image.width * pixels.channels);
+    const auto rowBytes =
+        static_cast<std::size_t>(image.width) * static_cast<std::size_t>(pixels.channels);
     for (int row = 0; row < image.height; ++row) {
         png_write_row(writer.png, pixels.bytes.data() + static_cast<std::size_t>(row) * rowBytes);
     }
@@ -114,7 +115,8 @@ void writeTiff(const std::filesystem::path& path, const RasterImage& image, doub
     }
     PackedPixels pixels = packed(image);
     setTags(tiff.get(), image, pixels.channels, dpi);
-    const std::size_t rowBytes = static_cast<std::size_t>(image.width * pixels.channels);
+    const auto rowBytes =
+        static_cast<std::size_t>(image.width) * static_cast<std::size_t>(pixels.channels);
     bool isWritten = true;
     for (int row = 0; row < image.height && isWritten; ++row) {
         isWritten = TIFFWriteScanline(

@@ -195,24 +195,24 @@ private:
         return chart_.curves[curve].color.value_or(seriesColor(kLightPalette, curve));
     }
 
-    void text(const PlotPage::Point& at, const std::string& text, double size, Align align,
-              bool bold = false, bool upright = false) {
-        page_.texts.push_back({.at = at,
-                               .text = text,
-                               .size = scale_ * size,
-                               .color = kLightPalette.ink,
-                               .bold = bold,
-                               .align = align,
-                               .upright = upright});
+    PlotPage::Text& text(const PlotPage::Point& at, const std::string& text, double size,
+                         Align align) {
+        return page_.texts.emplace_back(PlotPage::Text{.at = at,
+                                                       .text = text,
+                                                       .size = scale_ * size,
+                                                       .color = kLightPalette.ink,
+                                                       .align = align});
     }
 
     void drawTitle() {
         text({plot_.left, area_.top + scale_ * (kEdge + 0.5 * kTitle)}, chart_.title, titleSize_,
-             Align::Left, true);
+             Align::Left)
+            .bold = true;
     }
 
     /// Passes each entry's place, from the left, row by row. @return height of the rows
     template <class Put>
+    // NOLINTNEXTLINE(modernize-use-nodiscard): it is called for either
     double layLegend(const Put& put) const {
         const double row = scale_ * kLine * kLegend;
         const double room = area_.width - scale_ * 6.0 * kEdge;
@@ -278,7 +278,8 @@ private:
               bottom + scale_ * (kTickLength + kLine * kTick + 0.6 * kName)},
              x_.title(), nameSize(x_.title(), plot_.width), Align::Center);
         text({area_.left + scale_ * (0.5 * kEdge + 0.5 * kName), plot_.top + 0.5 * plot_.height},
-             y_.title(), nameSize(y_.title(), plot_.height), Align::Center, false, true);
+             y_.title(), nameSize(y_.title(), plot_.height), Align::Center)
+            .upright = true;
     }
 
     PlotPage& page_;
@@ -345,8 +346,10 @@ PlotPage plotPage(std::span<const Chart> charts, const PictureSpec& spec) {
                                             estimatedWidth(chart.title, scale * kTitle));
     }
     for (std::size_t i = 0; i < charts.size(); ++i) {
-        const Area area{static_cast<double>(i % grid.columns) * width,
-                        static_cast<double>(i / grid.columns) * height, width, height};
+        const std::size_t row = i / grid.columns;
+        const std::size_t column = i % grid.columns;
+        const Area area{static_cast<double>(column) * width, static_cast<double>(row) * height,
+                        width, height};
         ChartLayout(page, charts[i], area, scale, titleSize, spec.parts).draw();
     }
     return page;

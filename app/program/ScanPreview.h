@@ -59,6 +59,8 @@ class ScanPreviewer {
 public:
     ScanPreviewer();
     ~ScanPreviewer();
+    ScanPreviewer(const ScanPreviewer&) = delete;
+    ScanPreviewer& operator=(const ScanPreviewer&) = delete;
 
     /// @param input a height map or a scene
     /// @throw InputError where the file or its scene cannot be read; Canceled

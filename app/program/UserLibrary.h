@@ -27,7 +27,9 @@ public:
     [[nodiscard]] std::filesystem::path replacedBy(const std::string& name) const;
     /// Writes a file of the user's own; one of the same name is replaced. Complete or not at all.
     /// @param name for people; the file's comes from it
+    /// @return the file
     /// @throw Error where that is no name, or one that comes with the program has it
+    // NOLINTNEXTLINE(modernize-use-nodiscard): it is called for what it writes
     std::filesystem::path save(const std::string& name, const std::string& text) const;
     /// @throw Error where it comes with the program, or cannot be removed
     void remove(const Entry& entry) const;

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace asperity {
@@ -14,7 +15,7 @@ namespace asperity {
 class RunInputs {
 public:
     /// @param memory what the first tick starts from
-    explicit RunInputs(const TickMemory& memory) : memory_(memory) {}
+    explicit RunInputs(TickMemory memory) : memory_(std::move(memory)) {}
 
     void add(const TickSample& sample);
     /// Only the first ones stay.

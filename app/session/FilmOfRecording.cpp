@@ -58,8 +58,9 @@ void filmRecording(const std::filesystem::path& recording, const FilmRequest& re
         },
         pieces, progress);
     constexpr bool kMayReplace = true;  // what there is was asked for before
-    isVideo(out) ? writeVideo(*input->run(), artist, request, ticks, out, &drawing)
-                 : writeFrames(*input->run(), artist, request, ticks, out, kMayReplace, &drawing);
+    const FilmWork film{*input->run(), artist, ticks};
+    isVideo(out) ? writeVideo(film, request, out, &drawing)
+                 : writeFrames(film, request, out, kMayReplace, &drawing);
 }
 
 }  // namespace asperity

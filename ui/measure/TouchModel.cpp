@@ -17,7 +17,7 @@ struct ColumnTexts {
     int decimals = 0;  ///< 0: three digits
 };
 
-const std::array<ColumnTexts, TouchModel::kColumns> kTexts{{
+const std::array<ColumnTexts, TouchModel::ColumnCount> kTexts{{
     {QT_TRANSLATE_NOOP("asperity::TouchModel", "no."),
      QT_TRANSLATE_NOOP("asperity::TouchModel", "Number of the touch")},
     {QT_TRANSLATE_NOOP("asperity::TouchModel", "time"),
@@ -147,7 +147,7 @@ void TouchModel::append(const Touch& touch) {
 void TouchModel::updateLast(const Touch& touch) {
     touches_.back() = touch;
     const int row = rowCount() - 1;
-    Q_EMIT dataChanged(index(row, 0), index(row, kColumns - 1));
+    Q_EMIT dataChanged(index(row, 0), index(row, ColumnCount - 1));
 }
 
 void TouchModel::clear() {
@@ -161,7 +161,7 @@ int TouchModel::rowCount(const QModelIndex& parent) const {
 }
 
 int TouchModel::columnCount(const QModelIndex& parent) const {
-    return parent.isValid() ? 0 : kColumns;
+    return parent.isValid() ? 0 : ColumnCount;
 }
 
 QVariant TouchModel::data(const QModelIndex& index, int role) const {

@@ -28,7 +28,7 @@ public:
         MaxIndentation,
         Material,
         Scan,
-        kColumns
+        ColumnCount
     };
 
     using QAbstractTableModel::QAbstractTableModel;

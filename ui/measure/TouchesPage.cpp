@@ -113,7 +113,7 @@ QString TouchesPage::rowsAsText() const {
     const QChar tab = QLatin1Char('\t');
     const auto line = [&](const auto& cell) {
         QStringList cells;
-        for (int column = 0; column < TouchModel::kColumns; ++column) {
+        for (int column = 0; column < TouchModel::ColumnCount; ++column) {
             cells << cell(column);
         }
         return cells.join(tab) + QLatin1Char('\n');

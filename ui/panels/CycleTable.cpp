@@ -161,7 +161,7 @@ QSize CycleTable::minimumSizeHint() const {
 
 QRect CycleTable::cell(int line, int column) const {
     const int first = static_cast<int>(kFirstShare * width());
-    const int other = (width() - first) / (kColumns - 1);
+    const int other = (width() - first) / (ColumnCount - 1);
     return column == Material
                ? QRect(0, line * lineHeight(), first, lineHeight())
                : QRect(first + (column - 1) * other, line * lineHeight(), other, lineHeight());
@@ -170,7 +170,7 @@ QRect CycleTable::cell(int line, int column) const {
 void CycleTable::paintEvent(QPaintEvent* /*event*/) {
     QPainter painter(this);
     painter.setPen(theme::colors().muted);
-    for (int column = Material + 1; column < kColumns; ++column) {
+    for (int column = Material + 1; column < ColumnCount; ++column) {
         painter.drawText(cell(0, column), Qt::AlignRight | Qt::AlignVCenter, nameOf(column));
     }
     for (int row = 0; row < rows() && (row + 2) * lineHeight() <= height(); ++row) {
@@ -191,7 +191,7 @@ void CycleTable::paintRow(QPainter& painter, int row) const {
     painter.setPen(row == 0 && !hidden ? theme::colors().ink : theme::colors().muted);
     painter.drawText(first, Qt::AlignLeft | Qt::AlignVCenter,
                      fontMetrics().elidedText(text(row, Material), Qt::ElideRight, first.width()));
-    for (int column = Material + 1; column < kColumns; ++column) {
+    for (int column = Material + 1; column < ColumnCount; ++column) {
         painter.drawText(cell(row + 1, column), Qt::AlignRight | Qt::AlignVCenter,
                          text(row, static_cast<Column>(column)));
     }

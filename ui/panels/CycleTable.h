@@ -27,7 +27,7 @@ class CycleTable : public QWidget {
     Q_OBJECT
 
 public:
-    enum Column { Material, PullOff, Work, Hysteresis, Stiffness, kColumns };
+    enum Column { Material, PullOff, Work, Hysteresis, Stiffness, ColumnCount };
 
     explicit CycleTable(QWidget* parent = nullptr);
 

@@ -14,6 +14,8 @@ class FlowLayout : public QLayout {
 public:
     using QLayout::QLayout;
     ~FlowLayout() override;
+    FlowLayout(const FlowLayout&) = delete;
+    FlowLayout& operator=(const FlowLayout&) = delete;
 
     /// @param stretch 0: keeps the width of its size hint; else takes this share of what is left
     /// beyond minimum widths, and no less than its size hint

@@ -19,6 +19,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace asperity {
 
@@ -43,8 +44,8 @@ QString nameOfFormat(const QString& format) {
 
 }  // namespace
 
-ExportDialog::ExportDialog(const ExportOffer& offer, const ExportChoices& choices, QWidget* window)
-    : QDialog(window), offer_(offer), choices_(choices) {
+ExportDialog::ExportDialog(ExportOffer offer, ExportChoices choices, QWidget* window)
+    : QDialog(window), offer_(std::move(offer)), choices_(std::move(choices)) {
     setObjectName(QStringLiteral("exportDialog"));
     setWindowTitle(tr("Export"));
     auto* sides = new QHBoxLayout;

@@ -25,7 +25,7 @@ class ExportDialog : public QDialog {
     Q_OBJECT
 
 public:
-    ExportDialog(const ExportOffer& offer, const ExportChoices& choices, QWidget* window);
+    ExportDialog(ExportOffer offer, ExportChoices choices, QWidget* window);
 
     [[nodiscard]] const ExportChoices& choices() const { return choices_; }
     /// The format of the present subject, an extension without its dot.

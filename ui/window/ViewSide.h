@@ -31,7 +31,7 @@ public:
 
     /// Of the views beside one another.
     [[nodiscard]] QSplitter& views() { return *views_; }
-    [[nodiscard]] StateBanner& banner() { return *parts_.banner; }
+    [[nodiscard]] StateBanner& banner() const { return *parts_.banner; }
     [[nodiscard]] QVBoxLayout& column() { return *column_; }
     [[nodiscard]] const ViewBars& bars() const { return *bars_; }
     void setHint(const QString& hint);

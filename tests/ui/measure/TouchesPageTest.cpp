@@ -59,7 +59,7 @@ TEST_F(TouchesPageTest, ShowsValuesInTheUnitsOfTheTitles) {
     const QAbstractItemModel& model = page.model();
     EXPECT_EQ(model.headerData(TouchModel::PullOff, Qt::Horizontal, Qt::DisplayRole).toString(),
               QStringLiteral("pull-off [nN]"));
-    for (int column = 0; column < TouchModel::kColumns; ++column) {
+    for (int column = 0; column < TouchModel::ColumnCount; ++column) {
         EXPECT_FALSE(
             model.headerData(column, Qt::Horizontal, Qt::ToolTipRole).toString().isEmpty());
     }
