@@ -2,6 +2,7 @@
 
 #include "core/surface/MeasuredPlace.h"
 #include "core/surface/deformation/ContactHeight.h"
+#include "core/surface/deformation/HighestPlace.h"
 
 #include <algorithm>
 #include <cmath>

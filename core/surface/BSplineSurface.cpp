@@ -194,36 +194,42 @@ double heightScaleOf(const BSplineSurface::Grid& grid) {
 
 }  // namespace
 
+BSplineSurface::Parts::Parts(Grid usable, Progress* progress)
+    : grid(std::move(usable))
+    , inversePitchX(1.0 / grid.pitchX)
+    , inversePitchY(1.0 / grid.pitchY)
+    , heightScale(heightScaleOf(grid))
+    , bounds(cellBoundsOf(grid, progress)) {}
+
 BSplineSurface::BSplineSurface(Grid grid, Progress* progress)
-    : grid_(usable(std::move(grid)))
-    , inversePitchX_(1.0 / grid_.pitchX)
-    , inversePitchY_(1.0 / grid_.pitchY)
-    , heightScale_(heightScaleOf(grid_))
-    , bounds_(cellBoundsOf(grid_, progress)) {}
+    : parts_(std::make_shared<const Parts>(usable(std::move(grid)), progress)) {}
 
 HeightSample BSplineSurface::at(double x, double y) const noexcept {
-    const SpanPlace across = spanAt(clampedToScan(x, sizeX()) * inversePitchX_, grid_.columns);
-    const SpanPlace up = spanAt(clampedToScan(y, sizeY()) * inversePitchY_, grid_.rows);
+    const Grid& grid = parts_->grid;
+    const double perX = parts_->inversePitchX;
+    const double perY = parts_->inversePitchY;
+    const SpanPlace across = spanAt(clampedToScan(x, sizeX()) * perX, grid.columns);
+    const SpanPlace up = spanAt(clampedToScan(y, sizeY()) * perY, grid.rows);
     HeightSample sample;
-    if (grid_.columns == 1 || grid_.rows == 1) {
-        sampleThin(grid_, across, up, sample);
+    if (grid.columns == 1 || grid.rows == 1) {
+        sampleThin(grid, across, up, sample);
     } else {
-        const std::ptrdiff_t stride = grid_.columns + 2;
+        const std::ptrdiff_t stride = grid.columns + 2;
         const std::ptrdiff_t first = up.first * stride + across.first;
-        const float* corner = grid_.controlHeights.data() + first;
-        if (grid_.controlRests.empty()) {
+        const float* corner = grid.controlHeights.data() + first;
+        if (grid.controlRests.empty()) {
             sampleCell(corner, stride, across.t, up.t, sample);
         } else {
-            sampleFineCell({corner, grid_.controlRests.data() + first, stride}, across.t, up.t,
+            sampleFineCell({corner, grid.controlRests.data() + first, stride}, across.t, up.t,
                            sample);
         }
     }
-    sample.height += grid_.datum;
-    sample.dx *= inversePitchX_;
-    sample.dy *= inversePitchY_;
-    sample.dxx *= inversePitchX_ * inversePitchX_;
-    sample.dxy *= inversePitchX_ * inversePitchY_;
-    sample.dyy *= inversePitchY_ * inversePitchY_;
+    sample.height += grid.datum;
+    sample.dx *= perX;
+    sample.dy *= perY;
+    sample.dxx *= perX * perX;
+    sample.dxy *= perX * perY;
+    sample.dyy *= perY * perY;
     return sample;
 }
 
@@ -233,30 +239,32 @@ bool BSplineSurface::contains(double x, double y) const noexcept {
 }
 
 bool BSplineSurface::isMeasured(double x, double y) const noexcept {
-    if (grid_.invalid.empty()) {
+    const Grid& grid = parts_->grid;
+    if (grid.invalid.empty()) {
         return true;
     }
-    const int column =
-        std::min(static_cast<int>(clampedToScan(x, sizeX()) * inversePitchX_), grid_.columns - 1);
-    const int row =
-        std::min(static_cast<int>(clampedToScan(y, sizeY()) * inversePitchY_), grid_.rows - 1);
-    return !grid_.invalid[static_cast<std::size_t>(row) * static_cast<std::size_t>(grid_.columns) +
-                          static_cast<std::size_t>(column)];
+    const auto pixelAt = [](double place, double size, double perPitch, int pixels) {
+        const auto pixel = static_cast<int>(clampedToScan(place, size) * perPitch);
+        return static_cast<std::size_t>(std::min(pixel, pixels - 1));
+    };
+    const std::size_t column = pixelAt(x, sizeX(), parts_->inversePitchX, grid.columns);
+    const std::size_t row = pixelAt(y, sizeY(), parts_->inversePitchY, grid.rows);
+    return !grid.invalid[row * static_cast<std::size_t>(grid.columns) + column];
 }
 
 double BSplineSurface::control(int row, int column) const noexcept {
-    return grid_.datum + relativeControl(row, column);
+    return grid().datum + relativeControl(row, column);
 }
 
 double BSplineSurface::relativeControl(int row, int column) const noexcept {
-    return controlAlong(row, grid_.rows, [&](int r) { return controlInRow(r, column); });
+    return controlAlong(row, grid().rows, [&](int r) { return controlInRow(r, column); });
 }
 
 double BSplineSurface::controlInRow(int row, int column) const noexcept {
-    const std::size_t stride = static_cast<std::size_t>(grid_.columns) + 2;
+    const std::size_t stride = static_cast<std::size_t>(grid().columns) + 2;
     const std::size_t first = static_cast<std::size_t>(row + 1) * stride + 1;
-    return controlAlong(column, grid_.columns, [&](int c) {
-        return storedControl(grid_, first + static_cast<std::size_t>(c));
+    return controlAlong(column, grid().columns, [&](int c) {
+        return storedControl(grid(), first + static_cast<std::size_t>(c));
     });
 }
 

@@ -6,9 +6,13 @@
 #include "core/surface/HeightSample.h"
 #include "core/surface/PixelVector.h"
 
+#include <algorithm>
+#include <memory>
+
 namespace asperity {
 
 /// A uniform bicubic B-spline height field: immutable, O(1) look-up, safe to read from any thread.
+/// Copies share what it consists of, so that they cost nothing.
 ///
 /// Control point (row, column) of the padded grid belongs to the pixel (row - 1, column - 1), rows
 /// counted from the BOTTOM (y up), so that the spline's parameter grows with world x and y.
@@ -44,27 +48,35 @@ public:
     /// Whether the pixel under (x, y) held data in the scan (false: filled by us).
     [[nodiscard]] bool isMeasured(double x, double y) const noexcept;
 
-    [[nodiscard]] double sizeX() const noexcept { return grid_.columns * grid_.pitchX; }  ///< [m]
-    [[nodiscard]] double sizeY() const noexcept { return grid_.rows * grid_.pitchY; }     ///< [m]
-    [[nodiscard]] const Grid& grid() const noexcept { return grid_; }
+    [[nodiscard]] double sizeX() const noexcept { return grid().columns * grid().pitchX; }  ///< [m]
+    [[nodiscard]] double sizeY() const noexcept { return grid().rows * grid().pitchY; }     ///< [m]
+    [[nodiscard]] const Grid& grid() const noexcept { return parts_->grid; }
+    [[nodiscard]] double finestPitch() const noexcept {  ///< [m]
+        return std::min(grid().pitchX, grid().pitchY);
+    }
 
     /// Control height of pixel (row, column), rows from the bottom; either may lie beyond the scan
     /// by any amount: the outermost span's polynomial is continued exactly. [m]
     [[nodiscard]] double control(int row, int column) const noexcept;
     /// No control height is larger in magnitude [m]: the scale of rounding errors in at().
-    [[nodiscard]] double heightScale() const noexcept { return heightScale_; }
+    [[nodiscard]] double heightScale() const noexcept { return parts_->heightScale; }
     /// What is known of each cell without looking into it.
-    [[nodiscard]] const CellBounds& bounds() const noexcept { return bounds_; }
+    [[nodiscard]] const CellBounds& bounds() const noexcept { return parts_->bounds; }
 
 private:
     [[nodiscard]] double controlInRow(int row, int column) const noexcept;
     [[nodiscard]] double relativeControl(int row, int column) const noexcept;
 
-    Grid grid_;
-    double inversePitchX_;  ///< [1/m]
-    double inversePitchY_;  ///< [1/m]
-    double heightScale_;    ///< [m]
-    CellBounds bounds_;
+    struct Parts {
+        Parts(Grid usable, Progress* progress);
+
+        Grid grid;
+        double inversePitchX;  ///< [1/m]
+        double inversePitchY;  ///< [1/m]
+        double heightScale;    ///< [m]
+        CellBounds bounds;
+    };
+    std::shared_ptr<const Parts> parts_;
 };
 
 /// The 4 x 4 control heights of a cell (see CellBounds) above the grid's datum, rows along y [m].

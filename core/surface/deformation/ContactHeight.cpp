@@ -6,17 +6,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <optional>
 
 namespace asperity {
 
 namespace {
-
-double finestPitch(const BSplineSurface& surface) {
-    return std::min(surface.grid().pitchX, surface.grid().pitchY);
-}
-
-double bendOf(const HeightSample& s) { return std::abs(s.dxx) + std::abs(s.dxy) + std::abs(s.dyy); }
 
 /// Minus the height of the sphere's center when it touches the surface at a given place [m].
 class CenterDepth {
@@ -48,7 +41,7 @@ public:
         model.valueNoise = rounding_.height;
         model.gradient = arm / rise - Vector2(s.dx, s.dy);
         model.gradientNoise = Vector2::Constant(
-            rounding_.slope + rounding_.place * (bendOf(s) + cap(0, 0) + cap(1, 1)));
+            rounding_.slope + rounding_.place * (s.bend() + cap(0, 0) + cap(1, 1)));
         model.convex = cap;
         model.hessian = cap - surfaceBend;
         return model;
@@ -60,35 +53,6 @@ private:
     const BSplineSurface& surface_;
     Vector2 axis_;
     double radius_;  ///< [m]
-    SurfaceRounding rounding_;
-};
-
-/// Minus the surface's height [m].
-class SurfaceDepth {
-public:
-    SurfaceDepth(const BSplineSurface& surface, const Box& box)
-        : surface_(surface)
-        , boxSize_(std::max((box.high - box.low).maxCoeff(), surface.grid().pitchX))
-        , rounding_(roundingOf(surface, Vector3::Zero())) {}
-
-    LocalModel operator()(const Vector2& place) const noexcept {
-        LocalModel model;
-        const HeightSample s = surface_.at(place.x(), place.y());
-        model.surface = s;
-        model.value = -s.height;
-        model.valueNoise = rounding_.height;
-        model.gradient = -Vector2(s.dx, s.dy);
-        model.gradientNoise = Vector2::Constant(rounding_.slope + rounding_.place * bendOf(s));
-        model.hessian << -s.dxx, -s.dxy, -s.dxy, -s.dyy;
-        // Not so flat that a step would leave the box by far.
-        const double bend = std::max(bendOf(s), model.gradient.norm() / boxSize_);
-        model.convex = Matrix2::Identity() * std::max(bend, std::numeric_limits<double>::min());
-        return model;
-    }
-
-private:
-    const BSplineSurface& surface_;
-    double boxSize_;  ///< [m]
     SurfaceRounding rounding_;
 };
 
@@ -193,7 +157,7 @@ private:
         if (!depth_.isUnderSphere(start)) {
             return;
         }
-        const BoxNewton newton(depth_, box_, 0.25 * finestPitch(surface_));
+        const BoxNewton newton(depth_, box_, 0.25 * surface_.finestPitch());
         tryPlace(newton.minimize(start).place);
     }
 
@@ -205,29 +169,6 @@ private:
     double best_ = -std::numeric_limits<double>::max();
     Vector2 bestPlace_ = Vector2::Zero();
 };
-
-/// The highest of the pixel centers, and of the middle, that are allowed; brought into the box.
-template <class IsAllowed>
-std::optional<Vector2> highestPixel(const BSplineSurface& surface, const Box& box,
-                                    const IsAllowed& isAllowed) {
-    std::optional<Vector2> highest;
-    double height = -std::numeric_limits<double>::max();
-    const auto consider = [&](const Vector2& place) {
-        const double here = surface.at(place.x(), place.y()).height;
-        if (here > height && isAllowed(place)) {
-            height = here;
-            highest = place;
-        }
-    };
-    consider(0.5 * Vector2(surface.sizeX(), surface.sizeY()));
-    const BSplineSurface::Grid& grid = surface.grid();
-    for (int row = 0; row < grid.rows; ++row) {
-        for (int column = 0; column < grid.columns; ++column) {
-            consider(box.nearest(Vector2((column + 0.5) * grid.pitchX, (row + 0.5) * grid.pitchY)));
-        }
-    }
-    return highest;
-}
 
 }  // namespace
 
@@ -242,23 +183,6 @@ double tipContactHeight(const BSplineSurface& surface, double x, double y, doubl
     const Vector2 nearest = scanBox(surface).nearest(axis);
     const bool reachesScan = (nearest - axis).norm() < tipRadius;
     return ContactSearch(surface, reachesScan ? axis : nearest, tipRadius).run();
-}
-
-SurfacePlace highestPlace(const BSplineSurface& surface, double marginFraction) {
-    if (!std::isgreaterequal(marginFraction, 0.0) || marginFraction > 0.5) {
-        throw Error("the margin must be between 0 and 0.5 of the scan");
-    }
-    const Vector2 size(surface.sizeX(), surface.sizeY());
-    const Box box{.low = marginFraction * size, .high = (1.0 - marginFraction) * size};
-    const auto everywhere = [](const Vector2&) { return true; };
-    const auto measured = [&](const Vector2& p) { return surface.isMeasured(p.x(), p.y()); };
-    const std::optional<Vector2> withData = highestPixel(surface, box, measured);
-    const Vector2 highest =
-        withData ? *withData : highestPixel(surface, box, everywhere).value_or(0.5 * size);
-    const SurfaceDepth depth(surface, box);
-    const BoxMinimum top = BoxNewton(depth, box, 0.25 * finestPitch(surface)).minimize(highest);
-    const Vector2 place = withData && !measured(top.place) ? highest : top.place;
-    return {.x = place.x(), .y = place.y(), .height = surface.at(place.x(), place.y()).height};
 }
 
 }  // namespace asperity

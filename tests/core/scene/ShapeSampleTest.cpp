@@ -5,6 +5,7 @@
 #include "core/probe/TipEquilibrium.h"
 #include "core/scene/Scene.h"
 #include "core/surface/deformation/ContactHeight.h"
+#include "core/surface/deformation/HighestPlace.h"
 #include "tests/support/TestScenes.h"
 
 #include <gtest/gtest.h>
