@@ -10,6 +10,7 @@
 #include "app/runs/BeginningRun.h"
 #include "app/session/LiveWindow.h"
 #include "app/session/ShippedScene.h"
+#include "app/session/StartTimes.h"
 #include "core/Error.h"
 #include "ui/window/WindowMenus.h"
 #include "vtkplugins/pictures/Display.h"
@@ -19,6 +20,7 @@
 #include <CLI/CLI.hpp>
 #include <exception>
 #include <filesystem>
+#include <iostream>
 #include <system_error>
 
 namespace asperity {
@@ -102,6 +104,7 @@ void openLastSession(Session& session) {
 int execWith(LiveWindow& live, const std::filesystem::path& input, const SceneOverrides& overrides,
              bool isRecorded) {
     std::exception_ptr reason;
+    live.session().scenes().setFit(isRecorded ? ModelFit::Now : ModelFit::Later);
     isRecorded ? recordOrQuit(live.session(), input, reason) : openOrQuit(live.session(), reason);
     live.session().scenes().open(input, overrides);
     const int status = live.exec();
@@ -121,6 +124,16 @@ int execAsBefore(LiveWindow& live) {
     }
     const std::filesystem::path shipped = defaultSceneFile();
     return shipped.empty() ? live.exec() : execWith(live, shipped, {}, false);
+}
+
+int exec(LiveWindow& live, const WindowOptions& options, const SceneOverrides& overrides) {
+    const bool isRecorded = !options.record.empty();
+    if (options.input.empty() && !isRecorded) {
+        return execAsBefore(live);
+    }
+    const std::filesystem::path input =
+        options.input.empty() ? defaultSceneFile() : std::filesystem::path(options.input);
+    return input.empty() ? live.exec() : execWith(live, input, overrides, isRecorded);
 }
 
 }  // namespace
@@ -144,6 +157,9 @@ std::shared_ptr<WindowOptions> addWindowOptions(CLI::App& program) {
     addFormatOption(program, options->format, "how the tables of the recording are kept")
         ->needs("--record");
     addForce(program, options->force);
+    program.add_flag("--time-start", options->timeStart,
+                     "print, as JSON, how long it took until the window and the first picture of "
+                     "the scan were shown, and end");
     return options;
 }
 
@@ -167,13 +183,15 @@ int openWindow(const WindowOptions& options) {
         recordFromTheStart(live.session(), {options.record, options.force, options.format});
     }
     live.session().keepIn(sessionFolder());
-    const bool isRecorded = !options.record.empty();
-    if (options.input.empty() && !isRecorded) {
-        return execAsBefore(live);
+    std::optional<StartTimes> times;
+    if (options.timeStart) {
+        times.emplace(live);
     }
-    const std::filesystem::path input =
-        options.input.empty() ? defaultSceneFile() : std::filesystem::path(options.input);
-    return input.empty() ? live.exec() : execWith(live, input, overrides, isRecorded);
+    const int status = exec(live, options, overrides);
+    if (times) {
+        std::cout << times->json() << '\n';
+    }
+    return status;
 }
 
 }  // namespace asperity

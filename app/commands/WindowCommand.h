@@ -26,6 +26,7 @@ struct WindowOptions {
     std::string record;  ///< folder for a recording from the first tick on; empty: none
     RunFormat format = RunFormat::Csv;  ///< of the recording
     bool force = false;                 ///< an earlier run in that folder may go
+    bool timeStart = false;             ///< print how soon the window shows something, and end
 };
 
 /// Adds the options of the program itself, without a subcommand.

@@ -73,13 +73,14 @@ LoadedScene mapScene(SceneDescription description, const SceneOverrides& overrid
 
 /// @param name that an error says
 LoadedScene loadNamed(const std::string& name, const SceneDescription& description,
-                      const SceneOverrides& overrides, Progress* progress) {
+                      const SceneOverrides& overrides, Progress* progress, ModelFit fit) {
     try {
-        ProgressPart loading(progress, 0.0, 0.8);
+        ProgressPart loading(progress, 0.0, fit == ModelFit::Now ? 0.8 : 1.0);
         LoadedScene loaded = description.sample.shape ? shapeScene(description, overrides)
                                                       : mapScene(description, overrides, &loading);
         ProgressPart fitting(progress, 0.8, 1.0);
-        loaded.needs = fitModel(loaded.scene, kLongestTick, &fitting);
+        loaded.needs = fit == ModelFit::Now ? fitModel(loaded.scene, kLongestTick, &fitting)
+                                            : needsBeforeFit(loaded.scene.description);
         std::ranges::move(surfaceNotes(loaded.scene), std::back_inserter(loaded.notes));
         return loaded;
     } catch (const InputError&) {
@@ -113,14 +114,14 @@ SampleDescription withOverrides(SampleDescription sample, const SceneOverrides& 
 }
 
 LoadedScene loadScene(const std::filesystem::path& input, const SceneOverrides& overrides,
-                      Progress* progress) {
+                      Progress* progress, ModelFit fit) {
     SceneDescription description = sceneFromInput(input);
     description.setpoint = overrides.setpoint.value_or(description.setpoint);
-    return loadNamed(input.string(), description, overrides, progress);
+    return loadNamed(input.string(), description, overrides, progress, fit);
 }
 
 LoadedScene loadScene(const SceneDescription& description, Progress* progress) {
-    return loadNamed(sampleName(description.sample), description, {}, progress);
+    return loadNamed(sampleName(description.sample), description, {}, progress, ModelFit::Now);
 }
 
 std::vector<std::string> notesOn(const LoadedScene& loaded) {

@@ -7,6 +7,7 @@
 #include "core/scene/Scene.h"
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -46,10 +47,14 @@ struct LoadedScene {
 /// All that was decided about a scene: its notes, and those on the force.
 [[nodiscard]] std::vector<std::string> notesOn(const LoadedScene& loaded);
 
+/// When the terms are found that a scene requires of its model. Until then it has all of them.
+enum class ModelFit : std::uint8_t { Now, Later };
+
 /// Loads a scene file or a height map, fits the surface, sets up the instrument.
 /// @throw InputError when anything it needs cannot be read or is out of range; Canceled
 [[nodiscard]] LoadedScene loadScene(const std::filesystem::path& input,
-                                    const SceneOverrides& overrides, Progress* progress = nullptr);
+                                    const SceneOverrides& overrides, Progress* progress = nullptr,
+                                    ModelFit fit = ModelFit::Now);
 
 /// The scene that a description asks for, whose file or shape it names. @throw as above
 [[nodiscard]] LoadedScene loadScene(const SceneDescription& description,

@@ -44,15 +44,19 @@ LiveRun::LiveRun(LoadedScene loaded, const Vector3& start, const MakeInstrument&
     , settings_(loaded_->scene.settings)
     , instrument_(makeInstrument(loaded_->scene))
     , device_(std::make_unique<PointerDevice>(start / settings_.positionGain))
-    , halfSpace_(loaded_->scene.model.deformation == DeformationModel::HalfSpace
-                     ? std::make_unique<HalfSpaceWorker>(loaded_->scene)
-                     : nullptr)
+    , halfSpace_(newHalfSpace())
     , loop_(loaded_->scene, *device_, *instrument_)
     , blackBox_(loaded_->scene.timeStep())
     , energy_(newEnergyWatch()) {}
 
 EnergyWatch LiveRun::newEnergyWatch() const {
     return {loaded_->scene.timeStep(), device_->delay()};
+}
+
+std::unique_ptr<HalfSpaceWorker> LiveRun::newHalfSpace() const {
+    return loaded_->scene.model.deformation == DeformationModel::HalfSpace
+               ? std::make_unique<HalfSpaceWorker>(loaded_->scene)
+               : nullptr;
 }
 
 void LiveRun::fetch(const TickSink& sink) {
@@ -161,6 +165,28 @@ Vector3 LiveRun::basePosition() noexcept {
 
 void LiveRun::adopt(const SceneDescription& description) {
     adoptShown(loaded_->scene.description, description);
+}
+
+bool LiveRun::mayAdoptModel() noexcept {
+    const ContactState& contact = loop_.snapshot().sample.output.model.contact;
+    return contact.region() == TipRegion::Far && loaded_.use_count() == 1;
+}
+
+void LiveRun::adoptModel(const LoadedScene& fitted) {
+    const bool running = loop_.running();
+    loop_.stop();
+    halfSpace_.reset();
+    const bool isAnother = loaded_->scene.model != fitted.scene.model;
+    loaded_->needs = fitted.needs;
+    loaded_->scene.model = fitted.scene.model;
+    loaded_->scene.belief = fitted.scene.belief;
+    halfSpace_ = newHalfSpace();
+    if (isAnother) {
+        blackBox_.restart();  // its ticks replay under one model
+    }
+    if (running) {
+        loop_.start();
+    }
 }
 
 }  // namespace asperity

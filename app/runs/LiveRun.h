@@ -79,12 +79,18 @@ public:
 
     /// Gives the scene what can change while it is in use, see SceneChange::Shown.
     void adopt(const SceneDescription& description);
+    /// Whether the model can become another one that nobody notices: the tip feels nothing, and
+    /// nobody else works with the scene.
+    [[nodiscard]] bool mayAdoptModel() noexcept;
+    /// Gives the scene the model that was found for it beside the run. The tip may adopt one.
+    void adoptModel(const LoadedScene& fitted);
 
 private:
     void apply(const Settings& settings) noexcept;
     void seat(std::unique_ptr<HapticDevice> device);
     void keep(const TickSample& sample);
     [[nodiscard]] EnergyWatch newEnergyWatch() const;
+    [[nodiscard]] std::unique_ptr<HalfSpaceWorker> newHalfSpace() const;
 
     std::shared_ptr<LoadedScene> loaded_;
     CouplingKeeper coupling_;

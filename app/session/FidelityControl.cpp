@@ -52,6 +52,7 @@ FidelityControl::FidelityControl(MainWindow& window, RunControl& runs, SceneEdit
               .canceled = [&window] { window.fidelity().setMeasuring(std::nullopt); }}) {
     connectInputs();
     connect(&runs, &RunControl::begun, this, &FidelityControl::showScene);
+    connect(&runs, &RunControl::modelFitted, this, &FidelityControl::showModel);
     connect(&edits, &SceneEdits::changed, this, &FidelityControl::showModel);
 }
 

@@ -1,5 +1,6 @@
 #include "app/session/MessageControl.h"
 
+#include "core/words/SceneWords.h"
 #include "ui/CoreWords.h"
 #include "ui/panels/MessageLog.h"
 #include "ui/window/MainWindow.h"
@@ -10,7 +11,11 @@ namespace asperity {
 
 MessageControl::MessageControl(MainWindow& window, RunControl& runs)
     : window_(window), runs_(runs) {
-    connect(&runs, &RunControl::begun, this, &MessageControl::listNotes);
+    connect(&runs, &RunControl::begun, this, [this] {
+        fault_ = Fault::None;
+        listNotes();
+    });
+    connect(&runs, &RunControl::modelFitted, this, &MessageControl::listNotes);
 }
 
 /// A device that was chosen before it was there is no error.
@@ -29,17 +34,24 @@ void MessageControl::advance() {
     }
 }
 
-/// The same scan of another material has the same notes.
+/// The same scan of another material has the same notes on its heights. Those on the force come
+/// once its model is known.
 void MessageControl::listNotes() {
-    fault_ = Fault::None;
-    QStringList notes;
-    for (const std::string& note : notesOn(runs_.run()->loaded())) {
-        notes << QString::fromStdString(note);
+    const LoadedScene& loaded = runs_.run()->loaded();
+    if (loaded.notes != heightNotes_) {
+        forceNotes_.clear();
     }
-    if (notes != notes_) {
-        notes_ = notes;
-        for (const QString& note : notes) {
-            window_.messages().add(MessageKind::Note, note);
+    list(loaded.notes, heightNotes_);
+    if (!loaded.needs.pending) {
+        list(forceNotes(loaded.scene, loaded.needs), forceNotes_);
+    }
+}
+
+void MessageControl::list(const std::vector<std::string>& notes, std::vector<std::string>& listed) {
+    if (notes != listed) {
+        listed = notes;
+        for (const std::string& note : notes) {
+            window_.messages().add(MessageKind::Note, QString::fromStdString(note));
         }
     }
 }

@@ -18,11 +18,13 @@ public:
 
 private:
     void listNotes();
+    void list(const std::vector<std::string>& notes, std::vector<std::string>& listed);
 
     MainWindow& window_;
     RunControl& runs_;
-    Fault fault_ = Fault::None;  ///< listed last
-    QStringList notes_;          ///< listed last
+    Fault fault_ = Fault::None;             ///< listed last
+    std::vector<std::string> heightNotes_;  ///< listed last
+    std::vector<std::string> forceNotes_;   ///< listed last
 };
 
 }  // namespace asperity

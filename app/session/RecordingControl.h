@@ -23,6 +23,7 @@ public:
     void start(const RecordingPlace& place);
     /// Where it is to be compact it is packed in the background: finished() comes later.
     void finish();
+    [[nodiscard]] bool isRecording() const { return recording_ != nullptr; }
     [[nodiscard]] bool isPacking() const { return packing_.valid(); }
     /// Every tick, in order.
     void take(const TickSample& sample);

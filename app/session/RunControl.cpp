@@ -88,6 +88,12 @@ void RunControl::replace(LoadedScene scene, const std::optional<Vector2>& place)
     running ? start() : pause();
 }
 
+void RunControl::adoptModel(const LoadedScene& fitted) {
+    fetch();
+    run_->adoptModel(fitted);
+    Q_EMIT modelFitted();
+}
+
 void RunControl::leave() {
     if (run_) {
         run_->loop().stop();

@@ -37,6 +37,8 @@ public:
     /// The loop begins again above the same place, or another one, with the same knobs, on the
     /// scene changed. There is a run. @param place world [m]
     void replace(LoadedScene scene, const std::optional<Vector2>& place = std::nullopt);
+    /// The run goes on with the model that was found for it. See LiveRun::mayAdoptModel()
+    void adoptModel(const LoadedScene& fitted);
     /// Ends the run, if there is one.
     void end();
 
@@ -74,6 +76,8 @@ Q_SIGNALS:
     void rebuilt();
     /// The loop begins, or goes on.
     void started();
+    /// The model of the run is known: what its scene requires.
+    void modelFitted();
 
 private:
     void begin(LoadedScene scene, const Vector3& start, const Settings& settings);

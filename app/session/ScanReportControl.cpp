@@ -13,6 +13,7 @@ ScanReportControl::ScanReportControl(MainWindow& window, const RunControl& runs)
     : window_(window), runs_(runs) {
     connect(window.menus().aboutScan, &QAction::triggered, this, &ScanReportControl::open);
     connect(&runs, &RunControl::begun, this, &ScanReportControl::refresh);
+    connect(&runs, &RunControl::modelFitted, this, &ScanReportControl::refresh);
 }
 
 void ScanReportControl::open() {

@@ -67,10 +67,10 @@ void SceneControl::open(const std::filesystem::path& input, const SceneOverrides
     begin(input,
           {.name = {},
            .load =
-               [input, overrides, kept](Progress& progress) {
+               [input, overrides, kept, fit = fit_](Progress& progress) {
                    const std::filesystem::path scene = sceneIn(input, progress);
                    *kept = windowSectionOf(scene);
-                   return loadScene(scene, overrides, &progress);
+                   return loadScene(scene, overrides, &progress, fit);
                },
            .place = [kept] { return tipPlaceIn(*kept); },
            .opened =

@@ -22,10 +22,13 @@ public:
 
     /// Loads in the background, then shows; says so in the window when that fails. Where a file
     /// does not hold its scale the user is asked for it first. Another one that is being loaded is
-    /// given up.
+    /// given up. What the scene requires of its model is found out beside its run, see
+    /// ModelFitControl.
     /// @param failureWords what to say where that fails, of the reason; none: the reason
     void open(const std::filesystem::path& input, const SceneOverrides& overrides = {},
               const FailureWords& failureWords = {});
+    /// From now on that is found out before the run begins, or beside it, as at first.
+    void setFit(ModelFit fit) { fit_ = fit; }
     /// The same of a scene that is loaded in another way. @param shown is called once it is there
     void open(const std::filesystem::path& input, const LongWork<LoadedScene>::Work& load,
               const std::function<void()>& shown);
@@ -69,6 +72,7 @@ private:
     Retry retry_;                  ///< what was asked for last
     std::filesystem::path asked_;  ///< the file that was asked for last
     SceneOverrides askedWith_;
+    ModelFit fit_ = ModelFit::Later;
     std::exception_ptr openError_;
 };
 

@@ -23,6 +23,7 @@ Session::Session(MainWindow& window)
     , runs_(window)
     , edits_(window, runs_)
     , recordings_(window, runs_)
+    , fits_(runs_, recordings_)
     , devices_(window, runs_)
     , scenes_(window, runs_, edits_)
     , files_(window, scenes_)
@@ -99,6 +100,7 @@ void Session::advance() {
         engaging_.advance();
         runs_.fetch();
         recordings_.advance();
+        fits_.advance();
         messages_.advance();
         playback_.advance(elapsed);
         views_.show(now);

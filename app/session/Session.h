@@ -14,6 +14,7 @@
 #include "app/session/MaterialControl.h"
 #include "app/session/MeasureControl.h"
 #include "app/session/MessageControl.h"
+#include "app/session/ModelFitControl.h"
 #include "app/session/OpenControl.h"
 #include "app/session/PathControl.h"
 #include "app/session/PlaybackControl.h"
@@ -74,6 +75,7 @@ private:
     RunControl runs_;
     SceneEdits edits_;
     RecordingControl recordings_;
+    ModelFitControl fits_;
     DeviceControl devices_;
     SceneControl scenes_;
     OpenControl files_;

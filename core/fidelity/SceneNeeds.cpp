@@ -210,16 +210,23 @@ void decideAll(Scene& scene, ForceNeeds& force, SceneNeeds& needs, Progress* pro
 
 }  // namespace
 
-SceneNeeds fitModel(Scene& scene, double longestTick, Progress* progress) {
-    SceneNeeds needs{.terms = {}, .full = usualModel(scene.description)};
-    needs.tolerance = scene.description.tolerance;
+SceneNeeds needsBeforeFit(const SceneDescription& scene) {
+    const ForceModelOptions full = usualModel(scene);
+    SceneNeeds needs{
+        .terms = {}, .full = full, .model = full, .tolerance = scene.tolerance, .pending = true};
     for (const ModelTerm term : kModelTerms) {
         needs.terms.push_back({.term = term,
-                               .overruled = isSettled(term, scene.description.choices),
-                               .possible = isPossible(term, scene.description)});
+                               .on = has(full, term),
+                               .overruled = isSettled(term, scene.choices),
+                               .possible = isPossible(term, scene)});
     }
+    return needs;
+}
+
+SceneNeeds fitModel(Scene& scene, double longestTick, Progress* progress) {
+    SceneNeeds needs = needsBeforeFit(scene.description);
+    needs.pending = false;
     setModel(scene, needs.full);
-    needs.model = needs.full;
     ProgressPart forcePart(progress, 0.0, 0.7);
     ForceNeeds force(scene, needs, longestTick, &forcePart);
     if (force.isSlow()) {

@@ -38,6 +38,7 @@ struct SceneNeeds {
     ForceModelOptions full;       ///< with every term that can be in
     ForceModelOptions model;      ///< with those that matter
     double tolerance = 0.0;       ///< of forces and of indentations, as a share
+    bool pending = false;         ///< all that follows, and what a term is worth, is not known yet
     double forceError = 0.0;      ///< of `model` against `full`, as TermNeed::effect
     bool measured = false;        ///< whether the next three are known
     double wholeError = 0.0;      ///< of `model` against the whole, which the scene cannot overrule
@@ -50,6 +51,9 @@ struct SceneNeeds {
     /// Of `model` against what the tip would feel if a contact law had every term.
     [[nodiscard]] double totalError() const { return wholeError + lawError; }
 };
+
+/// What is known of a scene before its model is fitted: that has everything.
+[[nodiscard]] SceneNeeds needsBeforeFit(const SceneDescription& scene);
 
 inline constexpr double kLongestTick = 1e-3;  ///< of scenes whose model is fitted [s]
 

@@ -67,6 +67,9 @@ std::string reasonText(const TermNeed& need, const SceneNeeds& needs) {
     if (need.fact) {
         return factText(need.term, *need.fact);
     }
+    if (needs.pending) {
+        return "not measured yet";
+    }
     if (!needs.measured) {
         return formatted("not measured: a tick takes %.2g ms here", needs.fullTick * 1e3);
     }
@@ -130,6 +133,9 @@ std::string whyOf(const TermNeed& need, const SceneNeeds& needs) {
 }
 
 std::string forceErrorText(const SceneNeeds& needs) {
+    if (needs.pending) {
+        return "error of the forces not measured yet";
+    }
     if (!needs.measured) {
         return "error of the forces not measured";
     }

@@ -1,0 +1,36 @@
+#include "app/session/ModelFitControl.h"
+
+#include "app/session/RecordingControl.h"
+
+#include <utility>
+
+namespace asperity {
+
+ModelFitControl::ModelFitControl(RunControl& runs, const RecordingControl& recordings)
+    : runs_(runs)
+    , recordings_(recordings)
+    , work_({.progressed = [](double /*share*/) {},
+             .finished = [this](LoadedScene& fitted) { fitted_ = std::move(fitted); },
+             .failed = [](const std::exception_ptr& /*reason*/) {}}) {  // it keeps everything
+    connect(&runs, &RunControl::begun, this, &ModelFitControl::begin);
+}
+
+void ModelFitControl::begin() {
+    work_.cancel();
+    fitted_.reset();
+    const LiveRun& run = *runs_.run();
+    if (run.loaded().needs.pending) {
+        work_.start(
+            [present = run.shared(), description = run.scene().description](Progress& progress) {
+                return withDescription(*present, description, &progress);
+            });
+    }
+}
+
+void ModelFitControl::advance() {
+    if (fitted_ && !recordings_.isRecording() && runs_.run()->mayAdoptModel()) {
+        runs_.adoptModel(*std::exchange(fitted_, std::nullopt));
+    }
+}
+
+}  // namespace asperity

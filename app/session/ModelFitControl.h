@@ -1,0 +1,31 @@
+#pragma once
+
+#include "app/session/BackgroundWork.h"
+#include "app/session/RunControl.h"
+
+#include <optional>
+
+namespace asperity {
+
+class RecordingControl;
+
+/// Finds out, beside a run that has begun with every term, what its scene requires of its model,
+/// and gives the run the model of these terms once the tip feels nothing. A recording has one model
+/// from its begin to its end.
+class ModelFitControl : public QObject {
+public:
+    ModelFitControl(RunControl& runs, const RecordingControl& recordings);
+
+    /// Once a frame. There is a run.
+    void advance();
+
+private:
+    void begin();
+
+    RunControl& runs_;
+    const RecordingControl& recordings_;
+    std::optional<LoadedScene> fitted_;  ///< that the run is to have
+    BackgroundWork<LoadedScene> work_;
+};
+
+}  // namespace asperity
