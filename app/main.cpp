@@ -1,3 +1,4 @@
+#include "app/commands/BenchCommand.h"
 #include "app/commands/BundleCommand.h"
 #include "app/commands/CompareCommand.h"
 #include "app/commands/ContactCommand.h"
@@ -58,6 +59,7 @@ int run(int argc, char** argv) {
     asperity::addReportCommand(program);
     asperity::addCompareCommand(program);
     asperity::addLoopCommand(program);
+    asperity::addBenchCommand(program);
     asperity::addDevicesCommand(program);
     try {
         program.parse(argc, argv);

@@ -1,5 +1,6 @@
 // Frames per second of the zoomed view with the haptic loop running, camera still and moving,
 // beside four nearly empty QVTK widgets. Display: xvfb-run -a -s "-screen 0 1600x1000x24" PROGRAM.
+#include "bench/BenchRows.h"
 #include "core/haptics/HapticLoop.h"
 #include "core/haptics/ScriptedDevice.h"
 #include "core/scene/SceneTruth.h"
@@ -22,10 +23,13 @@
 #include <QMouseEvent>
 #include <QTimer>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <functional>
 #include <memory>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -35,8 +39,9 @@ namespace {
 
 constexpr int kWidth = 1200;
 constexpr int kHeight = 800;
-constexpr double kWarmUp = 1.0;    // [s]
-constexpr double kDuration = 5.0;  // of one measurement [s]
+constexpr double kWarmUp = 1.0;         // [s]
+constexpr double kDuration = 5.0;       // of one measurement [s]
+constexpr double kQuickDuration = 2.0;  // [s]
 
 /// What was measured of one way to draw.
 struct Timing {
@@ -49,7 +54,7 @@ struct Timing {
 };
 
 /// Draws again whenever `swapped` (which must be emitted once a frame) says that a frame is out.
-Timing measure(QOpenGLWidget& swapped, const std::function<void()>& draw) {
+Timing measure(QOpenGLWidget& swapped, double duration, const std::function<void()>& draw) {
     QEventLoop loop;
     QElapsedTimer clock;
     Timing timing;
@@ -65,7 +70,7 @@ Timing measure(QOpenGLWidget& swapped, const std::function<void()>& draw) {
         } else {
             timing.calls.push_back(end - start);
         }
-        if (end > kWarmUp + kDuration) {
+        if (end > kWarmUp + duration) {
             loop.quit();
         }
     };
@@ -109,7 +114,7 @@ struct EmptyView {
     }
 };
 
-double fourEmptyViews() {
+double fourEmptyViews(double duration) {
     QWidget all;
     auto* grid = new QGridLayout(&all);
     std::vector<std::unique_ptr<EmptyView>> views;
@@ -119,7 +124,7 @@ double fourEmptyViews() {
     }
     all.resize(kWidth, kHeight);
     all.show();
-    const Timing timing = measure(views.front()->widget, [&] {
+    const Timing timing = measure(views.front()->widget, duration, [&] {
         for (const auto& view : views) {
             view->window->Render();
         }
@@ -150,7 +155,15 @@ void turn(ZoomView& view, int& pixel) {
     pixel = (pixel + 3) % 600;
 }
 
-void measureView(ZoomView& view, HapticLoop& loop, double empty) {
+BenchRow rowOf(double width, const char* camera, const Timing& timing, double goal) {
+    std::ostringstream name;
+    name << "view " << kWidth << " x " << kHeight << " of " << std::lround(1e9 * width)
+         << " nm, loop running: camera " << camera;
+    return {.name = name.str(), .value = timing.framesPerSecond, .unit = "frames/s", .goal = goal};
+}
+
+void measureView(ZoomView& view, HapticLoop& loop, double empty, double duration,
+                 std::vector<BenchRow>& rows) {
     const auto frame = [&] { view.showSnapshot(loop.snapshot()); };
     int pixel = 0;
     const auto turnedFrame = [&] {
@@ -159,17 +172,21 @@ void measureView(ZoomView& view, HapticLoop& loop, double empty) {
     };
     for (const bool cached : {true, false}) {
         view.setCacheEnabled(cached);
-        const Timing still = measure(view, frame);
+        const Timing still = measure(view, duration, frame);
         print(cached ? "  camera still, cached" : "  camera still, no cache", still);
-        const Timing moving = measure(view, turnedFrame);
+        const Timing moving = measure(view, duration, turnedFrame);
         print(cached ? "  camera moving, cached" : "  camera moving, no cache", moving);
         std::printf("  ratio to four empty widgets: still %.2f, moving %.2f\n",
                     still.framesPerSecond / empty, moving.framesPerSecond / empty);
+        if (cached) {
+            rows.push_back(rowOf(2.0 * view.halfWidth(), "still", still, 60.0));
+            rows.push_back(rowOf(2.0 * view.halfWidth(), "moving", moving, 45.0));
+        }
     }
 }
 
 /// The same with what a user can switch on, one after the other and then all together.
-void measureOptions(ZoomView& view, HapticLoop& loop, const Scene& scene) {
+void measureOptions(ZoomView& view, HapticLoop& loop, const Scene& scene, double duration) {
     ZoomView second;
     ContactPlot section;
     second.setScene(&scene);
@@ -193,7 +210,7 @@ void measureOptions(ZoomView& view, HapticLoop& loop, const Scene& scene) {
         look.quantity = quantity;
         view.setLook(look, SurfaceField(quantity));
     };
-    const auto measured = [&](const char* what) { print(what, measure(view, frame)); };
+    const auto measured = [&](const char* what) { print(what, measure(view, duration, frame)); };
     measured("  heights alone");
     for (const SurfaceQuantity quantity :
          {SurfaceQuantity::Slope, SurfaceQuantity::Gap, SurfaceQuantity::Pressure,
@@ -217,8 +234,10 @@ void measureOptions(ZoomView& view, HapticLoop& loop, const Scene& scene) {
     colorBy(SurfaceQuantity::Height);
 }
 
-void measureAll() {
-    const double empty = fourEmptyViews();
+void measureAll(const BenchOptions& options) {
+    const double duration = options.quick ? kQuickDuration : kDuration;
+    const double empty = fourEmptyViews(duration);
+    std::vector<BenchRow> rows;
 
     const Scene scene = benchScene();
     ScriptedDevice device(rasterPath(scene, {.duration = 60.0}), 1.0);
@@ -234,15 +253,32 @@ void measureAll() {
         view.setHalfWidth(zoom * view.halfWidth());
         std::printf("view of %.0f nm, %d x %d pixels, loop at %.0f Hz:\n", 2e9 * view.halfWidth(),
                     kWidth, kHeight, scene.description.tickRate);
-        measureView(view, loop, empty);
+        measureView(view, loop, empty, duration, rows);
     }
     view.resetCamera();
     view.setCacheEnabled(true);
-    std::printf("camera still, cached, with options:\n");
-    measureOptions(view, loop, scene);
+    if (!options.quick) {
+        std::printf("camera still, cached, with options:\n");
+        measureOptions(view, loop, scene, duration);
+    }
     loop.stop();
     const LoopStatistics statistics = loop.snapshot().statistics;
     std::printf("loop: %ld ticks, %ld overruns\n", statistics.ticks, statistics.overruns);
+    giveRows(rows, options);
+}
+
+int runBench(int argc, char** argv) {
+    BenchOptions options;
+    CLI::App app("Frames per second of the zoomed view while the loop runs");
+    addBenchOptions(app, options);
+    CLI11_PARSE(app, argc, argv);
+    QSurfaceFormat format = QVTKOpenGLNativeWidget::defaultFormat();
+    format.setSamples(0);
+    format.setSwapInterval(0);
+    QSurfaceFormat::setDefaultFormat(format);
+    const QApplication application(argc, argv);
+    measureAll(options);
+    return 0;
 }
 
 }  // namespace
@@ -250,11 +286,10 @@ void measureAll() {
 }  // namespace asperity
 
 int main(int argc, char** argv) {
-    QSurfaceFormat format = QVTKOpenGLNativeWidget::defaultFormat();
-    format.setSamples(0);
-    format.setSwapInterval(0);
-    QSurfaceFormat::setDefaultFormat(format);
-    const QApplication app(argc, argv);
-    asperity::measureAll();
-    return 0;
+    try {
+        return asperity::runBench(argc, argv);
+    } catch (const std::exception& error) {
+        std::fprintf(stderr, "%s\n", error.what());
+        return 1;
+    }
 }

@@ -131,6 +131,7 @@ RULES |= {f"tests/{folder}": TESTS for folder in RULES} | {
     "bench/fidelity": f"{BENCH} bench",
     "bench/io": f"{BENCH} bench",
     "bench/probe": f"{BENCH} bench",
+    "bench/program": f"{BENCH} bench",
     "bench/surface": f"{BENCH} bench",
     "tools/samples": PRODUCT,
     "tools/screenshots": PRODUCT,

@@ -1,11 +1,13 @@
 // Time and error of each way to solve the Maugis-Dugdale law, beside SciPy, in one run. Times are
 // medians over interleaved sweeps; the truth is the reference table of 25 digits.
+#include "bench/BenchRows.h"
 #include "bench/contact/SciPyPeer.h"
 #include "core/Error.h"
 #include "core/contact/maugis/MaugisDugdale.h"
 #include "core/contact/maugis/MaugisTable.h"
 #include "core/io/tables/CsvTable.h"
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -22,6 +24,9 @@ constexpr double kMaxTable = 100.0;       // indentation of the tables
 constexpr double kRadiusSpan = 2.15;      // of lambda for a tenth to ten times the effective radius
 constexpr double kMaxIndentation = 10.0;  // indentation of a sweep
 constexpr int kRepeats = 201;
+constexpr int kQuickRepeats = 21;
+constexpr double kNewtonGoal = 800.0;
+constexpr double kTableGoal = 20000.0;
 constexpr std::size_t kMaxSweep = 400;  // short sweeps are seldom interrupted
 
 struct Material {
@@ -40,7 +45,7 @@ struct Way {
     std::string name;
     std::function<void()> sweep;
     int solutions = 0;
-    double target = 0.0;  ///< ratio to SciPy; 0: none
+    double goal = 0.0;  ///< ratio to SciPy; 0: none
     double error = 0.0;
     std::vector<double> times{};  ///< [ns] per solution
 
@@ -50,8 +55,8 @@ struct Way {
     }
 };
 
-void measure(std::vector<Way>& ways) {
-    for (int i = 0; i < kRepeats; ++i) {
+void measure(std::vector<Way>& ways, int repeats) {
+    for (int i = 0; i < repeats; ++i) {
         for (Way& way : ways) {
             const auto start = std::chrono::steady_clock::now();
             way.sweep();
@@ -115,7 +120,7 @@ Errors errorsAgainstReference() {
 }
 
 /// Solving at each indentation of a sweep, one state the start of the next.
-Way warmWay(const MaugisDugdale& law, const std::string& name, double step, double target) {
+Way warmWay(const MaugisDugdale& law, const std::string& name, double step, double goal = 0.0) {
     const std::vector<double> sweep = sweepOf(law, step);
     const auto run = [&law, sweep] {
         MaugisPoint last;
@@ -124,8 +129,7 @@ Way warmWay(const MaugisDugdale& law, const std::string& name, double step, doub
             used = last.force;
         }
     };
-    return {
-        .name = name, .sweep = run, .solutions = static_cast<int>(sweep.size()), .target = target};
+    return {.name = name, .sweep = run, .solutions = static_cast<int>(sweep.size()), .goal = goal};
 }
 
 Way coldWay(const MaugisDugdale& law) {
@@ -139,7 +143,8 @@ Way coldWay(const MaugisDugdale& law) {
         .name = "exact, from scratch", .sweep = run, .solutions = static_cast<int>(sweep.size())};
 }
 
-Way tableForceWay(const MaugisDugdale& law, const MaugisTable& table, const std::string& name) {
+Way tableForceWay(const MaugisDugdale& law, const MaugisTable& table, const std::string& name,
+                  double goal = 0.0) {
     const std::vector<double> sweep = sweepOf(law, 0.1);
     const auto run = [&law, &table, sweep] {
         for (const double x : sweep) {
@@ -149,7 +154,7 @@ Way tableForceWay(const MaugisDugdale& law, const MaugisTable& table, const std:
     return {.name = name + ", force",
             .sweep = run,
             .solutions = static_cast<int>(sweep.size()),
-            .target = 20000.0};
+            .goal = goal};
 }
 
 Way tableStateWay(const MaugisDugdale& law, const MaugisTable& table, const std::string& name) {
@@ -221,9 +226,6 @@ void print(Way& way, const std::optional<PeerTiming>& numpy,
     if (numpy && math) {
         std::printf("  %9.0f x  %9.0f x", numpy->nanoseconds / time, math->nanoseconds / time);
     }
-    if (way.target > 0.0) {
-        std::printf("   target %.0f x", way.target);
-    }
     std::printf("\n");
 }
 
@@ -235,24 +237,42 @@ void printPeer(const char* name, const std::optional<PeerTiming>& timing) {
     }
 }
 
-void benchMaterial(const Material& material) {
+/// The ways that have a goal, as SciPy's time over theirs.
+void addRows(const Material& material, std::vector<Way>& ways,
+             const std::optional<PeerTiming>& numpy, std::vector<BenchRow>& rows) {
+    for (Way& way : ways) {
+        if (way.goal > 0.0) {
+            BenchRow row{.name = std::string("Maugis-Dugdale, ") + material.name + ": SciPy over " +
+                                 way.name,
+                         .value = std::nullopt,
+                         .unit = "x",
+                         .goal = way.goal};
+            if (numpy) {
+                row.value = numpy->nanoseconds / way.median();
+            }
+            rows.push_back(row);
+        }
+    }
+}
+
+void benchMaterial(const Material& material, int repeats, std::vector<BenchRow>& rows) {
     const MaugisDugdale law(material.lambda);
     const MaugisTable flat({material.lambda, material.lambda, kMaxTable});
     const MaugisTable curved(
         {material.lambda / kRadiusSpan, material.lambda * kRadiusSpan, kMaxTable});
     std::vector<Way> ways{
         coldWay(law),
-        warmWay(law, "warm Newton, steps of 0.1", 0.1, 800.0),
-        warmWay(law, "warm Newton, steps of 0.001", 0.001, 800.0),
+        warmWay(law, "warm Newton, steps of 0.1", 0.1, kNewtonGoal),
+        warmWay(law, "warm Newton, steps of 0.001", 0.001),
         tableForceWay(law, flat, "table, one radius"),
         tableStateWay(law, flat, "table, one radius"),
-        tableForceWay(law, curved, "table, R / 10 to 10 R"),
+        tableForceWay(law, curved, "table, R / 10 to 10 R", kTableGoal),
         tableStateWay(law, curved, "table, R / 10 to 10 R"),
         springWay(law, flat),
         springFoldWay(law),
         foldsWay(material.lambda),
     };
-    measure(ways);
+    measure(ways, repeats);
     const auto numpy = timeSciPy("numpy", peerCases(law));
     const auto math = timeSciPy("math", peerCases(law));
     std::printf("%s, lambda %.4f: time of one solution, ratio to SciPy (numpy, math)\n",
@@ -262,6 +282,7 @@ void benchMaterial(const Material& material) {
     for (Way& way : ways) {
         print(way, numpy, math);
     }
+    addRows(material, ways, numpy, rows);
     std::printf("  tables: bound %.1e and %.1e, left to the exact law %.1f %% and %.1f %%, "
                 "%.2f and %.2f MB\n\n",
                 flat.errorBound(), curved.errorBound(), 100.0 * flat.exactShare(),
@@ -269,26 +290,46 @@ void benchMaterial(const Material& material) {
                 1e-6 * static_cast<double>(curved.bytes()));
 }
 
-void benchAll() {
+BenchRow errorRow(const std::string& name, double error, double goal) {
+    return {.name = "Maugis-Dugdale, 25-digit table: largest error of " + name,
+            .value = error,
+            .unit = "",
+            .goal = goal,
+            .kind = GoalKind::AtMost};
+}
+
+void benchAll(const BenchOptions& options) {
+    std::vector<BenchRow> rows;
     for (const Material& material : kMaterials) {
-        benchMaterial(material);
+        benchMaterial(material, options.quick ? kQuickRepeats : kRepeats, rows);
     }
     const Errors errors = errorsAgainstReference();
     std::printf("Largest error of the force over %d reference states: from scratch %.1e, warm "
-                "Newton %.1e (target 1e-11), table %.1e (target 2e-9)\n",
+                "Newton %.1e, table %.1e\n",
                 errors.states, errors.cold, errors.warm, errors.table);
+    rows.push_back(errorRow("warm Newton", errors.warm, 1e-11));
+    rows.push_back(errorRow("the table", errors.table, 2e-9));
+    giveRows(rows, options);
+}
+
+int runBench(int argc, char** argv) {
+    BenchOptions options;
+    CLI::App app("Maugis-Dugdale law: time and error of each way to solve it, beside SciPy");
+    addBenchOptions(app, options);
+    CLI11_PARSE(app, argc, argv);
+    benchAll(options);
+    return 0;
 }
 
 }  // namespace
 
 }  // namespace asperity
 
-int main() {
+int main(int argc, char** argv) {
     try {
-        asperity::benchAll();
-    } catch (const asperity::Error& error) {
+        return asperity::runBench(argc, argv);
+    } catch (const std::exception& error) {
         std::fprintf(stderr, "%s\n", error.what());
         return 1;
     }
-    return 0;
 }

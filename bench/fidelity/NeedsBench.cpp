@@ -2,10 +2,12 @@
 // each scene requires, in turns; and how far the force moves at places that SceneNeeds did not look
 // at.
 
+#include "bench/BenchRows.h"
 #include "core/fidelity/SampledRuns.h"
 #include "core/fidelity/SceneNeeds.h"
 #include "tests/core/fidelity/RandomScene.h"
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
@@ -15,6 +17,7 @@ namespace asperity {
 namespace {
 
 constexpr int kScenes = 200;
+constexpr int kQuickScenes = 20;
 constexpr int kRounds = 7;
 
 struct Gain {
@@ -54,7 +57,7 @@ Gain gainOf(Scene& scene) {
     return gain;
 }
 
-void print(const std::vector<Gain>& gains, double tolerance) {
+void print(const std::vector<Gain>& gains, double tolerance, const BenchOptions& options) {
     std::vector<double> ratios;
     std::vector<double> moves;
     std::vector<double> fits;
@@ -78,22 +81,39 @@ void print(const std::vector<Gain>& gains, double tolerance) {
                 "scenes; median %.2g %%, 90 %% below %.2g %%, worst %.2g %%\n",
                 tolerance * 100.0, within, quantile(moves, 0.5) * 100.0,
                 quantile(moves, 0.9) * 100.0, quantile(moves, 1.0) * 100.0);
+    giveRows({{.name = "finding out what a scene requires: median",
+               .value = quantile(fits, 0.5) * 1e3,
+               .unit = "ms",
+               .goal = 50.0,
+               .kind = GoalKind::AtMost}},
+             options);
 }
 
-int run() {
+int run(int argc, char** argv) {
+    BenchOptions options;
+    CLI::App app("What leaving terms out gains, and how long finding out takes");
+    addBenchOptions(app, options);
+    CLI11_PARSE(app, argc, argv);
     Random random(20261122);
     std::vector<Gain> gains;
     double tolerance = 0.0;
-    for (int i = 0; i < kScenes; ++i) {
+    for (int i = 0; i < (options.quick ? kQuickScenes : kScenes); ++i) {
         Scene scene = test::randomScene(random);
         tolerance = scene.description.tolerance;
         gains.push_back(gainOf(scene));
     }
-    print(gains, tolerance);
+    print(gains, tolerance, options);
     return 0;
 }
 
 }  // namespace
 }  // namespace asperity
 
-int main() { return asperity::run(); }
+int main(int argc, char** argv) {
+    try {
+        return asperity::run(argc, argv);
+    } catch (const std::exception& error) {
+        std::fprintf(stderr, "%s\n", error.what());
+        return 1;
+    }
+}

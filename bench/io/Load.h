@@ -1,5 +1,6 @@
 #pragma once
 
+#include "bench/BenchFolder.h"
 #include "bench/CommandOutput.h"
 #include "core/Error.h"
 
@@ -9,7 +10,6 @@
 #include <filesystem>
 #include <limits>
 #include <string>
-#include <unistd.h>
 
 namespace asperity {
 
@@ -46,26 +46,9 @@ struct Load {
     }
 };
 
-inline std::string quoted(const std::filesystem::path& path) { return "'" + path.string() + "'"; }
-
 /// This program again, loading a file.
 inline std::string ownCommand(const std::string& way, const std::filesystem::path& file) {
     return quoted(std::filesystem::read_symlink("/proc/self/exe")) + " " + way + " " + quoted(file);
 }
-
-/// A folder that goes with all that is in it.
-class BenchFolder {
-public:
-    BenchFolder() { std::filesystem::create_directory(path_); }
-    BenchFolder(const BenchFolder&) = delete;
-    BenchFolder& operator=(const BenchFolder&) = delete;
-    ~BenchFolder() { std::filesystem::remove_all(path_); }
-
-    [[nodiscard]] std::filesystem::path file(const char* name) const { return path_ / name; }
-
-private:
-    std::filesystem::path path_ = std::filesystem::temp_directory_path() /
-                                  ("asperity_load_bench_" + std::to_string(getpid()));
-};
 
 }  // namespace asperity

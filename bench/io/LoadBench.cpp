@@ -1,8 +1,9 @@
 // Loading a large scan beside a raw read and Gwyddion, from a warm cache, each load in a fresh
 // process in which every pixel is looked at:
-//   asperity_load_bench [PIXELS]              (default 8192)
+//   asperity_load_bench                       8192 x 8192 pixels
 //   asperity_load_bench formats FOLDER        the files of every format, in ../shared/data/afm
 //   asperity_load_bench raw|ours|all|exr FILE one load: time [ns] and sum of the heights [m]
+#include "bench/BenchRows.h"
 #include "bench/Hills.h"
 #include "bench/io/FormatLoads.h"
 #include "bench/io/Load.h"
@@ -12,6 +13,7 @@
 #include "core/io/heightmap/HeightMapWriter.h"
 #include "core/io/heightmap/ScanFile.h"
 
+#include <CLI/CLI.hpp>
 #include <OpenEXR/ImfFrameBuffer.h>
 #include <OpenEXR/ImfHeader.h>
 #include <OpenEXR/ImfInputFile.h>
@@ -19,7 +21,6 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
 #include <fcntl.h>
 #include <filesystem>
 #include <fstream>
@@ -34,6 +35,8 @@ namespace asperity {
 namespace {
 
 constexpr int kRounds = 15;
+constexpr int kPixels = 8192;
+constexpr int kQuickPixels = 4096;
 constexpr int kExrPixels = 4096;
 
 // One load of a file, in this process.
@@ -125,7 +128,8 @@ void print(const std::vector<Load>& loads) {
     }
 }
 
-void measureScan(const BenchFolder& folder, int pixels) {
+void measureScan(const BenchFolder& folder, const BenchOptions& options) {
+    const int pixels = options.quick ? kQuickPixels : kPixels;
     {
         const HeightMap map = hills<HeightMap>(pixels);
         writeRaw(folder.file("map.raw"), map);
@@ -147,12 +151,18 @@ void measureScan(const BenchFolder& folder, int pixels) {
     std::printf("%d x %d pixels, fresh processes, warm cache, best of %d\n", pixels, pixels,
                 kRounds);
     print(loads);
-    std::printf(".gsf over the raw read      %6.2f   (target: at most 1.3)\n",
-                loads[1].time / loads[0].time);
-    if (loads.size() > 3) {
-        std::printf("Gwyddion over our .gwy      %6.2f   (target: at least 3)\n",
-                    loads[3].time / loads[2].time);
-    }
+    const std::string load = "load " + std::to_string(pixels) + "^2: ";
+    giveRows(
+        {{.name = load + ".gsf over a raw read",
+          .value = loads[1].time / loads[0].time,
+          .unit = "x",
+          .goal = 1.3,
+          .kind = GoalKind::AtMost},
+         {.name = load + "Gwyddion over our .gwy",
+          .value = loads.size() > 3 ? std::optional(loads[3].time / loads[2].time) : std::nullopt,
+          .unit = "x",
+          .goal = 3.0}},
+        options);
 }
 
 /// OpenEXR's own reader: the format is written for other programs, and we do not read it.
@@ -165,27 +175,42 @@ void measureExr(const BenchFolder& folder) {
     print(loads);
 }
 
-void run(std::span<char*> arguments) {
-    if (arguments.size() < 3) {
+struct Options {
+    std::string way;
+    std::string path;  ///< of the way
+    BenchOptions bench;
+};
+
+void run(const Options& options) {
+    if (options.path.empty()) {
         const BenchFolder folder;
-        measureScan(folder, arguments.size() < 2
-                                ? 8192
-                                : static_cast<int>(std::strtol(arguments[1], nullptr, 10)));
+        measureScan(folder, options.bench);
         measureExr(folder);
-        return;
-    }
-    const std::string way = arguments[1];
-    if (way == "formats") {
-        measureFormats(arguments[2]);
-    } else if (way == "raw") {
-        loadRaw(arguments[2]);
-    } else if (way == "all") {
-        loadAll(arguments[2]);
-    } else if (way == "ours") {
-        loadOurs(arguments[2]);
+    } else if (options.way == "formats") {
+        measureFormats(options.path);
+    } else if (options.way == "raw") {
+        loadRaw(options.path);
+    } else if (options.way == "all") {
+        loadAll(options.path);
+    } else if (options.way == "ours") {
+        loadOurs(options.path);
     } else {
-        loadExr(arguments[2]);
+        loadExr(options.path);
     }
+}
+
+int runBench(int argc, char** argv) {
+    Options options;
+    CLI::App app("Loading of scans, each in a fresh process, beside a raw read and Gwyddion");
+    CLI::Option* const way =
+        app.add_option("WAY", options.way, "formats: every file of a folder; else one load")
+            ->check(CLI::IsMember({"formats", "raw", "ours", "all", "exr"}));
+    CLI::Option* const path = app.add_option("PATH", options.path, "folder, or file of one load");
+    way->needs(path);
+    addBenchOptions(app, options.bench);
+    CLI11_PARSE(app, argc, argv);
+    run(options);
+    return 0;
 }
 
 }  // namespace
@@ -194,10 +219,9 @@ void run(std::span<char*> arguments) {
 
 int main(int argc, char** argv) {
     try {
-        asperity::run({argv, static_cast<std::size_t>(argc)});
+        return asperity::runBench(argc, argv);
     } catch (const std::exception& error) {
         std::fprintf(stderr, "%s\n", error.what());
         return 1;
     }
-    return 0;
 }

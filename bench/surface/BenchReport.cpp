@@ -1,6 +1,5 @@
 #include "bench/surface/BenchReport.h"
 
-#include "bench/surface/SearchTargets.h"
 #include "core/Units.h"
 
 #include <cstdio>
@@ -9,9 +8,6 @@
 namespace asperity {
 
 namespace {
-
-/// CHAI3D's whole update as docs of the project record it: it is no Debian package. [ns]
-constexpr TimeSummary kRecordedChai3d{.median = 29000.0, .p99 = 75000.0};
 
 double percent(std::size_t part, std::size_t whole) {
     return whole == 0 ? 0.0 : 100.0 * static_cast<double>(part) / static_cast<double>(whole);
@@ -40,7 +36,6 @@ void printWork(const WorkResult& work) {
                         method.name.c_str(), method.below / 1.0_nm);
         }
     }
-    printPointTargets(work);
     std::printf("\n");
 }
 
@@ -74,9 +69,9 @@ void printSize(const SizeResult& size) {
 void printChain(const ChainResult& chain) {
     std::printf(
         "foot + force + decoupling: median %.0f ns (of which foot %.0f), p99 %.0f ns: x %.1f"
-        " of its median (target <= 3)\n"
+        " of its median\n"
         "  CHAI3D's update, recorded elsewhere, not measured here: %.0f and %.0f ns: x %.0f"
-        " (target >= 60) and x %.0f\n\n",
+        " and x %.0f\n\n",
         chain.time.median, chain.closest.median, chain.time.p99, chain.time.p99 / chain.time.median,
         kRecordedChai3d.median, kRecordedChai3d.p99, kRecordedChai3d.median / chain.time.median,
         kRecordedChai3d.p99 / chain.time.p99);

@@ -1,16 +1,16 @@
-// Smoothing and spline of a whole map beside a streaming copy and other programs:
-//   asperity_fit_bench [PIXELS [SIGMA]]       (default 4096 1.5)
+// Smoothing and spline of a whole map beside a streaming copy and other programs.
+#include "bench/BenchRows.h"
 #include "bench/Hills.h"
 #include "bench/surface/FitPeer.h"
 #include "core/Error.h"
 #include "core/surface/fit/BSplineFit.h"
 #include "core/surface/fit/SeparableFit.h"
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
 #include <cstring>
 #include <limits>
 #include <sys/resource.h>
@@ -80,15 +80,19 @@ double difference(const BSplineSurface& surface, const FitAnswer& answer) {
     return largest / 1e-8;
 }
 
-void comparePeers(const ScanMap& map, double sigma, const Times& times) {
+/// Of the peers that are installed [ns]; infinite: of none.
+struct PeerTimes {
+    double best = std::numeric_limits<double>::infinity();
+    double gwyddion = std::numeric_limits<double>::infinity();
+};
+
+PeerTimes comparePeers(const ScanMap& map, double sigma, const Times& times) {
     const BSplineSurface surface = fitSurface(map, {sigma, sigma});
     const FitTask task{.columns = map.columns,
                        .rows = map.rows,
                        .heights = {map.heights.begin(), map.heights.end()},
                        .sigma = sigma};
-    constexpr double kInfinity = std::numeric_limits<double>::infinity();
-    double best = kInfinity;
-    double gwyddion = kInfinity;
+    PeerTimes peers;
     for (const auto& peer : fitPeers()) {
         try {
             FitAnswer answer = peer->fit(task);
@@ -97,23 +101,44 @@ void comparePeers(const ScanMap& map, double sigma, const Times& times) {
                         "height range\n",
                         peer->name().c_str(), answer.time * 1e-6, answer.time / times.twoThreads,
                         difference(surface, answer));
-            best = std::min(best, answer.time);
-            gwyddion = peer->name() == "Gwyddion" ? answer.time : gwyddion;
+            peers.best = std::min(peers.best, answer.time);
+            peers.gwyddion = peer->name() == "Gwyddion" ? answer.time : peers.gwyddion;
         } catch (const Error& error) {
             std::printf("%-24s %s\n", peer->name().c_str(), error.what());
         }
     }
-    if (std::isfinite(best)) {
-        std::printf("best of the others over ours        %6.1f   (target: at least 7)\n",
-                    best / times.twoThreads);
-    }
-    if (std::isfinite(gwyddion)) {
-        std::printf("Gwyddion over ours                  %6.1f   (target: at least 12)\n",
-                    gwyddion / times.twoThreads);
-    }
+    return peers;
 }
 
-void run(int pixels, double sigma) {
+std::vector<BenchRow> rowsOf(int pixels, const Times& times, const PeerTimes& peers,
+                             double memory) {
+    const std::string fit = "smooth + fit " + std::to_string(pixels) + "^2: ";
+    const auto over = [&times](double peer) {
+        return std::isfinite(peer) ? std::optional(peer / times.twoThreads) : std::nullopt;
+    };
+    return {
+        {.name = fit + "best peer over ours", .value = over(peers.best), .unit = "x", .goal = 7.0},
+        {.name = fit + "Gwyddion over ours",
+         .value = over(peers.gwyddion),
+         .unit = "x",
+         .goal = 12.0},
+        {.name = fit + "ours over a copy of the floats",
+         .value = times.twoThreads / times.copy,
+         .unit = "x",
+         .goal = 6.0,
+         .kind = GoalKind::AtMost},
+        {.name = fit + "one thread over two",
+         .value = times.oneThread / times.twoThreads,
+         .unit = "x",
+         .goal = 1.7},
+        {.name = fit + "memory over that of the floats",
+         .value = memory,
+         .unit = "x",
+         .goal = 2.2,
+         .kind = GoalKind::AtMost}};
+}
+
+void run(int pixels, double sigma, const BenchOptions& options) {
     double before = peakMemory();
     const ScanMap map = hills<ScanMap>(pixels);
     const double mapBytes = static_cast<double>(map.heights.size() * sizeof(float));
@@ -124,13 +149,31 @@ void run(int pixels, double sigma) {
     const Times times = measure(map, sigma);
     std::printf("%d x %d pixels, sigma %g pixels, best of %d\n", pixels, pixels, sigma, kRounds);
     std::printf("streaming copy, float    %9.2f ms\n", times.copy * 1e-6);
-    std::printf("fit, two threads         %9.2f ms   %6.1f copies   (target: at most 10)\n",
-                times.twoThreads * 1e-6, times.twoThreads / times.copy);
-    std::printf("fit, one thread          %9.2f ms   %6.2f times as long   (target: 1.7)\n",
-                times.oneThread * 1e-6, times.oneThread / times.twoThreads);
+    std::printf("fit, two threads         %9.2f ms   %6.1f copies\n", times.twoThreads * 1e-6,
+                times.twoThreads / times.copy);
+    std::printf("fit, one thread          %9.2f ms   %6.2f times as long\n", times.oneThread * 1e-6,
+                times.oneThread / times.twoThreads);
     std::printf("fit, one thread, SSE2    %9.2f ms\n", times.baseline * 1e-6);
-    std::printf("memory, map included     %9.2f maps   (target: at most 2.2)\n", used / mapBytes);
-    comparePeers(map, sigma, times);
+    std::printf("memory, map included     %9.2f maps\n", used / mapBytes);
+    const PeerTimes peers = comparePeers(map, sigma, times);
+    giveRows(rowsOf(pixels, times, peers, used / mapBytes), options);
+}
+
+int runBench(int argc, char** argv) {
+    int pixels = 4096;
+    double sigma = 1.5;
+    BenchOptions options;
+    CLI::App app("Smoothing and spline of a whole map, beside a copy and other programs");
+    app.add_option("PIXELS", pixels, "along each side of the map")
+        ->check(CLI::Range(100, 16384))
+        ->capture_default_str();
+    app.add_option("SIGMA", sigma, "of the smoothing [pixels]")
+        ->check(CLI::PositiveNumber)
+        ->capture_default_str();
+    addBenchOptions(app, options);
+    CLI11_PARSE(app, argc, argv);
+    run(options.quick ? std::min(pixels, 2048) : pixels, sigma, options);
+    return 0;
 }
 
 }  // namespace
@@ -139,9 +182,7 @@ void run(int pixels, double sigma) {
 
 int main(int argc, char** argv) {
     try {
-        const int pixels = argc > 1 ? std::atoi(argv[1]) : 4096;
-        asperity::run(std::max(pixels, 100), argc > 2 ? std::atof(argv[2]) : 1.5);
-        return 0;
+        return asperity::runBench(argc, argv);
     } catch (const std::exception& error) {
         std::fprintf(stderr, "%s\n", error.what());
         return 1;

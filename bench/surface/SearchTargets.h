@@ -1,11 +1,12 @@
 #pragma once
 
+#include "bench/BenchRows.h"
 #include "bench/surface/BenchReport.h"
 
 namespace asperity {
 
-/// Prints what the closest point is to reach on the paths that targets were set for, each figure
-/// with its target beside it; a peer that did not run has none. For people, to stdout.
-void printPointTargets(const WorkResult& work);
+/// What closest point, force and decoupling are to reach, each figure beside its goal; of the works
+/// that ran.
+[[nodiscard]] std::vector<BenchRow> searchRows(const BenchResults& results);
 
 }  // namespace asperity

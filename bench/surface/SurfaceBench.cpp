@@ -4,6 +4,7 @@
 #include "bench/surface/MapCopy.h"
 #include "bench/surface/OurQuery.h"
 #include "bench/surface/Peers.h"
+#include "bench/surface/SearchTargets.h"
 #include "core/Error.h"
 #include "core/io/heightmap/HeightMapFile.h"
 #include "core/surface/fit/BSplineFit.h"
@@ -20,21 +21,24 @@ namespace asperity {
 
 namespace {
 
+constexpr std::size_t kSlideSteps = 20000;
+constexpr std::size_t kRandomTips = 100000;
+constexpr std::size_t kQuickPart = 10;
+constexpr int kPasses = 5;
+
 struct Options {
     std::string work = "all";
     std::vector<std::string> scans;  ///< of the random work, instead of its own
     std::size_t queries = 0;         ///< 0: as many as each work has by itself
     bool json = false;
+    BenchOptions bench;
 
     [[nodiscard]] bool wants(const char* name) const { return work == "all" || work == name; }
     [[nodiscard]] std::size_t queriesOr(std::size_t usual) const {
-        return queries == 0 ? usual : queries;
+        const std::size_t own = bench.quick ? usual / kQuickPart : usual;
+        return queries == 0 ? own : queries;
     }
 };
-
-constexpr std::size_t kSlideSteps = 20000;
-constexpr std::size_t kRandomTips = 100000;
-constexpr int kPasses = 5;
 
 WorkResult runSlide(const std::string& name, const HeightMap& map, const Options& options) {
     const BSplineSurface surface = fitSurface(map);
@@ -152,9 +156,15 @@ int runBench(int argc, char** argv) {
     app.add_option("--queries", options.queries, "queries of each work, in place of its own")
         ->check(CLI::PositiveNumber);
     app.add_flag("--json", options.json, "for programs");
+    addBenchOptions(app, options.bench);
     CLI11_PARSE(app, argc, argv);
     const BenchResults results = runAll(options);
-    options.json ? printJson(results) : printTables(results);
+    if (options.json) {
+        printJson(results);
+    } else {
+        printTables(results);
+        giveRows(searchRows(results), options.bench);
+    }
     return 0;
 }
 

@@ -6,10 +6,9 @@
 
 namespace asperity::test {
 
-ProgramRun runProgram(const std::string& arguments, const std::string& environment) {
-    const std::string command =
-        environment + " " + std::string(ASPERITY_PROGRAM) + " " + arguments + " 2>&1";
-    std::FILE* pipe = popen(command.c_str(), "r");  // NOLINT(cert-env33-c): that is the test
+ProgramRun runCommand(const std::string& command) {
+    // NOLINTNEXTLINE(cert-env33-c): that is the test
+    std::FILE* pipe = popen((command + " 2>&1").c_str(), "r");
     ProgramRun run;
     if (pipe == nullptr) {
         return run;
@@ -21,6 +20,10 @@ ProgramRun runProgram(const std::string& arguments, const std::string& environme
     const int status = pclose(pipe);
     run.exitCode = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
     return run;
+}
+
+ProgramRun runProgram(const std::string& arguments, const std::string& environment) {
+    return runCommand(environment + " " + std::string(ASPERITY_PROGRAM) + " " + arguments);
 }
 
 }  // namespace asperity::test

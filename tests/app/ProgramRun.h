@@ -10,6 +10,9 @@ struct ProgramRun {
     std::string output;  ///< stdout and stderr together
 };
 
+/// Runs the command line of a shell.
+[[nodiscard]] ProgramRun runCommand(const std::string& command);
+
 /// Runs `asperity` with the arguments of a shell command line.
 /// @param environment variables to set, as in "DISPLAY= CI=true"
 [[nodiscard]] ProgramRun runProgram(const std::string& arguments,

@@ -21,7 +21,7 @@ TEST(Usage, EverySubcommandHasHelp) {
     EXPECT_EQ(overview.exitCode, 0);
     for (const std::string command :
          {"explore", "info", "convert", "contact", "curve", "decouple", "tradeoff", "extremes",
-          "replay", "report", "loop", "devices"}) {
+          "replay", "report", "loop", "bench", "devices"}) {
         EXPECT_NE(overview.output.find("\n  " + command + " "), std::string::npos) << command;
         const auto run = test::runProgram(command + " --help");
         EXPECT_EQ(run.exitCode, 0);
@@ -32,6 +32,7 @@ TEST(Usage, EverySubcommandHasHelp) {
 TEST(Usage, WrongCallsExitWith2) {
     for (const std::string call : {"fly",
                                    "loop --rate 1",
+                                   "bench nothing",
                                    "loop --duration nan",
                                    "devices now",
                                    "explore",
