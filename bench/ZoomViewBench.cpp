@@ -53,8 +53,9 @@ struct Timing {
     }
 };
 
-/// Draws again whenever `swapped` (which must be emitted once a frame) says that a frame is out.
-Timing measure(QOpenGLWidget& swapped, double duration, const std::function<void()>& draw) {
+/// Draws again whenever the view says that a frame is out: `shown` is emitted once a frame.
+template <class View, class Shown>
+Timing measure(View& view, Shown shown, double duration, const std::function<void()>& draw) {
     QEventLoop loop;
     QElapsedTimer clock;
     Timing timing;
@@ -77,7 +78,7 @@ Timing measure(QOpenGLWidget& swapped, double duration, const std::function<void
     QTimer due;
     due.setSingleShot(true);
     QObject::connect(&due, &QTimer::timeout, &loop, next);
-    QObject::connect(&swapped, &QOpenGLWidget::frameSwapped, &due, [&due] { due.start(0); });
+    QObject::connect(&view, shown, &due, [&due] { due.start(0); });
     due.start(0);
     loop.exec();
     timing.framesPerSecond = static_cast<double>(timing.calls.size()) / (now() - begin);
@@ -124,11 +125,12 @@ double fourEmptyViews(double duration) {
     }
     all.resize(kWidth, kHeight);
     all.show();
-    const Timing timing = measure(views.front()->widget, duration, [&] {
-        for (const auto& view : views) {
-            view->window->Render();
-        }
-    });
+    const Timing timing =
+        measure(views.front()->widget, &QOpenGLWidget::frameSwapped, duration, [&] {
+            for (const auto& view : views) {
+                view->window->Render();
+            }
+        });
     print("four nearly empty QVTK widgets", timing);
     for (const auto& view : views) {
         view->widget.setParent(nullptr);
@@ -172,9 +174,9 @@ void measureView(ZoomView& view, HapticLoop& loop, double empty, double duration
     };
     for (const bool cached : {true, false}) {
         view.setCacheEnabled(cached);
-        const Timing still = measure(view, duration, frame);
+        const Timing still = measure(view, &ZoomView::painted, duration, frame);
         print(cached ? "  camera still, cached" : "  camera still, no cache", still);
-        const Timing moving = measure(view, duration, turnedFrame);
+        const Timing moving = measure(view, &ZoomView::painted, duration, turnedFrame);
         print(cached ? "  camera moving, cached" : "  camera moving, no cache", moving);
         std::printf("  ratio to four empty widgets: still %.2f, moving %.2f\n",
                     still.framesPerSecond / empty, moving.framesPerSecond / empty);
@@ -210,7 +212,9 @@ void measureOptions(ZoomView& view, HapticLoop& loop, const Scene& scene, double
         look.quantity = quantity;
         view.setLook(look, SurfaceField(quantity));
     };
-    const auto measured = [&](const char* what) { print(what, measure(view, duration, frame)); };
+    const auto measured = [&](const char* what) {
+        print(what, measure(view, &ZoomView::painted, duration, frame));
+    };
     measured("  heights alone");
     for (const SurfaceQuantity quantity :
          {SurfaceQuantity::Slope, SurfaceQuantity::Gap, SurfaceQuantity::Pressure,

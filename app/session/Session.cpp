@@ -13,7 +13,7 @@ namespace asperity {
 
 namespace {
 
-constexpr int kFramePeriod = 25;       // [ms]
+constexpr int kFramePeriod = 16;       // [ms]
 constexpr double kMaxFrameTime = 0.1;  // that a held key moves the device for [s]
 
 }  // namespace

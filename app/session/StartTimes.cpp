@@ -40,7 +40,7 @@ StartTimes::StartTimes(LiveWindow& live) : live_(live) {
     const ZoomView& view = live.window().view();
     connect(&view, &ZoomView::frameRendered, this,
             [this, &view] { isDrawn_ = view.shown().has_value(); });
-    connect(&view, &QOpenGLWidget::frameSwapped, this, &StartTimes::shown);
+    connect(&view, &ZoomView::painted, this, &StartTimes::shown);
 }
 
 void StartTimes::shown() {

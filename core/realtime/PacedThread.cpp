@@ -6,6 +6,7 @@
 #include <cmath>
 #include <ctime>
 #include <pthread.h>
+#include <sys/prctl.h>
 #include <system_error>
 
 namespace asperity {
@@ -16,6 +17,13 @@ constexpr int kPriority = 80;           // below the kernel's own threads, above
 constexpr double kSpin = 40e-6;         // a sleep wakes up late by about this much [s]
 constexpr double kMaxSpinShare = 0.25;  // of a period: the rest of the machine must live
 constexpr double kFirstBeat = 1e-3;     // after the thread has started [s]
+
+/// Else the system lets an ordinary thread sleep up to 50 microseconds too long, more than it
+/// spins.
+void wakePunctually() {
+    constexpr unsigned long kSlack = 1000;  // [ns]
+    prctl(PR_SET_TIMERSLACK, kSlack);
+}
 
 SchedulingPolicy claimRealtime() {
     sched_param parameters{};
@@ -66,6 +74,7 @@ PacedThread::~PacedThread() {
 }
 
 void PacedThread::run() const {
+    wakePunctually();
     Beat beat{.policy = claimRealtime()};
     const double spin = std::min(kSpin, kMaxSpinShare * period_);
     double due = monotonicSeconds() + kFirstBeat;

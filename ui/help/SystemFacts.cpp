@@ -1,10 +1,12 @@
 #include "ui/help/SystemFacts.h"
 
+#include "ui/view/PixelView.h"
+
+#include <vtkOpenGLRenderWindow.h>
+
 #include <QGuiApplication>
 #include <QLocale>
-#include <QOpenGLContext>
-#include <QOpenGLFunctions>
-#include <QOpenGLWidget>
+#include <QRegularExpression>
 #include <QScreen>
 #include <QSysInfo>
 #include <QThread>
@@ -22,24 +24,23 @@ QString screenFact(const QScreen& screen) {
         .arg(screen.logicalDotsPerInch(), 0, 'f', 0);
 }
 
-QString drawingFact(QOpenGLWidget& view) {
-    if (view.context() == nullptr) {
+/// From what VTK reports: "OpenGL vendor string:  Mesa", a line each.
+QString drawingFact(const PixelView& view) {
+    if (view.frame().isNull()) {
         return QObject::tr("OpenGL: nothing is drawn yet");
     }
-    view.makeCurrent();
-    QOpenGLFunctions& functions = *view.context()->functions();
-    const auto text = [&functions](GLenum name) {
-        return QString::fromUtf8(reinterpret_cast<const char*>(functions.glGetString(name)));
+    const QString report = QString::fromUtf8(view.renderWindow().ReportCapabilities());
+    const auto text = [&report](const char* name) {
+        const QRegularExpression line(QStringLiteral("OpenGL %1 string: *([^\n]*)").arg(name));
+        return line.match(report).captured(1);
     };
-    const QString fact = QObject::tr("OpenGL: %1, %2, version %3")
-                             .arg(text(GL_RENDERER), text(GL_VENDOR), text(GL_VERSION));
-    view.doneCurrent();
-    return fact;
+    return QObject::tr("OpenGL: %1, %2, version %3")
+        .arg(text("renderer"), text("vendor"), text("version"));
 }
 
 }  // namespace
 
-QStringList systemFacts(QOpenGLWidget& view) {
+QStringList systemFacts(const PixelView& view) {
     QStringList facts{
         QObject::tr("System: %1, kernel %2 %3")
             .arg(QSysInfo::prettyProductName(), QSysInfo::kernelType(), QSysInfo::kernelVersion()),

@@ -2,12 +2,12 @@
 
 #include <QStringList>
 
-class QOpenGLWidget;
-
 namespace asperity {
+
+class PixelView;
 
 /// What a bug report says of the machine, a line each: system, processor, screens, OpenGL.
 /// @param view that draws with OpenGL; it may not have begun to
-[[nodiscard]] QStringList systemFacts(QOpenGLWidget& view);
+[[nodiscard]] QStringList systemFacts(const PixelView& view);
 
 }  // namespace asperity

@@ -38,9 +38,7 @@ double fineness(Qt::KeyboardModifiers modifiers) {
 
 }  // namespace
 
-GestureWidget::GestureWidget(QWidget* parent) : QVTKOpenGLNativeWidget(parent) {
-    setMouseTracking(true);
-}
+GestureWidget::GestureWidget(QWidget* parent) : PixelView(parent) { setMouseTracking(true); }
 
 void GestureWidget::mousePressEvent(QMouseEvent* event) {
     pointer_ = event->localPos();
@@ -65,7 +63,7 @@ void GestureWidget::mouseReleaseEvent(QMouseEvent* event) {
 
 void GestureWidget::leaveEvent(QEvent* event) {
     Q_EMIT unhovered();
-    QVTKOpenGLNativeWidget::leaveEvent(event);
+    PixelView::leaveEvent(event);
 }
 
 void GestureWidget::wheelEvent(QWheelEvent* event) {

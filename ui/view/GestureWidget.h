@@ -1,8 +1,7 @@
 #pragma once
 
 #include "ui/InputHelp.h"
-
-#include <QVTKOpenGLNativeWidget.h>
+#include "ui/view/PixelView.h"
 
 #include <QPointF>
 
@@ -11,7 +10,7 @@ namespace asperity {
 /// A view that signals what a user does to it by mouse and keys: the left button drags, the right
 /// one turns, the wheel lifts (Shift: a tenth of a drag and a lift); Ctrl and the wheel, + and -
 /// zoom.
-class GestureWidget : public QVTKOpenGLNativeWidget {
+class GestureWidget : public PixelView {
     Q_OBJECT
 
 public:

@@ -7,8 +7,7 @@
 #include <vtkPropCollection.h>
 #include <vtkRenderer.h>
 
-#include <QOpenGLContext>
-#include <QOpenGLExtraFunctions>
+#include <GL/gl.h>
 
 namespace asperity {
 
@@ -95,9 +94,9 @@ void StaticLayer::copyPicture(bool intoFrame) {
     bindForReading(intoFrame ? picture_.Get() : frame);
     bindForDrawing(intoFrame ? frame : picture_.Get());
     window_->GetState()->vtkglDisable(GL_SCISSOR_TEST);
-    QOpenGLContext::currentContext()->extraFunctions()->glBlitFramebuffer(
-        0, 0, width_, height_, 0, 0, width_, height_, GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT,
-        GL_NEAREST);
+    window_->GetState()->vtkglBlitFramebuffer(0, 0, width_, height_, 0, 0, width_, height_,
+                                              GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT,
+                                              GL_NEAREST);
 }
 
 void StaticLayer::hideActors() {

@@ -2,10 +2,7 @@
 
 #include "ui/Theme.h"
 
-#include <vtkGenericOpenGLRenderWindow.h>
-#include <vtkRenderWindowInteractor.h>
-
-#include <QSurfaceFormat>
+#include <vtkOpenGLRenderWindow.h>
 
 #include <cmath>
 #include <utility>
@@ -26,13 +23,7 @@ constexpr int kRunningTime = 100;   // after which snapshots come no more [ms]
 
 }  // namespace
 
-ZoomView::ZoomView(QWidget* parent) : GestureWidget(parent), picture_(renderWindow_) {
-    QSurfaceFormat format = QVTKOpenGLNativeWidget::defaultFormat();
-    format.setSamples(0);  // and SetMultiSamples: multisampling takes half the frame rate
-    setFormat(format);
-    setEnableHiDPI(false);  // letters are scaled where they are drawn: showLabels()
-    setRenderWindow(renderWindow_);
-    renderWindow_->GetInteractor()->SetInteractorStyle(nullptr);  // events are handled here
+ZoomView::ZoomView(QWidget* parent) : GestureWidget(parent), picture_(&renderWindow()) {
     connect(&picture_, &ZoomPicture::terrainPlaced, this, &ZoomView::disturb);
     connect(&picture_, &ZoomPicture::frameChanged, this, &ZoomView::frameChanged);
     connect(&picture_, &ZoomPicture::scalesChanged, this, &ZoomView::scalesChanged);
@@ -53,7 +44,7 @@ ZoomView::ZoomView(QWidget* parent) : GestureWidget(parent), picture_(renderWind
     });
 }
 
-ZoomView::~ZoomView() { makeCurrent(); }
+ZoomView::~ZoomView() = default;
 
 void ZoomView::connectGestures() {
     connect(this, &ZoomView::zoomed, this,
@@ -207,6 +198,11 @@ void ZoomView::resizeEvent(QResizeEvent* event) {
     renderSoon();
 }
 
+void ZoomView::showEvent(QShowEvent* event) {
+    GestureWidget::showEvent(event);
+    renderSoon();
+}
+
 void ZoomView::aim() {
     const double letters = theme::scaled(kLetters) / static_cast<double>(kLetters);
     picture_.aim(camera_, static_cast<double>(width()) / height(),
@@ -238,8 +234,7 @@ void ZoomView::renderNow() {
                              settling_.isActive() ? TerrainDetail::Coarse : TerrainDetail::Fine);
     }
     picture_.showLabels(camera_, height(), devicePixelRatioF());
-    if (isValid()) {
-        renderWindow_->Render();
+    if (drawFrame()) {
         Q_EMIT frameRendered();
     }
 }

@@ -6,12 +6,8 @@
 #include "ui/view/SurfaceReading.h"
 #include "ui/view/ZoomPicture.h"
 
-#include <vtkNew.h>
-
 #include <QElapsedTimer>
 #include <QTimer>
-
-class vtkGenericOpenGLRenderWindow;
 
 namespace asperity {
 
@@ -94,6 +90,7 @@ Q_SIGNALS:
 
 protected:
     void resizeEvent(QResizeEvent* event) override;
+    void showEvent(QShowEvent* event) override;
 
 private:
     void connectGestures();
@@ -103,7 +100,6 @@ private:
     void renderSoon();
     void renderNow();
 
-    vtkNew<vtkGenericOpenGLRenderWindow> renderWindow_;
     ZoomPicture picture_;
     ViewCamera camera_;
     QTimer settling_;  ///< runs while the view is in motion

@@ -34,7 +34,7 @@ protected:
     QImage pictureOf(const Snapshot& snapshot) {
         view->showSnapshot(snapshot);
         settle();
-        return view->grabFramebuffer();
+        return view->frame();
     }
 
     [[nodiscard]] QColor colorAt(const QImage& picture, const Vector3& place) const {

@@ -119,7 +119,7 @@ TEST_F(ThemeMenuTest, NoLabelKeepsAColorOfTheThemeBefore) {
 TEST_F(ThemeMenuTest, TheLargeViewHasTheBackdropOfTheTheme) {
     const auto corner = [this] {
         QTest::qWait(300);
-        return window.view().grabFramebuffer().pixelColor(3, 3);
+        return window.view().frame().pixelColor(3, 3);
     };
     EXPECT_EQ(corner(), toQColor(kLightPalette.backdrop));
     choose("&Dark");

@@ -1,0 +1,87 @@
+#include "ui/view/PixelView.h"
+
+#include "ui/Theme.h"
+
+#include <vtkOpenGLRenderWindow.h>
+#include <vtkRenderWindow.h>
+
+#include <QPainter>
+
+#include <algorithm>
+#include <cstdint>
+#include <cstring>
+
+namespace asperity {
+
+namespace {
+
+/// Of red, green, blue and alpha bytes to that of QImage::Format_RGB32.
+std::uint32_t colorOf(std::uint32_t rgba) {
+    constexpr std::uint32_t kByte = 0xffU;
+    const std::uint32_t red = rgba & kByte;
+    const std::uint32_t green = (rgba >> 8U) & kByte;
+    const std::uint32_t blue = (rgba >> 16U) & kByte;
+    return 0xff000000U | (red << 16U) | (green << 8U) | blue;
+}
+
+/// The rows of OpenGL begin at the bottom.
+void copyFrame(const unsigned char* drawn, QImage& frame) {
+    const auto columns = static_cast<std::size_t>(frame.width());
+    for (int row = 0; row < frame.height(); ++row) {
+        const auto from = static_cast<std::size_t>(frame.height() - 1 - row) * columns;
+        auto* const to = reinterpret_cast<std::uint32_t*>(frame.scanLine(row));
+        for (std::size_t i = 0; i < columns; ++i) {
+            std::uint32_t rgba = 0;
+            std::memcpy(&rgba, drawn + sizeof(rgba) * (from + i), sizeof(rgba));
+            to[i] = colorOf(rgba);
+        }
+    }
+}
+
+}  // namespace
+
+PixelView::PixelView(QWidget* parent) : QWidget(parent) {
+    setAttribute(Qt::WA_OpaquePaintEvent);
+    window_->SetOffScreenRendering(1);
+    window_->SetMultiSamples(0);  // multisampling takes half the frame rate
+}
+
+PixelView::~PixelView() = default;
+
+vtkOpenGLRenderWindow& PixelView::renderWindow() const {
+    return *vtkOpenGLRenderWindow::SafeDownCast(window_);
+}
+
+QSize PixelView::pixels() const {
+    return (QSizeF(size()) * devicePixelRatioF()).toSize().expandedTo(QSize(1, 1));
+}
+
+bool PixelView::drawFrame() {
+    if (!isVisible()) {
+        return false;
+    }
+    const QSize size = pixels();
+    window_->SetSize(size.width(), size.height());
+    window_->Render();
+    window_->GetRGBACharPixelData(0, 0, size.width() - 1, size.height() - 1, 0, drawn_);
+    if (frame_.size() != size) {
+        frame_ = QImage(size, QImage::Format_RGB32);
+    }
+    frame_.setDevicePixelRatio(devicePixelRatioF());
+    copyFrame(drawn_->GetPointer(0), frame_);
+    update();
+    return true;
+}
+
+void PixelView::paintEvent(QPaintEvent* /*event*/) {
+    QPainter painter(this);
+    if (frame_.size() != pixels()) {  // of another size, or none
+        painter.fillRect(rect(), theme::colors().backdrop);
+    }
+    if (!frame_.isNull()) {
+        painter.drawImage(0, 0, frame_);
+        Q_EMIT painted();
+    }
+}
+
+}  // namespace asperity

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <vtkNew.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <QImage>
+#include <QWidget>
+
+class vtkOpenGLRenderWindow;
+class vtkRenderWindow;
+
+namespace asperity {
+
+/// A widget that shows what VTK draws in a window off the screen. A widget of OpenGL would have Qt
+/// compose the whole main window by OpenGL in each frame, which takes longer than the picture
+/// itself where the processor draws.
+class PixelView : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit PixelView(QWidget* parent = nullptr);
+    ~PixelView() override;
+
+    /// The last frame, in pixels of the screen; null: there is none yet.
+    [[nodiscard]] const QImage& frame() const { return frame_; }
+    /// What draws, and is never shown itself.
+    [[nodiscard]] vtkOpenGLRenderWindow& renderWindow() const;
+
+Q_SIGNALS:
+    /// The last frame has been painted.
+    void painted();
+
+protected:
+    /// Draws a frame and has it painted; not while the widget is hidden. @return whether it did
+    bool drawFrame();
+
+    void paintEvent(QPaintEvent* event) override;
+
+private:
+    [[nodiscard]] QSize pixels() const;
+
+    vtkNew<vtkRenderWindow> window_;
+    vtkNew<vtkUnsignedCharArray> drawn_;
+    QImage frame_;
+};
+
+}  // namespace asperity
