@@ -169,7 +169,7 @@ void LiveRun::adopt(const SceneDescription& description) {
 
 bool LiveRun::mayAdoptModel() noexcept {
     const ContactState& contact = loop_.snapshot().sample.output.model.contact;
-    return contact.region() == TipRegion::Far && loaded_.use_count() == 1;
+    return contact.region() == TipRegion::Far && !blackBox_.frozen() && loaded_.use_count() == 1;
 }
 
 void LiveRun::adoptModel(const LoadedScene& fitted) {

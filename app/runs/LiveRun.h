@@ -79,8 +79,8 @@ public:
 
     /// Gives the scene what can change while it is in use, see SceneChange::Shown.
     void adopt(const SceneDescription& description);
-    /// Whether the model can become another one that nobody notices: the tip feels nothing, and
-    /// nobody else works with the scene.
+    /// Whether the model can become another one that nobody notices: the tip feels nothing, what
+    /// the black box holds is not waited for, and nobody else works with the scene.
     [[nodiscard]] bool mayAdoptModel() noexcept;
     /// Gives the scene the model that was found for it beside the run. The tip may adopt one.
     void adoptModel(const LoadedScene& fitted);

@@ -28,7 +28,7 @@ void ModelFitControl::begin() {
 }
 
 void ModelFitControl::advance() {
-    if (fitted_ && !recordings_.isRecording() && runs_.run()->mayAdoptModel()) {
+    if (fitted_ && !recordings_.isWriting() && runs_.run()->mayAdoptModel()) {
         runs_.adoptModel(*std::exchange(fitted_, std::nullopt));
     }
 }

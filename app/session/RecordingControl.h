@@ -23,7 +23,8 @@ public:
     void start(const RecordingPlace& place);
     /// Where it is to be compact it is packed in the background: finished() comes later.
     void finish();
-    [[nodiscard]] bool isRecording() const { return recording_ != nullptr; }
+    /// Whether ticks of the run are being written, as they come or the last seconds.
+    [[nodiscard]] bool isWriting() const { return recording_ || lastSeconds_.valid(); }
     [[nodiscard]] bool isPacking() const { return packing_.valid(); }
     /// Every tick, in order.
     void take(const TickSample& sample);

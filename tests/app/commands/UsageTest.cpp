@@ -113,6 +113,17 @@ TEST(Usage, WithoutADisplayTheWindowSaysWhatWorksInstead) {
     EXPECT_NE(run.output.find("asperity explore"), std::string::npos) << run.output;
 }
 
+TEST(Usage, TellsHowSoonTheWindowShowsAScan) {
+    const test::ScratchFolder home;
+    const auto run = test::runCommand(
+        "env XDG_CONFIG_HOME=" + home.path().string() + " XDG_DATA_HOME=" + home.path().string() +
+        " xvfb-run -a -s '-screen 0 1280x800x24' " ASPERITY_PROGRAM " --time-start");
+    ASSERT_EQ(run.exitCode, 0) << run.output;
+    const auto times = nlohmann::json::parse(run.output.substr(run.output.find('{')));
+    EXPECT_GT(times.at("window_s"), 0.0);
+    EXPECT_GE(times.at("first_picture_s"), times.at("window_s"));
+}
+
 TEST(Loop, MeasuresItselfBesideABareLoop) {
     const auto run = test::runProgram("loop --rate 2000 --duration 2.5 --json");
     ASSERT_EQ(run.exitCode, 0) << run.output;

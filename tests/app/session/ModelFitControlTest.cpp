@@ -78,6 +78,22 @@ TEST_F(ModelFitControlTest, ARecordingHasOneModel) {
     EXPECT_TRUE(fitEnds());
 }
 
+/// The black box would begin anew, and nothing come of the wish.
+TEST_F(ModelFitControlTest, TheLastSecondsAreSavedFirst) {
+    QSignalSpy saved(&recordings, &RecordingControl::lastSecondsSaved);
+    recordings.setFolder(folder.path() / "recordings");
+    usePending();
+    QTest::qWait(200);
+    runs.fetch();
+    run().blackBox().freeze();
+    EXPECT_TRUE(staysPending());
+    ASSERT_TRUE(eventually([&] {
+        recordings.advance();
+        return saved.count() == 1;
+    }));
+    EXPECT_TRUE(fitEnds());
+}
+
 TEST_F(ModelFitControlTest, WhoeverWorksWithTheSceneKeepsItsModel) {
     usePending();
     auto shared = run().shared();
