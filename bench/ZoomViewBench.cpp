@@ -1,5 +1,6 @@
 // Frames per second of the zoomed view with the haptic loop running, camera still and moving,
 // beside four nearly empty QVTK widgets. Display: xvfb-run -a -s "-screen 0 1600x1000x24" PROGRAM.
+#include "bench/BenchMain.h"
 #include "bench/BenchRows.h"
 #include "core/haptics/HapticLoop.h"
 #include "core/haptics/ScriptedDevice.h"
@@ -289,11 +290,4 @@ int runBench(int argc, char** argv) {
 
 }  // namespace asperity
 
-int main(int argc, char** argv) {
-    try {
-        return asperity::runBench(argc, argv);
-    } catch (const std::exception& error) {
-        std::fprintf(stderr, "%s\n", error.what());
-        return 1;
-    }
-}
+int main(int argc, char** argv) { return asperity::benchMain(argc, argv, asperity::runBench); }

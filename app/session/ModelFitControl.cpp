@@ -1,17 +1,22 @@
 #include "app/session/ModelFitControl.h"
 
 #include "app/session/RecordingControl.h"
+#include "ui/window/MainWindow.h"
 
 #include <utility>
 
 namespace asperity {
 
-ModelFitControl::ModelFitControl(RunControl& runs, const RecordingControl& recordings)
+ModelFitControl::ModelFitControl(MainWindow& window, RunControl& runs,
+                                 const RecordingControl& recordings)
     : runs_(runs)
     , recordings_(recordings)
     , work_({.progressed = [](double /*share*/) {},
              .finished = [this](LoadedScene& fitted) { fitted_ = std::move(fitted); },
-             .failed = [](const std::exception_ptr& /*reason*/) {}}) {  // it keeps everything
+             .failed =
+                 [&window](const std::exception_ptr& reason) {
+                     window.complain(tr("The model keeps everything: %1").arg(reasonOf(reason)));
+                 }}) {
     connect(&runs, &RunControl::begun, this, &ModelFitControl::begin);
 }
 

@@ -7,14 +7,17 @@
 
 namespace asperity {
 
+class MainWindow;
 class RecordingControl;
 
 /// Finds out, beside a run that has begun with every term, what its scene requires of its model,
 /// and gives the run the model of these terms once the tip feels nothing. A recording has one model
 /// from its begin to its end.
 class ModelFitControl : public QObject {
+    Q_OBJECT
+
 public:
-    ModelFitControl(RunControl& runs, const RecordingControl& recordings);
+    ModelFitControl(MainWindow& window, RunControl& runs, const RecordingControl& recordings);
 
     /// Once a frame. There is a run.
     void advance();

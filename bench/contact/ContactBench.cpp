@@ -1,5 +1,6 @@
 // Time and error of each way to solve the Maugis-Dugdale law, beside SciPy, in one run. Times are
 // medians over interleaved sweeps; the truth is the reference table of 25 digits.
+#include "bench/BenchMain.h"
 #include "bench/BenchRows.h"
 #include "bench/contact/SciPyPeer.h"
 #include "core/Error.h"
@@ -325,11 +326,4 @@ int runBench(int argc, char** argv) {
 
 }  // namespace asperity
 
-int main(int argc, char** argv) {
-    try {
-        return asperity::runBench(argc, argv);
-    } catch (const std::exception& error) {
-        std::fprintf(stderr, "%s\n", error.what());
-        return 1;
-    }
-}
+int main(int argc, char** argv) { return asperity::benchMain(argc, argv, asperity::runBench); }

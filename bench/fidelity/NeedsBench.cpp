@@ -2,6 +2,7 @@
 // each scene requires, in turns; and how far the force moves at places that SceneNeeds did not look
 // at.
 
+#include "bench/BenchMain.h"
 #include "bench/BenchRows.h"
 #include "core/fidelity/SampledRuns.h"
 #include "core/fidelity/SceneNeeds.h"
@@ -109,11 +110,4 @@ int run(int argc, char** argv) {
 }  // namespace
 }  // namespace asperity
 
-int main(int argc, char** argv) {
-    try {
-        return asperity::run(argc, argv);
-    } catch (const std::exception& error) {
-        std::fprintf(stderr, "%s\n", error.what());
-        return 1;
-    }
-}
+int main(int argc, char** argv) { return asperity::benchMain(argc, argv, asperity::run); }

@@ -3,6 +3,7 @@
 //   asperity_load_bench                       8192 x 8192 pixels
 //   asperity_load_bench formats FOLDER        the files of every format, in ../shared/data/afm
 //   asperity_load_bench raw|ours|all|exr FILE one load: time [ns] and sum of the heights [m]
+#include "bench/BenchMain.h"
 #include "bench/BenchRows.h"
 #include "bench/Hills.h"
 #include "bench/io/FormatLoads.h"
@@ -217,11 +218,4 @@ int runBench(int argc, char** argv) {
 
 }  // namespace asperity
 
-int main(int argc, char** argv) {
-    try {
-        return asperity::runBench(argc, argv);
-    } catch (const std::exception& error) {
-        std::fprintf(stderr, "%s\n", error.what());
-        return 1;
-    }
-}
+int main(int argc, char** argv) { return asperity::benchMain(argc, argv, asperity::runBench); }

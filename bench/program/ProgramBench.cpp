@@ -2,6 +2,7 @@
 // what its loop and its window reach. Each run is a process of its own, on a virtual display
 // (xvfb-run).
 #include "bench/BenchFolder.h"
+#include "bench/BenchMain.h"
 #include "bench/BenchRows.h"
 #include "bench/CommandOutput.h"
 #include "bench/Hills.h"
@@ -155,11 +156,4 @@ int runBench(int argc, char** argv) {
 
 }  // namespace asperity
 
-int main(int argc, char** argv) {
-    try {
-        return asperity::runBench(argc, argv);
-    } catch (const std::exception& error) {
-        std::fprintf(stderr, "%s\n", error.what());
-        return 1;
-    }
-}
+int main(int argc, char** argv) { return asperity::benchMain(argc, argv, asperity::runBench); }

@@ -1,4 +1,5 @@
 // Smoothing and spline of a whole map beside a streaming copy and other programs.
+#include "bench/BenchMain.h"
 #include "bench/BenchRows.h"
 #include "bench/Hills.h"
 #include "bench/surface/FitPeer.h"
@@ -180,11 +181,4 @@ int runBench(int argc, char** argv) {
 
 }  // namespace asperity
 
-int main(int argc, char** argv) {
-    try {
-        return asperity::runBench(argc, argv);
-    } catch (const std::exception& error) {
-        std::fprintf(stderr, "%s\n", error.what());
-        return 1;
-    }
-}
+int main(int argc, char** argv) { return asperity::benchMain(argc, argv, asperity::runBench); }

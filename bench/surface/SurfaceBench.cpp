@@ -1,4 +1,5 @@
 // Time and error of the closest point on a spline surface, beside other programs, in one run.
+#include "bench/BenchMain.h"
 #include "bench/surface/BenchReport.h"
 #include "bench/surface/ForceChain.h"
 #include "bench/surface/MapCopy.h"
@@ -172,11 +173,4 @@ int runBench(int argc, char** argv) {
 
 }  // namespace asperity
 
-int main(int argc, char** argv) {
-    try {
-        return asperity::runBench(argc, argv);
-    } catch (const std::exception& error) {
-        std::fprintf(stderr, "%s\n", error.what());
-        return 1;
-    }
-}
+int main(int argc, char** argv) { return asperity::benchMain(argc, argv, asperity::runBench); }

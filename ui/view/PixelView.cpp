@@ -64,6 +64,10 @@ bool PixelView::drawFrame() {
     window_->SetSize(size.width(), size.height());
     window_->Render();
     window_->GetRGBACharPixelData(0, 0, size.width() - 1, size.height() - 1, 0, drawn_);
+    const auto values = static_cast<vtkIdType>(4) * size.width() * size.height();
+    if (drawn_->GetNumberOfValues() != values) {  // OpenGL could not draw it
+        return false;
+    }
     if (frame_.size() != size) {
         frame_ = QImage(size, QImage::Format_RGB32);
     }

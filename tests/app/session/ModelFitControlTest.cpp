@@ -43,7 +43,7 @@ protected:
     }
 
     RecordingControl recordings{window, runs};
-    ModelFitControl fits{runs, recordings};
+    ModelFitControl fits{window, runs, recordings};
 };
 
 TEST_F(ModelFitControlTest, TheRunGoesOnWithWhatItsSceneRequires) {

@@ -315,6 +315,31 @@ TEST_F(ZoomViewTest, FitsItsPictureToItsSize) {
     EXPECT_EQ(view->frame().size(), QSize(400, 560));
 }
 
-TEST_F(ZoomViewTest, LettersAreNotScaledByVtk) { EXPECT_EQ(view->renderWindow().GetDPI(), 72); }
+/// On a screen with two pixels a point.
+class FineView : public ZoomView {
+protected:
+    int metric(PaintDeviceMetric metric) const override {
+        if (metric == PdmDevicePixelRatio) {
+            return 2;
+        }
+        return metric == PdmDevicePixelRatioScaled ? static_cast<int>(2 * devicePixelRatioFScale())
+                                                   : ZoomView::metric(metric);
+    }
+};
+
+TEST_F(ZoomViewTest, LettersAreScaledOnceOnAScreenOfSmallPixels) {
+    FineView fine;
+    fine.resize(500, 400);
+    fine.show();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(&fine));
+    fine.setScene(scene.get());
+    settle();
+    EXPECT_EQ(fine.frame().size(), QSize(1000, 800));
+    EXPECT_EQ(fine.frame().devicePixelRatio(), 2.0);
+    EXPECT_EQ(fine.renderWindow().GetDPI(), 72) << "not by VTK as well";
+    const ScanWindow window = fine.window().value();
+    EXPECT_TRUE(
+        QRectF(0.0, 0.0, 500.0, 400.0).contains(fine.onScreen({window.left, window.bottom, 0.0})));
+}
 
 }  // namespace asperity::test
