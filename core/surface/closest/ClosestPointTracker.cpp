@@ -13,9 +13,9 @@ namespace asperity {
 
 namespace {
 
-/// Radius of the balls that are tried: in larger ones a closest point stands alone less often
-/// [pixel].
-constexpr double kBall = 0.125;
+/// Radius of the balls that are tried: smaller ones are left sooner, larger ones leave more cells
+/// open [pixel].
+constexpr double kBall = 0.25;
 /// Queries after which another ball is tried where none was proven. A try costs about as much as it
 /// spares each of the queries after it.
 constexpr int kMaxRest = 31;
@@ -79,8 +79,8 @@ SearchProof ClosestPointTracker::completePoints(const BSplineSurface& surface, c
 SearchProof ClosestPointTracker::provePoints(const BSplineSurface& surface, const Vector3& query,
                                              const SearchReach& reach,
                                              ClosestPointList& points) noexcept {
-    if (ball_.settles(query, reach, points.all().front())) {
-        return SearchProof::Nearest;
+    if (ball_.covers(query, reach, points.all().front())) {
+        return asperity::completePoints(surface, query, reach, ball_, points);
     }
     if (untilNextTry_ > 0) {
         --untilNextTry_;

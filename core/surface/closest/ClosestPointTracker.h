@@ -4,9 +4,9 @@
 
 namespace asperity {
 
-/// Completes the closest points of one query after another on ONE surface. Where a closest point
-/// stands alone, this is proven for a ball of queries at once, so that the next ones need no look.
-/// Holds proofs, no answers: a fresh tracker only takes longer.
+/// Completes the closest points of one query after another on ONE surface. Most cells are ruled out
+/// for a ball of queries at once, so that the next ones look into the few that are left, or into
+/// none. Holds proofs, no answers: a fresh tracker only takes longer.
 class ClosestPointTracker {
 public:
     /// As completePoints() of ExhaustiveSearch.h where `effort` is Certified. With Global only a

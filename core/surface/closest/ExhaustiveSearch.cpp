@@ -46,6 +46,68 @@ private:
     boost::container::static_vector<CellIndex, PartBatch::kLanes> cells_;
 };
 
+/// Sorts out the cells that a sweep names: those in which no query of a ball has a closest point,
+/// and those that are left open.
+class CellsOfBall {
+public:
+    /// @param farthest how far from the ball's center a closest point may lie to matter [m]
+    CellsOfBall(const BSplineSurface& surface, const QueryBall& queries, double farthest)
+        : surface_(surface)
+        , farthest_(farthest)
+        , question_{.point = queries.center - Vector3(0.0, 0.0, surface.grid().datum),
+                    .rounding = roundingOf(surface, queries.center),
+                    .limit = 0.5 * farthest * farthest,
+                    .ball = queries.radius} {}
+
+    [[nodiscard]] double limit() const { return farthest_; }
+    [[nodiscard]] bool mayLook() { return !hasGivenUp(); }
+    [[nodiscard]] bool hasGivenUp() const { return full_; }
+
+    void take(const CellIndex& cell) {
+        cells_.push_back(cell);
+        if (cells_.size() == PartBatch::kLanes) {
+            sortOut();
+        }
+    }
+
+    void sortOut() {
+        if (cells_.empty()) {
+            return;
+        }
+        PartBatch batch;
+        PartFacts facts;
+        loadCells(surface_.grid(), {cells_.data(), cells_.size()}, batch);
+        examine(batch, question_, facts);
+        for (std::size_t lane = 0; lane < cells_.size(); ++lane) {
+            if (((facts.far >> lane) & 1U) != 0) {
+                continue;
+            }
+            const Part part(batch, facts, static_cast<int>(lane));
+            if (minimaIn(part, boxOf(part, surface_), surface_) != MinimaIn::None) {
+                leaveOpen(cells_[lane]);
+            }
+        }
+        cells_.clear();
+    }
+
+    [[nodiscard]] const auto& open() const { return open_; }
+
+private:
+    void leaveOpen(const CellIndex& cell) {
+        full_ = full_ || open_.size() == open_.max_size();
+        if (!full_) {
+            open_.push_back(cell);
+        }
+    }
+
+    const BSplineSurface& surface_;
+    double farthest_;
+    PartQuery question_;
+    boost::container::static_vector<CellIndex, PartBatch::kLanes> cells_;
+    boost::container::static_vector<CellIndex, kMaxOpenCells> open_;
+    bool full_ = false;
+};
+
 /// Settles what it can around the closest points known, one after another.
 void settleAround(const ClosestPointList& points, CellSweep& sweep) {
     for (const ClosestPoint& closest : points.all()) {
@@ -72,8 +134,8 @@ SearchProof lookInto(const BSplineSurface& surface, const Vector3& query, const 
 
 }  // namespace
 
-bool ProvenBall::settles(const Vector3& query, const SearchReach& within,
-                         const ClosestPoint& nearest) const noexcept {
+bool ProvenBall::covers(const Vector3& query, const SearchReach& within,
+                        const ClosestPoint& nearest) const noexcept {
     const double moved = (query - queries.center).norm();
     return moved <= queries.radius && nearest.converged && anchor.holds(nearest.point.head<2>()) &&
            within.limit(nearest) + moved <= reach;
@@ -86,11 +148,31 @@ SearchProof completePoints(const BSplineSurface& surface, const Vector3& query,
     return lookInto(surface, query, reach, sweep, points);
 }
 
+SearchProof completePoints(const BSplineSurface& surface, const Vector3& query,
+                           const SearchReach& reach, const ProvenBall& ball,
+                           ClosestPointList& points) noexcept {
+    if (ball.open.empty()) {
+        return SearchProof::Nearest;
+    }
+    const ClosestPointList known = points;
+    PartSearch search(surface, query, reach, points);
+    CellsInBatches cells(surface, search);
+    for (const CellIndex& cell : ball.open) {
+        cells.take(cell);
+    }
+    cells.lookIntoCells();
+    if (search.isComplete()) {
+        return SearchProof::Nearest;
+    }
+    points = known;
+    return completePoints(surface, query, reach, points);
+}
+
 SearchProof completePoints(const BSplineSurface& surface, const QueryBall& queries,
                            const SearchReach& reach, ClosestPointList& points,
                            ProvenBall& ball) noexcept {
     // A closest point follows its query, on most surfaces by little more than the query moves.
-    constexpr double kWander = 3.0;
+    constexpr double kWander = 1.0;
     const ClosestPoint& nearest = points.all().front();
     const Vector2 place = nearest.point.head<2>();
     const double wander = kWander * queries.radius;
@@ -100,16 +182,25 @@ SearchProof completePoints(const BSplineSurface& surface, const QueryBall& queri
         std::min(reach.farthest + queries.radius, reach.limit(nearest) + 2.0 * queries.radius);
     CellSweep sweep(surface, queries.center, farthest, queries.radius);
     ball.queries.radius = -1.0;
-    if (nearest.converged &&
-        sweep.settle(sweep.window().blocksAround(place.x(), place.y(), wander))) {
-        ball = {.queries = queries,
-                .reach = farthest,
-                .anchor = {.low = place - Vector2::Constant(wander),
-                           .high = place + Vector2::Constant(wander)}};
-        return SearchProof::Nearest;
+    if (!nearest.converged) {
+        settleAround(points, sweep);
+        return lookInto(surface, queries.center, reach, sweep, points);
     }
-    settleAround(points, sweep);
-    return lookInto(surface, queries.center, reach, sweep, points);
+    CellsOfBall cells(surface, queries, farthest);
+    if (!sweep.settle(sweep.window().blocksAround(place.x(), place.y(), wander))) {
+        sweep.visit(cells);
+        cells.sortOut();
+    }
+    if (cells.hasGivenUp()) {
+        settleAround(points, sweep);
+        return lookInto(surface, queries.center, reach, sweep, points);
+    }
+    ball = {.queries = queries,
+            .reach = farthest,
+            .anchor = {.low = place - Vector2::Constant(wander),
+                       .high = place + Vector2::Constant(wander)},
+            .open = cells.open()};
+    return completePoints(surface, queries.center, reach, ball, points);
 }
 
 }  // namespace asperity

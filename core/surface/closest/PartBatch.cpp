@@ -145,13 +145,13 @@ struct SquareBends {
     /// Source: Krawczyk (1969), Newton-Algorithmen zur Bestimmung von Nullstellen mit
     /// Fehlerschranken.
     [[nodiscard]] ASPERITY_INLINE Long4 areSloped(const PartBatch& part, const PartFacts& facts,
-                                                  const Pair4& rounding) const {
+                                                  const Pair4& unsure) const {
         const Double4 a = xx.middle();
         const Double4 b = xy.middle();
         const Double4 c = yy.middle();
         const Double4 size = magnitude(a * c - b * b);
-        const Double4 unsureX = xx.radius() * part.halfX + xy.radius() * part.halfY + rounding.x;
-        const Double4 unsureY = xy.radius() * part.halfX + yy.radius() * part.halfY + rounding.y;
+        const Double4 unsureX = xx.radius() * part.halfX + xy.radius() * part.halfY + unsure.x;
+        const Double4 unsureY = xy.radius() * part.halfX + yy.radius() * part.halfY + unsure.y;
         const Double4 stepX = magnitude(b * facts.gradientY - c * facts.gradientX);
         const Double4 stepY = magnitude(b * facts.gradientX - a * facts.gradientY);
         const Double4 backX = magnitude(c) * unsureX + magnitude(b) * unsureY;
@@ -163,16 +163,33 @@ struct SquareBends {
     }
 };
 
-ASPERITY_INLINE SquareBends squareBends(const PartBatch& batch, const Bends4& bends, Double4 slopeX,
-                                        Double4 slopeY, Double4 above) {
-    const Double4 spreadX = bends.xx.size() * batch.halfX + bends.xy.size() * batch.halfY;
-    const Double4 spreadY = bends.xy.size() * batch.halfX + bends.yy.size() * batch.halfY;
-    const Range4 height = around(above, (magnitude(slopeX) + spreadX) * batch.halfX +
-                                            (magnitude(slopeY) + spreadY) * batch.halfY);
+/// The slopes in each part: those at its center, and by how much they differ elsewhere.
+struct Slopes4 {
+    Pair4 center;
+    Pair4 spread;
+
+    /// How steep it is along x and y at most.
+    [[nodiscard]] ASPERITY_INLINE Pair4 steepest() const {
+        return {magnitude(center.x) + spread.x, magnitude(center.y) + spread.y};
+    }
+};
+
+ASPERITY_INLINE Slopes4 slopesOf(const PartBatch& batch, const Bends4& bends, const Pair4& center) {
+    return {center,
+            {bends.xx.size() * batch.halfX + bends.xy.size() * batch.halfY,
+             bends.xy.size() * batch.halfX + bends.yy.size() * batch.halfY}};
+}
+
+/// @param ball how far the query may be from where it is said to be [m]
+ASPERITY_INLINE SquareBends squareBends(const PartBatch& batch, const Bends4& bends,
+                                        const Slopes4& slopes, Double4 above, double ball) {
+    const Pair4 steepest = slopes.steepest();
+    const Range4 height = around(above, steepest.x * batch.halfX + steepest.y * batch.halfY + ball);
     const Range4 one{Double4{} + 1.0, Double4{} + 1.0};
-    return {one + squared(slopeX, spreadX) + height * bends.xx,
-            around(slopeX, spreadX) * around(slopeY, spreadY) + height * bends.xy,
-            one + squared(slopeY, spreadY) + height * bends.yy};
+    return {one + squared(slopes.center.x, slopes.spread.x) + height * bends.xx,
+            around(slopes.center.x, slopes.spread.x) * around(slopes.center.y, slopes.spread.y) +
+                height * bends.xy,
+            one + squared(slopes.center.y, slopes.spread.y) + height * bends.yy};
 }
 
 /// Rounding of the gradient at the center of a part and of its spread over it: a minimum on the
@@ -301,7 +318,9 @@ ASPERITY_WITH_AVX2 void examineLanes(const PartBatch& batch, const PartQuery& qu
     facts.gradientX = x + above * slopeX;
     facts.gradientY = y + above * slopeY;
 
-    const SquareBends bends = squareBends(batch, bendsOf(batch, perX, perY), slopeX, slopeY, above);
+    const Bends4 heightBends = bendsOf(batch, perX, perY);
+    const Slopes4 slopes = slopesOf(batch, heightBends, {slopeX, slopeY});
+    const SquareBends bends = squareBends(batch, heightBends, slopes, above, query.ball);
     facts.bendX = bends.xx.low;
     facts.bendY = bends.yy.low;
     const Double4 nearest = facts.value + leastOnAxis(facts.gradientX, facts.bendX, batch.halfX) +
@@ -311,10 +330,15 @@ ASPERITY_WITH_AVX2 void examineLanes(const PartBatch& batch, const PartQuery& qu
     if (facts.far == PartBatch::kAllLanes) {
         return;
     }
-    const Pair4 rounding = gradientRounding(batch, bends, {slopeX, slopeY}, above, query.rounding);
-    facts.spreadX = bends.xx.size() * batch.halfX + bends.xy.size() * batch.halfY + rounding.x;
-    facts.spreadY = bends.xy.size() * batch.halfX + bends.yy.size() * batch.halfY + rounding.y;
-    facts.withoutMinimum = bitsOf(bends.areSloped(batch, facts, rounding) | bends.bendDown());
+    Pair4 unsure = gradientRounding(batch, bends, slopes.center, above, query.rounding);
+    // A query elsewhere in the ball sees the gradient differ by the way to it, along x or y and up
+    // the slope.
+    const Pair4 steepest = slopes.steepest();
+    unsure.x += query.ball * (1.0 + steepest.x);
+    unsure.y += query.ball * (1.0 + steepest.y);
+    facts.spreadX = bends.xx.size() * batch.halfX + bends.xy.size() * batch.halfY + unsure.x;
+    facts.spreadY = bends.xy.size() * batch.halfX + bends.yy.size() * batch.halfY + unsure.y;
+    facts.withoutMinimum = bitsOf(bends.areSloped(batch, facts, unsure) | bends.bendDown());
     facts.convex = bitsOf(bends.areConvex());
 }
 

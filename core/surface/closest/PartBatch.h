@@ -51,6 +51,8 @@ struct PartQuery {
     Vector3 point = Vector3::Zero();  ///< x and y world, z above the datum [m]
     SurfaceRounding rounding;         ///< of places and heights
     double limit = 0.0;               ///< half a squared distance [m^2]
+    /// Answers hold for all queries no farther than this from `point`, but `far`: from there [m].
+    double ball = 0.0;
 };
 
 void examine(const PartBatch& batch, const PartQuery& query, PartFacts& facts) noexcept;

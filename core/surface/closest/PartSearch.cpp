@@ -107,7 +107,8 @@ unsigned PartSearch::unclearIn(const PartBatch& batch, unsigned lanes) {
     return unclear;
 }
 
-/// A place nearer than the closest point known leads to a closest point that rules out more.
+/// A place nearer than the closest point known leads to one that rules out more. It is not taken up
+/// here, so that what comes out does not depend on the order in which parts are looked at.
 void PartSearch::lowerLimit(const Part& part) {
     constexpr double kWorthwhile = 0.999;
     if (part.value >= kWorthwhile * 0.5 * nearest() * nearest()) {
@@ -116,13 +117,10 @@ void PartSearch::lowerLimit(const Part& part) {
     take(descend(scanBox(surface_), part.center, 0.25 * pitch_.minCoeff()));
 }
 
-/// Between walls a descent creeps until its steps run out. Where it got to is no closest point, but
-/// rules out what is farther, and spares the descents from all other parts that would end no
-/// nearer.
+/// Between walls a descent creeps until its steps run out; where it got to still rules out what is
+/// farther, and spares the descents from all other parts that would end no nearer.
 void PartSearch::take(const BoxMinimum& minimum) {
-    if (minimum.converged) {
-        points_.add(closestPointOf(minimum, query_), sameMinimum(surface_));
-    } else if (!nearestPlace_ || minimum.model.value < nearestPlace_->model.value) {
+    if (!nearestPlace_ || minimum.model.value < nearestPlace_->model.value) {
         nearestPlace_ = minimum;
     }
 }

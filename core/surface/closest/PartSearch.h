@@ -65,8 +65,8 @@ private:
     Vector2 pitch_;  ///< [m]
     HalfSquaredDistance objective_;
     SurfaceRounding rounding_;
-    /// Where the best of the descents that did not converge got to: no closest point, but none that
-    /// is nearest lies farther.
+    /// Where the best of the descents from places that are nearer than all closest points got to:
+    /// no closest point that is nearest lies farther. The part that holds it is still to be found.
     std::optional<BoxMinimum> nearestPlace_;
     int looks_ = 0;
     int evaluations_ = 0;
