@@ -4,6 +4,7 @@
 #include "core/Simd.h"
 #include "core/surface/CellBoundsBuilder.h"
 #include "core/surface/HeightMap.h"
+#include "core/surface/SplineSampling.h"
 
 #include <algorithm>
 #include <array>
@@ -19,109 +20,9 @@ namespace {
 
 using Weights = Eigen::Vector4d;
 
-/// Brings a place into [0, size]; the comparisons are quiet for a place that is not a number.
-double clampedToScan(double place, double size) {
-    if (!std::isgreater(place, 0.0)) {
-        return 0.0;
-    }
-    return std::isless(place, size) ? place : size;
-}
-
-/// A place within a span of one axis.
-struct SpanPlace {
-    int first = 0;   ///< control height that the span starts with, in the padded grid
-    double t = 0.0;  ///< 0..1 in the span; beyond it at the scan's edges
-};
-
-/// The span at `place` pixels from the scan's edge.
-SpanPlace spanAt(double place, int pixels) {
-    // The conversion rounds up only below 0, where span 0 is continued anyway.
-    const int first = std::clamp(static_cast<int>(place - 0.5), 0, std::max(pixels - 2, 0));
-    return {.first = first, .t = place - 0.5 - first};
-}
-
-/// A uniform cubic B-spline on one span as the polynomial c0 + c1 t + c2 t^2 + c3 t^3, for four
-/// splines at a time.
-struct Cubic4 {
-    Double4 c0;
-    Double4 c1;
-    Double4 c2;
-    Double4 c3;
-
-    [[nodiscard]] ASPERITY_INLINE Double4 value(double t) const {
-        return c0 + t * (c1 + t * (c2 + t * c3));
-    }
-    [[nodiscard]] ASPERITY_INLINE Double4 slope(double t) const {
-        return c1 + t * (2.0 * c2 + t * (3.0 * c3));
-    }
-    [[nodiscard]] ASPERITY_INLINE Double4 curvature(double t) const {
-        return 2.0 * c2 + t * (6.0 * c3);
-    }
-};
-
-/// From the four rows of control heights that shape the span.
-ASPERITY_INLINE Cubic4 cubicOf(Double4 a, Double4 b, Double4 c, Double4 d) {
-    const Double4 bend = 0.5 * (a + c) - b;
-    return {b + bend * (1.0 / 3.0), 0.5 * (c - a), bend, ((d - a) + 3.0 * (b - c)) * (1.0 / 6.0)};
-}
-
-/// Height and derivatives from 4 x 4 control heights, per span.
-ASPERITY_INLINE HeightSample sampled(const std::array<Double4, 4>& rows, double t, double s) {
-    const Cubic4 up = cubicOf(rows[0], rows[1], rows[2], rows[3]);
-    const Cubic4 weights = cubicOf(Double4{1.0, 0.0, 0.0, 0.0}, Double4{0.0, 1.0, 0.0, 0.0},
-                                   Double4{0.0, 0.0, 1.0, 0.0}, Double4{0.0, 0.0, 0.0, 1.0});
-    const Double4 value = weights.value(t);
-    const Double4 slope = weights.slope(t);
-    const Double4 height = up.value(s);
-    const Double4 rise = up.slope(s);
-    const Double4 first = laneSums(height * value, height * slope, rise * value, rise * slope);
-    const Double4 second =
-        laneSums(height * weights.curvature(t), up.curvature(s) * value, Double4{}, Double4{});
-    return {.height = first[0],
-            .dx = first[1],
-            .dy = first[2],
-            .dxx = second[0],
-            .dxy = first[3],
-            .dyy = second[1]};
-}
-
-ASPERITY_INLINE Double4 widened(const float* heights) {
-    return Double4{heights[0], heights[1], heights[2], heights[3]};
-}
-
-ASPERITY_WITH_AVX2 void sampleCell(const float* corner, std::ptrdiff_t stride, double t, double s,
-                                   HeightSample& sample) {
-    sample = sampled({widened(corner), widened(corner + stride), widened(corner + 2 * stride),
-                      widened(corner + 3 * stride)},
-                     t, s);
-}
-
-/// The first of a cell's control heights, and what single precision leaves of it.
-struct FineCorner {
-    const float* heights = nullptr;
-    const float* rests = nullptr;
-    std::ptrdiff_t stride = 0;
-
-    [[nodiscard]] ASPERITY_INLINE Double4 row(std::ptrdiff_t i) const {
-        return widened(heights + i * stride) + widened(rests + i * stride);
-    }
-};
-
-ASPERITY_WITH_AVX2 void sampleFineCell(const FineCorner& corner, double t, double s,
-                                       HeightSample& sample) {
-    sample = sampled({corner.row(0), corner.row(1), corner.row(2), corner.row(3)}, t, s);
-}
-
-/// On a grid with a single pixel along an axis; apart, so that it costs the others nothing.
-[[gnu::noinline]] void sampleThin(const BSplineSurface::Grid& grid, const SpanPlace& across,
-                                  const SpanPlace& up, HeightSample& sample) {
-    const Eigen::Matrix4d controls = cellControls(grid, up.first, across.first);
-    std::array<Double4, 4> rows{};
-    for (int i = 0; i < 4; ++i) {
-        rows[static_cast<std::size_t>(i)] =
-            Double4{controls(i, 0), controls(i, 1), controls(i, 2), controls(i, 3)};
-    }
-    sample = sampled(rows, across.t, up.t);
+ASPERITY_WITH_AVX2 void sampleAt(const SplineSampling& surface, double x, double y,
+                                 HeightSample& sample) {
+    sample = sampledAt(surface, x, y);
 }
 
 /// A control height above the grid's datum [m].
@@ -205,32 +106,13 @@ BSplineSurface::BSplineSurface(Grid grid, Progress* progress)
     : parts_(std::make_shared<const Parts>(usable(std::move(grid)), progress)) {}
 
 HeightSample BSplineSurface::at(double x, double y) const noexcept {
-    const Grid& grid = parts_->grid;
-    const double perX = parts_->inversePitchX;
-    const double perY = parts_->inversePitchY;
-    const SpanPlace across = spanAt(clampedToScan(x, sizeX()) * perX, grid.columns);
-    const SpanPlace up = spanAt(clampedToScan(y, sizeY()) * perY, grid.rows);
     HeightSample sample;
-    if (grid.columns == 1 || grid.rows == 1) {
-        sampleThin(grid, across, up, sample);
-    } else {
-        const std::ptrdiff_t stride = grid.columns + 2;
-        const std::ptrdiff_t first = up.first * stride + across.first;
-        const float* corner = grid.controlHeights.data() + first;
-        if (grid.controlRests.empty()) {
-            sampleCell(corner, stride, across.t, up.t, sample);
-        } else {
-            sampleFineCell({corner, grid.controlRests.data() + first, stride}, across.t, up.t,
-                           sample);
-        }
-    }
-    sample.height += grid.datum;
-    sample.dx *= perX;
-    sample.dy *= perY;
-    sample.dxx *= perX * perX;
-    sample.dxy *= perX * perY;
-    sample.dyy *= perY * perY;
+    sampleAt(sampling(), x, y, sample);
     return sample;
+}
+
+SplineSampling BSplineSurface::sampling() const noexcept {
+    return {grid(), parts_->inversePitchX, parts_->inversePitchY};
 }
 
 bool BSplineSurface::contains(double x, double y) const noexcept {
@@ -266,6 +148,17 @@ double BSplineSurface::controlInRow(int row, int column) const noexcept {
     return controlAlong(column, grid().columns, [&](int c) {
         return storedControl(grid(), first + static_cast<std::size_t>(c));
     });
+}
+
+void sampleThin(const BSplineSurface::Grid& grid, const SpanPlace& across, const SpanPlace& up,
+                HeightSample& sample) noexcept {
+    const Eigen::Matrix4d controls = cellControls(grid, up.first, across.first);
+    std::array<Double4, 4> rows{};
+    for (int i = 0; i < 4; ++i) {
+        rows[static_cast<std::size_t>(i)] =
+            Double4{controls(i, 0), controls(i, 1), controls(i, 2), controls(i, 3)};
+    }
+    sample = sampled(rows, across.t, up.t);
 }
 
 Eigen::Matrix4d cellControls(const BSplineSurface::Grid& grid, int row, int column) noexcept {

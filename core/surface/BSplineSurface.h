@@ -11,6 +11,8 @@
 
 namespace asperity {
 
+struct SplineSampling;
+
 /// A uniform bicubic B-spline height field: immutable, O(1) look-up, safe to read from any thread.
 /// Copies share what it consists of, so that they cost nothing.
 ///
@@ -43,6 +45,9 @@ public:
     /// nearest span is continued; outside the scan the place is clamped to its edge. Along an axis
     /// with a single pixel the surface is level. A place that is not a number counts as 0.
     [[nodiscard]] HeightSample at(double x, double y) const noexcept;
+
+    /// The same for SplineSampling.h.
+    [[nodiscard]] SplineSampling sampling() const noexcept;
 
     [[nodiscard]] bool contains(double x, double y) const noexcept;
     /// Whether the pixel under (x, y) held data in the scan (false: filled by us).

@@ -8,12 +8,18 @@ namespace asperity {
 
 namespace {
 
+/// @param settles whether a closest point is known to be the nearest
 /// @param complete completes the closest points of the query
-template <class Complete>
+template <class Settles, class Complete>
 ClosestPoint nearestPoint(const BSplineSurface& surface, const Vector3& query,
-                          const SearchGuess& guess, const Complete& complete) {
+                          const SearchGuess& guess, const Settles& settles,
+                          const Complete& complete) {
     ClosestPoint start = localClosestPoint(surface, query, guess);
     if (!isUsableQuery(query)) {
+        return start;
+    }
+    if (settles(start)) {
+        start.proof = SearchProof::Nearest;
         return start;
     }
     ClosestPointList points;
@@ -28,17 +34,22 @@ ClosestPoint nearestPoint(const BSplineSurface& surface, const Vector3& query,
 
 ClosestPoint closestPoint(const BSplineSurface& surface, const Vector3& query,
                           const SearchGuess& guess) noexcept {
-    return nearestPoint(surface, query, guess, [&](ClosestPointList& points) {
-        return completePoints(surface, query, {}, points);
-    });
+    return nearestPoint(
+        surface, query, guess, [](const ClosestPoint&) { return false; },
+        [&](ClosestPointList& points) { return completePoints(surface, query, {}, points); });
 }
 
 ClosestPoint closestPoint(const BSplineSurface& surface, const Vector3& query,
                           const SearchGuess& guess, ClosestPointTracker& tracker,
                           SearchEffort effort) noexcept {
-    return nearestPoint(surface, query, guess, [&](ClosestPointList& points) {
-        return tracker.completePoints(surface, query, {}, effort, points);
-    });
+    return nearestPoint(
+        surface, query, guess,
+        [&](const ClosestPoint& nearest) {
+            return tracker.settles(surface, query, {}, effort, nearest);
+        },
+        [&](ClosestPointList& points) {
+            return tracker.completePoints(surface, query, {}, effort, points);
+        });
 }
 
 }  // namespace asperity

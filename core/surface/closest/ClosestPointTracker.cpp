@@ -61,7 +61,7 @@ void addLikelyPoint(const BSplineSurface& surface, const Vector3& query, const S
 SearchProof ClosestPointTracker::completePoints(const BSplineSurface& surface, const Vector3& query,
                                                 const SearchReach& reach, SearchEffort effort,
                                                 ClosestPointList& points) noexcept {
-    if (points.all().front().converged && isProvenByScan(surface, query, reach)) {
+    if (settles(surface, query, reach, effort, points.all().front())) {
         return SearchProof::Nearest;
     }
     switch (effort) {
@@ -74,6 +74,14 @@ SearchProof ClosestPointTracker::completePoints(const BSplineSurface& surface, c
         return provePoints(surface, query, reach, points);
     }
     return SearchProof::NotSought;
+}
+
+bool ClosestPointTracker::settles(const BSplineSurface& surface, const Vector3& query,
+                                  const SearchReach& reach, SearchEffort effort,
+                                  const ClosestPoint& nearest) const noexcept {
+    const bool byBall = effort == SearchEffort::Certified && ball_.open.empty() &&
+                        ball_.covers(query, reach, nearest);
+    return byBall || (nearest.converged && isProvenByScan(surface, query, reach));
 }
 
 SearchProof ClosestPointTracker::provePoints(const BSplineSurface& surface, const Vector3& query,

@@ -17,6 +17,12 @@ public:
                                              const SearchReach& reach, SearchEffort effort,
                                              ClosestPointList& points) noexcept;
 
+    /// Whether the closest point known is the only one within reach, as completePoints() would find
+    /// without a look at the surface.
+    [[nodiscard]] bool settles(const BSplineSurface& surface, const Vector3& query,
+                               const SearchReach& reach, SearchEffort effort,
+                               const ClosestPoint& nearest) const noexcept;
+
 private:
     [[nodiscard]] SearchProof provePoints(const BSplineSurface& surface, const Vector3& query,
                                           const SearchReach& reach,

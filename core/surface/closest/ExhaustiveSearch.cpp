@@ -57,6 +57,7 @@ public:
         , question_{.point = queries.center - Vector3(0.0, 0.0, surface.grid().datum),
                     .rounding = roundingOf(surface, queries.center),
                     .limit = 0.5 * farthest * farthest,
+                    .scan = scanBox(surface),
                     .ball = queries.radius} {}
 
     [[nodiscard]] double limit() const { return farthest_; }

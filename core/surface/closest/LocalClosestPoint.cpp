@@ -1,5 +1,8 @@
 #include "core/surface/closest/LocalClosestPoint.h"
 
+#include "core/Simd.h"
+#include "core/surface/SplineSampling.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -28,7 +31,7 @@ ClosestPoint meaninglessPoint(const BSplineSurface& surface) {
 }
 
 /// The surface beside a sample, to second order.
-void moveSample(HeightSample& s, const Vector2& step) {
+ASPERITY_INLINE void moveSample(HeightSample& s, const Vector2& step) {
     s.height += (s.dx + 0.5 * (s.dxx * step.x() + s.dxy * step.y())) * step.x() +
                 (s.dy + 0.5 * (s.dxy * step.x() + s.dyy * step.y())) * step.y();
     s.dx += s.dxx * step.x() + s.dxy * step.y();
@@ -37,35 +40,46 @@ void moveSample(HeightSample& s, const Vector2& step) {
 
 /// Newton's method from a start that is close to a minimum, without the care that BoxNewton takes:
 /// whether it ended there. The place of `minimum` is the start.
-bool dash(const HalfSquaredDistance& objective, const BSplineSurface& surface,
-          BoxMinimum& minimum) {
+ASPERITY_WITH_AVX2 bool dash(const SplineSampling& surface, const Vector3& query,
+                             BoxMinimum& minimum) {
     constexpr int kMaxSteps = 6;
     constexpr double kCloser = 0.25;  // by which each gradient must beat the last, squared
     // After a step this short the surface's second order says as much as another look: the third
     // changes the gradient by less than rounding does. [pixel]
     constexpr double kLastStep = 2e-6;
-    const BSplineSurface::Grid& grid = surface.grid();
+    const BSplineSurface::Grid& grid = surface.grid;
     const double lastStep = kLastStep * std::min(grid.pitchX, grid.pitchY);
     const double longestStep = std::max(grid.pitchX, grid.pitchY);
+    double x = minimum.place.x();
+    double y = minimum.place.y();
     double last = std::numeric_limits<double>::max();
     for (minimum.iterations = 1; minimum.iterations <= kMaxSteps; ++minimum.iterations) {
-        objective.expand(minimum.place, minimum.model);
-        const Matrix2& h = minimum.model.hessian;
-        const Vector2& g = minimum.model.gradient;
-        const double determinant = h(0, 0) * h(1, 1) - h(0, 1) * h(0, 1);
-        if (h(0, 0) <= 0.0 || determinant <= kNearlySingular * h(0, 0) * h(1, 1)) {
+        HeightSample s = sampledAt(surface, x, y);
+        const double above = s.height - query.z();
+        const double gx = (x - query.x()) + above * s.dx;
+        const double gy = (y - query.y()) + above * s.dy;
+        const double hxx = 1.0 + s.dx * s.dx + above * s.dxx;
+        const double hxy = s.dx * s.dy + above * s.dxy;
+        const double hyy = 1.0 + s.dy * s.dy + above * s.dyy;
+        const double determinant = hxx * hyy - hxy * hxy;
+        if (hxx <= 0.0 || determinant <= kNearlySingular * hxx * hyy) {
             return false;
         }
-        const Vector2 step((h(0, 1) * g.y() - h(1, 1) * g.x()) / determinant,
-                           (h(0, 1) * g.x() - h(0, 0) * g.y()) / determinant);
-        minimum.place += step;
-        const double steepness = g.squaredNorm();
-        if (steepness > kCloser * last || step.cwiseAbs().maxCoeff() > longestStep ||
-            !surface.contains(minimum.place.x(), minimum.place.y())) {
+        const double stepX = (hxy * gy - hyy * gx) / determinant;
+        const double stepY = (hxy * gx - hxx * gy) / determinant;
+        x += stepX;
+        y += stepY;
+        const double steepness = gx * gx + gy * gy;
+        const double step = most(magnitude(stepX), magnitude(stepY));
+        const bool inside =
+            x >= 0.0 && x <= grid.columns * grid.pitchX && y >= 0.0 && y <= grid.rows * grid.pitchY;
+        if (steepness > kCloser * last || step > longestStep || !inside) {
             return false;
         }
-        if (step.cwiseAbs().maxCoeff() <= lastStep) {
-            moveSample(minimum.model.surface, step);
+        if (step <= lastStep) {
+            moveSample(s, {stepX, stepY});
+            minimum.place = Vector2(x, y);
+            minimum.model.surface = s;
             minimum.converged = true;
             return true;
         }
@@ -166,7 +180,7 @@ ClosestPoint localClosestPoint(const BSplineSurface& surface, const Vector3& que
     if (isGuided) {
         BoxMinimum minimum;
         minimum.place = Vector2(guess.x, guess.y);
-        if (dash(HalfSquaredDistance(surface, query), surface, minimum)) {
+        if (dash(surface.sampling(), query, minimum)) {
             return closestPointOf(minimum, query);
         }
     }

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/surface/closest/BoxNewton.h"
-#include "core/surface/closest/PartBatch.h"
+#include "core/surface/closest/PartFacts.h"
 
 #include <cmath>
 #include <cstdint>

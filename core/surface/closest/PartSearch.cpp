@@ -83,7 +83,8 @@ unsigned PartSearch::unclearIn(const PartBatch& batch, unsigned lanes) {
     examine(batch,
             {.point = query_ - Vector3(0.0, 0.0, surface_.grid().datum),
              .rounding = rounding_,
-             .limit = 0.5 * limit() * limit() * kNearEnough},
+             .limit = 0.5 * limit() * limit() * kNearEnough,
+             .scan = scanBox(surface_)},
             facts);
     unsigned unclear = 0;
     for (unsigned left = lanes & ~facts.far; left != 0 && !hasGivenUp(); left &= left - 1) {

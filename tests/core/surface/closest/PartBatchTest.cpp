@@ -1,74 +1,14 @@
 #include "core/surface/closest/PartBatch.h"
 
-#include "core/surface/closest/LocalClosestPoint.h"
-#include "tests/core/surface/closest/RoughSurface.h"
+#include "tests/core/surface/closest/RoughParts.h"
 
 #include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <vector>
 
 namespace asperity {
 
 namespace {
 
-using test::RoughMap;
-
-std::vector<RoughMap> roughMaps() {
-    return {
-        {.name = "Noise", .columns = 20, .rows = 17, .range = 5.0_nm},
-        {.name = "Smooth", .columns = 20, .rows = 17, .range = 60.0_nm, .smoothing = 2.0},
-        {.name = "WidePixels", .columns = 12, .rows = 15, .pitchX = 7.0_nm, .range = 10.0_nm},
-        {.name = "FarOff", .columns = 12, .rows = 15, .range = 5.0_nm, .offset = 1e-3},
-        {.name = "SingleRow", .columns = 20, .rows = 1, .range = 5.0_nm},
-        {.name = "SingleColumn", .columns = 1, .rows = 20, .range = 5.0_nm},
-        {.name = "TwoByTwo", .columns = 2, .rows = 2, .range = 5.0_nm},
-        {.name = "FinePixels",
-         .columns = 20,
-         .rows = 17,
-         .pitchX = 0.2_nm,
-         .pitchY = 0.3_nm,
-         .range = 9.0_nm,
-         .smoothing = 3.0},
-    };
-}
-
-class PartBatchOf : public testing::TestWithParam<RoughMap> {
-protected:
-    BSplineSurface surface_ = surfaceOf(GetParam());
-    Random random_{9};
-
-    /// Four cells, or quarters of quarters of one of them.
-    PartBatch randomBatch(int quarterings) {
-        const CellBounds::Level& cells = surface_.bounds().level(0);
-        const auto below = [&](int count) { return static_cast<int>(random_.uniform() * count); };
-        std::array<CellIndex, 4> chosen;
-        for (CellIndex& cell : chosen) {
-            cell = {.row = below(cells.rows), .column = below(cells.columns)};
-        }
-        PartBatch batch;
-        loadCells(surface_.grid(), chosen, batch);
-        for (int i = 0; i < quarterings; ++i) {
-            const PartBatch whole = batch;
-            quarter(whole, below(PartBatch::kLanes), batch);
-        }
-        return batch;
-    }
-    [[nodiscard]] double aboveDatum(double x, double y) const {
-        return surface_.at(x, y).height - surface_.grid().datum;
-    }
-    /// Half the squared distance, its gradient and second derivatives.
-    [[nodiscard]] LocalModel modelAt(const Vector3& query, double x, double y) const {
-        return HalfSquaredDistance(surface_, query)({x, y});
-    }
-    Vector3 queryAbove(const PartBatch& batch, double height) {
-        const double x = batch.centerX[0] + random_.normal() * 4.0_nm;
-        const double y = batch.centerY[0] + random_.normal() * 4.0_nm;
-        return {x, y, surface_.at(x, y).height + height};
-    }
-};
+class PartBatchOf : public test::PartsOf {};
 
 TEST_P(PartBatchOf, HoldsTheHeightsAtTheCornersOfItsParts) {
     const double rounding = 1e-14 * (surface_.heightScale() + 5.0_nm);
@@ -87,102 +27,7 @@ TEST_P(PartBatchOf, HoldsTheHeightsAtTheCornersOfItsParts) {
     }
 }
 
-TEST_P(PartBatchOf, KnowsTheDistanceAtItsCentersAndHowItsGradientDiffers) {
-    for (int i = 0; i < 200; ++i) {
-        const PartBatch batch = randomBatch(i % 5);
-        const Vector3 query = queryAbove(batch, random_.uniform(-5.0, 15.0) * 1.0_nm);
-        PartFacts facts;
-        examine(batch,
-                {.point = query - Vector3(0.0, 0.0, surface_.grid().datum),
-                 .rounding = roundingOf(surface_, query),
-                 .limit = 1.0},
-                facts);
-        for (int lane = 0; lane < PartBatch::kLanes; ++lane) {
-            const LocalModel center = modelAt(query, batch.centerX[lane], batch.centerY[lane]);
-            const Vector2 noise = 4.0 * center.gradientNoise;
-            ASSERT_NEAR(facts.value[lane], center.value, 1e-9 * center.value);
-            ASSERT_NEAR(facts.gradientX[lane], center.gradient.x(), noise.x());
-            ASSERT_NEAR(facts.gradientY[lane], center.gradient.y(), noise.y());
-            for (int k = 0; k < 20; ++k) {
-                const double x = batch.centerX[lane] + random_.uniform(-1, 1) * batch.halfX[lane];
-                const double y = batch.centerY[lane] + random_.uniform(-1, 1) * batch.halfY[lane];
-                const LocalModel there = modelAt(query, x, y);
-                const Vector2 off = (there.gradient - center.gradient).cwiseAbs();
-                ASSERT_LE(off.x(), facts.spreadX[lane] + noise.x());
-                ASSERT_LE(off.y(), facts.spreadY[lane] + noise.y());
-                ASSERT_GE(there.hessian(0, 0), facts.bendX[lane] - 1e-6);
-                ASSERT_GE(there.hessian(1, 1), facts.bendY[lane] - 1e-6);
-            }
-        }
-    }
-}
-
-/// What a fact rules out must not be seen at any place of the part.
-TEST_P(PartBatchOf, SaysNothingOfItsPartsThatIsNotSo) {
-    int far = 0;
-    int convex = 0;
-    for (int i = 0; i < 600; ++i) {
-        const PartBatch batch = randomBatch(i % 6);
-        const Vector3 query = queryAbove(batch, random_.uniform(-5.0, 15.0) * 1.0_nm);
-        const double limit = 0.5 * std::pow(random_.uniform(1.0, 20.0) * 1.0_nm, 2);
-        PartFacts facts;
-        examine(batch,
-                {.point = query - Vector3(0.0, 0.0, surface_.grid().datum),
-                 .rounding = roundingOf(surface_, query),
-                 .limit = limit},
-                facts);
-        far += static_cast<int>(facts.far != 0);
-        convex += static_cast<int>(facts.convex != 0);
-        for (int lane = 0; lane < PartBatch::kLanes; ++lane) {
-            const unsigned bit = 1U << static_cast<unsigned>(lane);
-            for (int k = 0; k < 20; ++k) {
-                const double x = batch.centerX[lane] + random_.uniform(-1, 1) * batch.halfX[lane];
-                const double y = batch.centerY[lane] + random_.uniform(-1, 1) * batch.halfY[lane];
-                const LocalModel there = modelAt(query, x, y);
-                if ((facts.far & bit) != 0) {
-                    ASSERT_GE(there.value, limit * (1.0 - 1e-9));
-                }
-                if ((facts.convex & bit) != 0) {
-                    ASSERT_GT(there.hessian(0, 0), -1e-6);
-                    ASSERT_GT(there.hessian.determinant(), -1e-6);
-                }
-            }
-        }
-    }
-    EXPECT_GT(far, 10);
-    EXPECT_GT(convex, 10);
-}
-
-/// A minimum is put into a part at random; the part must not be said to hold none.
-TEST_P(PartBatchOf, NeverDeniesAMinimum) {
-    int minima = 0;
-    for (int i = 0; i < 3000; ++i) {
-        const PartBatch batch = randomBatch(i % 8);
-        // On a side or a corner, too, where another part ends.
-        const auto share = [&] { return std::clamp(random_.uniform(-1.5, 1.5), -1.0, 1.0); };
-        const double x = batch.centerX[0] + share() * batch.halfX[0];
-        const double y = batch.centerY[0] + share() * batch.halfY[0];
-        const HeightSample s = surface_.at(x, y);
-        const Vector3 query =
-            Vector3(x, y, s.height) + random_.uniform(-5.0, 15.0) * 1.0_nm * s.normal();
-        const Eigen::Matrix2d h = modelAt(query, x, y).hessian;
-        if (h(0, 0) <= 1e-6 || h.determinant() <= 1e-6) {
-            continue;
-        }
-        ++minima;
-        PartFacts facts;
-        examine(batch,
-                {.point = query - Vector3(0.0, 0.0, surface_.grid().datum),
-                 .rounding = roundingOf(surface_, query),
-                 .limit = 1.0},
-                facts);
-        ASSERT_EQ(facts.withoutMinimum & 1U, 0U);
-        ASSERT_EQ(facts.far & 1U, 0U);
-    }
-    EXPECT_GT(minima, 100);
-}
-
-INSTANTIATE_TEST_SUITE_P(Surfaces, PartBatchOf, testing::ValuesIn(roughMaps()),
+INSTANTIATE_TEST_SUITE_P(Surfaces, PartBatchOf, testing::ValuesIn(test::mapsOfParts()),
                          [](const auto& parameter) { return parameter.param.name; });
 
 }  // namespace
