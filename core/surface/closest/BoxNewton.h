@@ -63,7 +63,8 @@ public:
         }
         const Free free = freeAxes(state);
         state.converged = atRest(state.model, free, kNoiseAllowance) &&
-                          downwardCurvature(state.model.hessian, free).isZero(0.0);
+                          (isConvex(state.model.hessian, free) ||
+                           downwardCurvature(state.model.hessian, free).isZero(0.0));
         state.pushedOut = pushes(state, free);
         return state;
     }

@@ -15,7 +15,7 @@ namespace {
 
 /// Radius of the balls that are tried: smaller ones are left sooner, larger ones leave more cells
 /// open [pixel].
-constexpr double kBall = 0.25;
+constexpr double kBall = 0.2;
 /// Queries after which another ball is tried where none was proven. A try costs about as much as it
 /// spares each of the queries after it.
 constexpr int kMaxRest = 31;

@@ -46,67 +46,24 @@ private:
     boost::container::static_vector<CellIndex, PartBatch::kLanes> cells_;
 };
 
-/// Sorts out the cells that a sweep names: those in which no query of a ball has a closest point,
-/// and those that are left open.
+/// The cells that a sweep names for a ball of queries.
 class CellsOfBall {
 public:
     /// @param farthest how far from the ball's center a closest point may lie to matter [m]
-    CellsOfBall(const BSplineSurface& surface, const QueryBall& queries, double farthest)
-        : surface_(surface)
-        , farthest_(farthest)
-        , question_{.point = queries.center - Vector3(0.0, 0.0, surface.grid().datum),
-                    .rounding = roundingOf(surface, queries.center),
-                    .limit = 0.5 * farthest * farthest,
-                    .scan = scanBox(surface),
-                    .ball = queries.radius} {}
+    CellsOfBall(const BoundsWindow& window, double farthest)
+        : cells_({.row = window.rows().first, .column = window.columns().first})
+        , farthest_(farthest) {}
 
     [[nodiscard]] double limit() const { return farthest_; }
-    [[nodiscard]] bool mayLook() { return !hasGivenUp(); }
-    [[nodiscard]] bool hasGivenUp() const { return full_; }
+    [[nodiscard]] bool mayLook() const { return true; }
+    [[nodiscard]] bool hasGivenUp() const { return false; }
+    void take(const CellIndex& cell) { cells_.add(cell); }
 
-    void take(const CellIndex& cell) {
-        cells_.push_back(cell);
-        if (cells_.size() == PartBatch::kLanes) {
-            sortOut();
-        }
-    }
-
-    void sortOut() {
-        if (cells_.empty()) {
-            return;
-        }
-        PartBatch batch;
-        PartFacts facts;
-        loadCells(surface_.grid(), {cells_.data(), cells_.size()}, batch);
-        examine(batch, question_, facts);
-        for (std::size_t lane = 0; lane < cells_.size(); ++lane) {
-            if (((facts.far >> lane) & 1U) != 0) {
-                continue;
-            }
-            const Part part(batch, facts, static_cast<int>(lane));
-            if (minimaIn(part, boxOf(part, surface_), surface_) != MinimaIn::None) {
-                leaveOpen(cells_[lane]);
-            }
-        }
-        cells_.clear();
-    }
-
-    [[nodiscard]] const auto& open() const { return open_; }
+    [[nodiscard]] const CellSet& all() const { return cells_; }
 
 private:
-    void leaveOpen(const CellIndex& cell) {
-        full_ = full_ || open_.size() == open_.max_size();
-        if (!full_) {
-            open_.push_back(cell);
-        }
-    }
-
-    const BSplineSurface& surface_;
+    CellSet cells_;
     double farthest_;
-    PartQuery question_;
-    boost::container::static_vector<CellIndex, PartBatch::kLanes> cells_;
-    boost::container::static_vector<CellIndex, kMaxOpenCells> open_;
-    bool full_ = false;
 };
 
 /// Settles what it can around the closest points known, one after another.
@@ -150,18 +107,14 @@ SearchProof completePoints(const BSplineSurface& surface, const Vector3& query,
 }
 
 SearchProof completePoints(const BSplineSurface& surface, const Vector3& query,
-                           const SearchReach& reach, const ProvenBall& ball,
+                           const SearchReach& reach, ProvenBall& ball,
                            ClosestPointList& points) noexcept {
     if (ball.open.empty()) {
         return SearchProof::Nearest;
     }
     const ClosestPointList known = points;
     PartSearch search(surface, query, reach, points);
-    CellsInBatches cells(surface, search);
-    for (const CellIndex& cell : ball.open) {
-        cells.take(cell);
-    }
-    cells.lookIntoCells();
+    search.lookInto(ball.open);
     if (search.isComplete()) {
         return SearchProof::Nearest;
     }
@@ -182,25 +135,25 @@ SearchProof completePoints(const BSplineSurface& surface, const QueryBall& queri
     const double farthest =
         std::min(reach.farthest + queries.radius, reach.limit(nearest) + 2.0 * queries.radius);
     CellSweep sweep(surface, queries.center, farthest, queries.radius);
-    ball.queries.radius = -1.0;
-    if (!nearest.converged) {
-        settleAround(points, sweep);
-        return lookInto(surface, queries.center, reach, sweep, points);
-    }
-    CellsOfBall cells(surface, queries, farthest);
-    if (!sweep.settle(sweep.window().blocksAround(place.x(), place.y(), wander))) {
+    const BoundsWindow& window = sweep.window();
+    const bool settled =
+        nearest.converged && sweep.settle(window.blocksAround(place.x(), place.y(), wander));
+    CellsOfBall cells(window, farthest);
+    const bool areCells = window.level() == 0;
+    if (!settled && areCells) {
         sweep.visit(cells);
-        cells.sortOut();
     }
-    if (cells.hasGivenUp()) {
+    ball.queries.radius = -1.0;
+    if (!nearest.converged || !(settled || areCells) ||
+        !ball.open.keepCells(cells.all(), queries.center)) {
+        ball.open.clear();
         settleAround(points, sweep);
         return lookInto(surface, queries.center, reach, sweep, points);
     }
-    ball = {.queries = queries,
-            .reach = farthest,
-            .anchor = {.low = place - Vector2::Constant(wander),
-                       .high = place + Vector2::Constant(wander)},
-            .open = cells.open()};
+    ball.queries = queries;
+    ball.reach = farthest;
+    ball.anchor = {.low = place - Vector2::Constant(wander),
+                   .high = place + Vector2::Constant(wander)};
     return completePoints(surface, queries.center, reach, ball, points);
 }
 

@@ -2,11 +2,8 @@
 
 #include "core/Vector.h"
 #include "core/surface/closest/Box.h"
-#include "core/surface/closest/CellIndex.h"
+#include "core/surface/closest/KnownParts.h"
 #include "core/surface/closest/SearchReach.h"
-
-#include <boost/container/static_vector.hpp>
-#include <cstddef>
 
 namespace asperity {
 
@@ -30,29 +27,27 @@ struct QueryBall {
     double radius = -1.0;              ///< < 0: no query [m]
 };
 
-/// More cells are not left open: looking into them would take as long as proving another ball.
-inline constexpr std::size_t kMaxOpenCells = 32;
-
 /// What is proven for all queries in a ball: one of them that has a closest point in `anchor` has
-/// no other one within `reach` of the ball's center, but in the cells that are left open.
+/// no other one within `reach` of the ball's center, but in the parts of cells that are left open.
 struct ProvenBall {
     QueryBall queries;
     double reach = 0.0;  ///< [m]
     Box anchor;          ///< world [m]
-    boost::container::static_vector<CellIndex, kMaxOpenCells> open;
+    KnownParts open;
 
     /// Whether it speaks of a query whose nearest closest point known is this.
     [[nodiscard]] bool covers(const Vector3& query, const SearchReach& within,
                               const ClosestPoint& nearest) const noexcept;
 };
 
-/// The same for a query that a ball covers.
+/// The same for a query that a ball covers; what it finds out about the open parts is kept there.
 [[nodiscard]] SearchProof completePoints(const BSplineSurface& surface, const Vector3& query,
-                                         const SearchReach& reach, const ProvenBall& ball,
+                                         const SearchReach& reach, ProvenBall& ball,
                                          ClosestPointList& points) noexcept;
 
 /// The same for the query at the center of `queries`; @return in `ball` what is proven on the way
-/// for all of them. That is nothing where too many cells are left open.
+/// for all of them, with what is known already of its open parts. That is nothing where too many
+/// are left open.
 [[nodiscard]] SearchProof completePoints(const BSplineSurface& surface, const QueryBall& queries,
                                          const SearchReach& reach, ClosestPointList& points,
                                          ProvenBall& ball) noexcept;

@@ -38,8 +38,7 @@ ASPERITY_INLINE void moveSample(HeightSample& s, const Vector2& step) {
     s.dy += s.dxy * step.x() + s.dyy * step.y();
 }
 
-/// Newton's method from a start that is close to a minimum, without the care that BoxNewton takes:
-/// whether it ended there. The place of `minimum` is the start.
+/// Whether Newton's method ended at a minimum. The place of `minimum` is the start.
 ASPERITY_WITH_AVX2 bool dash(const SplineSampling& surface, const Vector3& query,
                              BoxMinimum& minimum) {
     constexpr int kMaxSteps = 6;
@@ -171,6 +170,11 @@ ClosestPoint closestPointOf(const BoxMinimum& minimum, const Vector3& query) noe
     return closest;
 }
 
+bool findMinimumBeside(const BSplineSurface& surface, const Vector3& query,
+                       BoxMinimum& minimum) noexcept {
+    return dash(surface.sampling(), query, minimum);
+}
+
 ClosestPoint localClosestPoint(const BSplineSurface& surface, const Vector3& query,
                                const SearchGuess& guess) noexcept {
     if (!isUsableQuery(query)) {
@@ -180,7 +184,7 @@ ClosestPoint localClosestPoint(const BSplineSurface& surface, const Vector3& que
     if (isGuided) {
         BoxMinimum minimum;
         minimum.place = Vector2(guess.x, guess.y);
-        if (dash(surface.sampling(), query, minimum)) {
+        if (findMinimumBeside(surface, query, minimum)) {
             return closestPointOf(minimum, query);
         }
     }

@@ -31,6 +31,12 @@ private:
 /// The closest point that a minimum of the distance stands for; its proof is still to be sought.
 [[nodiscard]] ClosestPoint closestPointOf(const BoxMinimum& minimum, const Vector3& query) noexcept;
 
+/// Newton's method from a start close to a minimum, without the care that BoxNewton takes: whether
+/// it soon ended at one.
+/// @param minimum at first the start, then place, surface and steps of the minimum
+[[nodiscard]] bool findMinimumBeside(const BSplineSurface& surface, const Vector3& query,
+                                     BoxMinimum& minimum) noexcept;
+
 /// A local minimum of the distance from `query`, by Newton-Raphson on r.Su = 0, r.Sv = 0 downhill
 /// from `guess` when valid, else (or when that ends nowhere) from the projection along z, then from
 /// points nearby. Allocation-free, bounded, never throws.

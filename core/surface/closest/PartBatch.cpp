@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 
 namespace asperity {
@@ -97,6 +98,44 @@ ASPERITY_WITH_AVX2 void quarterNet(const PartBatch& batch, int lane, PartBatch& 
     }
 }
 
+/// The part of each of four cubics between two places, 0..1 along each of them (polar form).
+ASPERITY_INLINE void cut(Double4& a, Double4& b, Double4& c, Double4& d, Double4 from, Double4 to) {
+    const auto between = [](Double4 low, Double4 high, Double4 at) {
+        return low + at * (high - low);
+    };
+    const Double4 first[3] = {between(a, b, from), between(b, c, from), between(c, d, from)};
+    const Double4 last[3] = {between(a, b, to), between(b, c, to), between(c, d, to)};
+    const Double4 low[2] = {between(first[0], first[1], from), between(first[1], first[2], from)};
+    const Double4 high[2] = {between(last[0], last[1], to), between(last[1], last[2], to)};
+    a = between(low[0], low[1], from);
+    b = between(low[0], low[1], to);
+    c = between(high[0], high[1], from);
+    d = between(high[0], high[1], to);
+}
+
+/// Where in its cell each of four parts lies, 0..1 along the cell's sides.
+struct PartSides {
+    Double4 left;
+    Double4 right;
+    Double4 low;
+    Double4 high;
+};
+
+/// Cells become parts of theirs.
+ASPERITY_WITH_AVX2 void cutNets(const PartSides& sides, PartBatch& batch) {
+    for (auto& row : batch.net) {
+        cut(row[0], row[1], row[2], row[3], sides.left, sides.right);
+    }
+    for (int k = 0; k < 4; ++k) {
+        cut(batch.net[0][k], batch.net[1][k], batch.net[2][k], batch.net[3][k], sides.low,
+            sides.high);
+    }
+    batch.centerX += batch.halfX * (sides.left + sides.right - 1.0);
+    batch.centerY += batch.halfY * (sides.low + sides.high - 1.0);
+    batch.halfX *= sides.right - sides.left;
+    batch.halfY *= sides.high - sides.low;
+}
+
 /// Whether a cell reaches to the scan's edge, or has a single pixel along an axis.
 bool isOutermost(const BSplineSurface::Grid& grid, const CellIndex& cell) {
     return cell.row == 0 || cell.column == 0 || cell.row >= grid.rows - 2 ||
@@ -152,6 +191,24 @@ void loadCells(const BSplineSurface::Grid& grid, std::span<const CellIndex> cell
             setOutermost(grid, all[lane], static_cast<int>(lane), batch);
         }
     }
+}
+
+void loadParts(const BSplineSurface::Grid& grid, std::span<const CellPart> parts,
+               PartBatch& batch) noexcept {
+    std::array<CellIndex, PartBatch::kLanes> cells;
+    PartSides sides{};
+    for (std::size_t lane = 0; lane < cells.size(); ++lane) {
+        const CellPart& part = parts[lane < parts.size() ? lane : 0];
+        const auto at = static_cast<int>(lane);
+        const double size = std::ldexp(1.0, -part.depth);
+        cells[lane] = part.cell;
+        sides.left[at] = size * part.column;
+        sides.right[at] = size * (part.column + 1);
+        sides.low[at] = size * part.row;
+        sides.high[at] = size * (part.row + 1);
+    }
+    loadCells(grid, cells, batch);
+    cutNets(sides, batch);
 }
 
 void quarter(const PartBatch& batch, int lane, PartBatch& quarters) noexcept {

@@ -5,6 +5,7 @@
 #include "core/surface/BSplineSurface.h"
 #include "core/surface/closest/CellIndex.h"
 
+#include <cstdint>
 #include <span>
 
 namespace asperity {
@@ -24,6 +25,36 @@ struct PartBatch {
 
 /// The whole of up to four cells; lanes left over repeat the first.
 void loadCells(const BSplineSurface::Grid& grid, std::span<const CellIndex> cells,
+               PartBatch& batch) noexcept;
+
+/// A part of a cell, whose sides are halved `depth` times.
+struct CellPart {
+    static constexpr int kMaxDepth = 7;
+
+    CellIndex cell;
+    std::uint8_t depth = 0;
+    std::uint8_t row = 0;     ///< from the cell's lower edge, in parts
+    std::uint8_t column = 0;  ///< from the cell's left edge, in parts
+
+    /// Whether a place lies in it; for cells that do not reach to the scan's edge.
+    [[nodiscard]] bool contains(const BSplineSurface::Grid& grid,
+                                const Vector2& place) const noexcept {
+        const double parts = 1 << depth;
+        const double x = (place.x() / grid.pitchX - 0.5 - cell.column) * parts - column;
+        const double y = (place.y() / grid.pitchY - 0.5 - cell.row) * parts - row;
+        return x >= 0.0 && x <= 1.0 && y >= 0.0 && y <= 1.0;
+    }
+    /// One of its quarters, in the order of quarter().
+    [[nodiscard]] CellPart quarter(int lane) const noexcept {
+        return {.cell = cell,
+                .depth = static_cast<std::uint8_t>(depth + 1),
+                .row = static_cast<std::uint8_t>(2 * row + lane / 2),
+                .column = static_cast<std::uint8_t>(2 * column + lane % 2)};
+    }
+};
+
+/// Up to four parts of cells; lanes left over repeat the first.
+void loadParts(const BSplineSurface::Grid& grid, std::span<const CellPart> parts,
                PartBatch& batch) noexcept;
 
 /// The four quarters of the part in a lane: lane 1 and 3 the upper halves along x, 2 and 3 along y.

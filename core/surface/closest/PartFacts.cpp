@@ -56,12 +56,17 @@ struct Seen {
     }
 };
 
+/// @param divisor >= 0; nothing is divided by 0
+ASPERITY_INLINE Double4 overPositive(Double4 number, Double4 divisor) {
+    constexpr double kMin = 1e-150;
+    return number / most(divisor, Double4{} + kMin);
+}
+
 /// Least value of slope * t + bend * t^2 / 2 for |t| <= half.
 ASPERITY_INLINE Double4 leastOnAxis(Double4 slope, Double4 bend, Double4 half) {
     const Double4 steep = magnitude(slope);
     const Double4 atSide = half * (0.5 * bend * half - steep);
-    constexpr double kMin = 1e-300;
-    const Double4 inside = -0.5 * steep * steep / most(bend, Double4{} + kMin);
+    const Double4 inside = overPositive(-0.5 * steep * steep, bend);
     return steep >= bend * half ? atSide : inside;
 }
 
@@ -222,7 +227,7 @@ private:
 
 /// How much the slopes along the axes of a frame differ between the center of a part and any place
 /// in it: the second derivatives by one axis of the frame and one of x and y, times the way.
-ASPERITY_INLINE Pair4 slopeSpread(const Bends4& b, const SlopeFrame& f, const Pair4& half) {
+ASPERITY_INLINE Pair4 slopesAlong(const Bends4& b, const SlopeFrame& f, const Pair4& half) {
     const Range4 ux = f.p * b.xx + f.q * b.xy;
     const Range4 uy = f.p * b.xy + f.q * b.yy;
     const Range4 vx = f.p * b.xy + (-f.q) * b.xx;
@@ -230,19 +235,22 @@ ASPERITY_INLINE Pair4 slopeSpread(const Bends4& b, const SlopeFrame& f, const Pa
     return {ux.most() * half.x + uy.most() * half.y, vx.most() * half.x + vy.most() * half.y};
 }
 
+/// The height's derivatives in a part along the axes of a frame.
+struct HeightIn {
+    Bends4 bends;
+    Pair4 slope;   ///< at the center
+    Pair4 spread;  ///< by which that differs elsewhere
+};
+
 /// Of half the squared distance along the axes of a frame: second derivatives of (h - z)^2 / 2 are
 /// those of h times h - z, plus products of slopes.
-/// @param offset h - z [m]
-ASPERITY_INLINE Bends4 distanceBends(const Bends4& height, const SlopeFrame& frame,
-                                     const Pair4& slope, const Range4& offset, const Pair4& half) {
-    const Bends4 bends = frame.along(height);
-    const Pair4 center = frame.along(slope);
-    const Pair4 spread = slopeSpread(height, frame, half);
-    const Range4 u{center.x, spread.x};
-    const Range4 v{center.y, spread.y};
-    const Range4 flat{frame.square, Double4{}};
-    return {flat + squared(u) + offset * bends.xx, u * v + offset * bends.xy,
-            flat + squared(v) + offset * bends.yy};
+/// @param square of the axes' length; @param offset h - z [m]
+ASPERITY_INLINE Bends4 distanceBends(const HeightIn& height, Double4 square, const Range4& offset) {
+    const Range4 u{height.slope.x, height.spread.x};
+    const Range4 v{height.slope.y, height.spread.y};
+    const Range4 flat{square, Double4{}};
+    return {flat + squared(u) + offset * height.bends.xx, u * v + offset * height.bends.xy,
+            flat + squared(v) + offset * height.bends.yy};
 }
 
 /// Rounding of the gradient at the center of a part and of its spread over it: a minimum on the
@@ -261,38 +269,49 @@ ASPERITY_INLINE Pair4 gradientRounding(Double4 bend, const Pair4& slope, Double4
             common + rounding.height * (magnitude(slope.y) + lever * per.y)};
 }
 
-/// Whether a function's gradient cannot vanish in a part: Newton's step from the center leads out
-/// of it by more than what the second derivatives differ in the part can bring back.
-/// @param bends along the axes of the frame
+/// How a function's gradient can be in a part, along the axes of a frame.
+struct GradientIn {
+    Pair4 center;       ///< along x and y
+    Pair4 unsure;       ///< of that, along x and y
+    Pair4 perMove;      ///< by how much that differs after a unit move of the query, along x and y
+    Bends4 bends;       ///< along the axes of the frame
+    Pair4 bendsByMove;  ///< by how much those let it differ more after a unit move of the query
+};
+
+/// How far the query may move until the function's gradient may vanish in a part: Newton's step
+/// from the center leads out of it by more than what the second derivatives differ in the part can
+/// bring back, or the gradient is larger than what they can make it differ. < 0: it may vanish.
 /// Source: Krawczyk (1969), Newton-Algorithmen zur Bestimmung von Nullstellen mit Fehlerschranken.
-ASPERITY_INLINE Long4 areSloped(const Bends4& bends, const Pair4& gradient, const SlopeFrame& frame,
-                                const Pair4& half, const Pair4& reach, const Pair4& unsure) {
+ASPERITY_INLINE Double4 calmOf(const GradientIn& gradient, const SlopeFrame& frame,
+                               const Pair4& half, const Pair4& reach) {
+    const Bends4& bends = gradient.bends;
     const Double4 a = bends.xx.middle;
     const Double4 b = bends.xy.middle;
     const Double4 c = bends.yy.middle;
     const Double4 size = magnitude(a * c - b * b);
-    const Pair4 unsureAlong = frame.sizes(unsure);
-    const Double4 unsureU = bends.xx.radius * reach.x + bends.xy.radius * reach.y + unsureAlong.x;
-    const Double4 unsureV = bends.xy.radius * reach.x + bends.yy.radius * reach.y + unsureAlong.y;
-    const Pair4 g = frame.along(gradient);
+    // A Newton step for an unsure gradient, times the determinant.
+    const auto stepFor = [&](const Pair4& most) {
+        return frame.sizes({magnitude(c) * most.x + magnitude(b) * most.y,
+                            magnitude(b) * most.x + magnitude(a) * most.y});
+    };
+    const Pair4 unsure = frame.sizes(gradient.unsure);
+    const Pair4 perMove = frame.sizes(gradient.perMove);
+    const Pair4 more{perMove.x + gradient.bendsByMove.x, perMove.y + gradient.bendsByMove.y};
+    const Pair4 back = stepFor({bends.xx.radius * reach.x + bends.xy.radius * reach.y + unsure.x,
+                                bends.xy.radius * reach.x + bends.yy.radius * reach.y + unsure.y});
+    const Pair4 moreBack = stepFor(more);
+    const Pair4 g = frame.along(gradient.center);
     const Double4 stepU = b * g.y - c * g.x;
     const Double4 stepV = b * g.x - a * g.y;
-    const Pair4 back = frame.sizes({magnitude(c) * unsureU + magnitude(b) * unsureV,
-                                    magnitude(b) * unsureU + magnitude(a) * unsureV});
     const Double4 stepX = magnitude(frame.p * stepU - frame.q * stepV);
     const Double4 stepY = magnitude(frame.q * stepU + frame.p * stepV);
     const Pair4 spread = bends.spread(reach);
-    return (stepX > size * half.x + back.x) | (stepY > size * half.y + back.y) |
-           (magnitude(g.x) > spread.x + unsureAlong.x) |
-           (magnitude(g.y) > spread.y + unsureAlong.y);
+    const Double4 byStep = most(overPositive(stepX - size * half.x - back.x, moreBack.x),
+                                overPositive(stepY - size * half.y - back.y, moreBack.y));
+    const Double4 bySpread = most(overPositive(magnitude(g.x) - spread.x - unsure.x, more.x),
+                                  overPositive(magnitude(g.y) - spread.y - unsure.y, more.y));
+    return most(byStep, bySpread);
 }
-
-/// A vector in space [m].
-struct Vector4 {
-    Double4 x;
-    Double4 y;
-    Double4 z;
-};
 
 /// From the query to about the nearest place of each part, were it level with its center's slope.
 ASPERITY_INLINE Vector4 wayToNearest(const PartBatch& batch, const Vector4& center,
@@ -306,13 +325,12 @@ ASPERITY_INLINE Vector4 wayToNearest(const PartBatch& batch, const Vector4& cent
     return {center.x + stepX, center.y + stepY, center.z + slope.x * stepX + slope.y * stepY};
 }
 
-/// Whether all of a part lies farther than the limit: beyond a plane across the way to about its
-/// nearest place. It lies within the hull of its Bezier points.
+/// How far along a way from the query all of a part lies, times the length of the way: beyond a
+/// plane across it, as its Bezier points do.
 /// @param center from the query to the part's center; @param height of the query above the datum
-ASPERITY_INLINE Long4 liesBeyond(const PartBatch& batch, const Vector4& center, const Pair4& slope,
-                                 double height, double limit) {
+ASPERITY_INLINE Double4 leastAlong(const Vector4& way, const PartBatch& batch,
+                                   const Vector4& center, double height) {
     constexpr double kThird = 1.0 / 3.0;
-    const Vector4 way = wayToNearest(batch, center, slope);
     const Double4 sideX = way.x * batch.halfX;
     const Double4 sideY = way.y * batch.halfY;
     const Double4 alongX[4] = {-sideX, -kThird * sideX, kThird * sideX, sideX};
@@ -323,18 +341,38 @@ ASPERITY_INLINE Long4 liesBeyond(const PartBatch& batch, const Vector4& center, 
             nearest = least(nearest, (alongX[k] + alongY[i]) + way.z * (batch.net[i][k] - height));
         }
     }
-    nearest += way.x * center.x + way.y * center.y;
-    const Double4 square = way.x * way.x + way.y * way.y + way.z * way.z;
-    return (nearest > 0.0) & (nearest * nearest >= (2.0 * limit) * square);
+    return nearest + (way.x * center.x + way.y * center.y);
 }
 
-ASPERITY_INLINE bool reachesEdge(const PartBatch& batch, const Box& scan) {
+/// Half the squared distance of a plane across a way.
+ASPERITY_INLINE Double4 halfSquareOf(const Vector4& way, Double4 along) {
+    const Double4 beyond = most(along, Double4{});
+    const Double4 square = way.x * way.x + way.y * way.y + way.z * way.z;
+    return 0.5 * beyond * overPositive(beyond, square);
+}
+
+/// How far the query may move with a convex part staying so. Its second derivatives along the axes
+/// differ then by those of the height times the way.
+ASPERITY_INLINE Double4 convexFor(const Bends4& bends, const Bends4& height) {
+    const Double4 a = height.xx.most();
+    const Double4 b = height.xy.most();
+    const Double4 c = height.yy.most();
+    const Double4 mixed = bends.xy.most();
+    const Double4 determinant = bends.xx.low() * bends.yy.low() - mixed * mixed;
+    const Double4 loss = a * bends.yy.low() + c * bends.xx.low() + 2.0 * b * mixed;
+    // The determinant falls by no more than loss * way + (b * way)^2, and the way is no longer than
+    // this:
+    const Double4 longest = overPositive(determinant, loss);
+    return least(overPositive(determinant, loss + b * b * longest),
+                 least(overPositive(bends.xx.low(), a), overPositive(bends.yy.low(), c)));
+}
+
+ASPERITY_INLINE Long4 areAtEdge(const PartBatch& batch, const Box& scan) {
     // One part beside the edge is as good as at it.
-    const Long4 atEdge = (batch.centerX - 2.0 * batch.halfX < scan.low.x()) |
-                         (batch.centerY - 2.0 * batch.halfY < scan.low.y()) |
-                         (batch.centerX + 2.0 * batch.halfX > scan.high.x()) |
-                         (batch.centerY + 2.0 * batch.halfY > scan.high.y());
-    return bitsOf(atEdge) != 0;
+    return (batch.centerX - 2.0 * batch.halfX < scan.low.x()) |
+           (batch.centerY - 2.0 * batch.halfY < scan.low.y()) |
+           (batch.centerX + 2.0 * batch.halfX > scan.high.x()) |
+           (batch.centerY + 2.0 * batch.halfY > scan.high.y());
 }
 
 ASPERITY_WITH_AVX2 void examineLanes(const PartBatch& batch, const PartQuery& query,
@@ -349,37 +387,45 @@ ASPERITY_WITH_AVX2 void examineLanes(const PartBatch& batch, const PartQuery& qu
     facts.value = 0.5 * (x * x + y * y + above * above);
     facts.gradientX = gradient.x;
     facts.gradientY = gradient.y;
-    const Long4 beyond =
-        liesBeyond(batch, {x, y, above}, center.slope, query.point.z(), query.limit);
-    facts.far = bitsOf(beyond);
+    facts.way = wayToNearest(batch, {x, y, above}, center.slope);
+    facts.alongWay = leastAlong(facts.way, batch, {x, y, above}, query.point.z());
+    facts.least = halfSquareOf(facts.way, facts.alongWay);
+    facts.far = bitsOf(facts.least >= query.limit);
     if (facts.far == PartBatch::kAllLanes) {
         return;
     }
 
     const SlopeFrame frame(center.slope);
+    const Pair4 reach = frame.reach(half);
     const Bends4 height = heightBends(batch, per);
+    const Bends4 heightAlong = frame.along(height);
     const Pair4 slopeSpread = height.spread(half);
     const Range4 offset{above, (magnitude(center.slope.x) + 0.5 * slopeSpread.x) * half.x +
-                                   (magnitude(center.slope.y) + 0.5 * slopeSpread.y) * half.y +
-                                   query.ball};
-    const Bends4 bends = distanceBends(height, frame, center.slope, offset, half);
-    const Pair4 reach = frame.reach(half);
-#ifndef NOFALL
-    const Double4 fall = bends.fall(frame.along(gradient), reach);
-    facts.far = bitsOf(beyond | (facts.value - fall >= query.limit));
+                                   (magnitude(center.slope.y) + 0.5 * slopeSpread.y) * half.y};
+    const Bends4 bends =
+        distanceBends({heightAlong, frame.along(center.slope), slopesAlong(height, frame, half)},
+                      frame.square, offset);
+    facts.least = most(facts.least, facts.value - bends.fall(frame.along(gradient), reach));
+    facts.far = bitsOf(facts.least >= query.limit);
     if (facts.far == PartBatch::kAllLanes) {
         return;
     }
-#endif
-    const Double4 most = frame.mostAlongXY(bends);
-    Pair4 unsure = gradientRounding(most, center.slope, above, half, per, query.rounding);
-    // A query elsewhere in the ball sees the gradient differ by the way to it, along x or y and up
-    // the slope.
-    unsure.x += query.ball * (1.0 + magnitude(center.slope.x) + slopeSpread.x);
-    unsure.y += query.ball * (1.0 + magnitude(center.slope.y) + slopeSpread.y);
-    facts.withoutMinimum =
-        bitsOf(areSloped(bends, gradient, frame, half, reach, unsure) | bends.bendDown());
-    if (reachesEdge(batch, query.scan)) {
+    const Pair4 unsure =
+        gradientRounding(frame.mostAlongXY(bends), center.slope, above, half, per, query.rounding);
+    facts.calm =
+        calmOf({.center = gradient,
+                .unsure = unsure,
+                // By the way along x or y, and by that along z times the slope.
+                .perMove = {1.0 + magnitude(center.slope.x), 1.0 + magnitude(center.slope.y)},
+                .bends = bends,
+                .bendsByMove = heightAlong.spread(reach)},
+               frame, half, reach);
+    facts.withoutMinimum = bitsOf((facts.calm > 0.0) | bends.bendDown());
+    facts.convex = bitsOf(bends.areConvex());
+    facts.convexFor = convexFor(bends, heightAlong);
+    if (const Long4 atEdge = areAtEdge(batch, query.scan); bitsOf(atEdge) != 0) {
+        facts.calm = atEdge ? Double4{} : facts.calm;
+        facts.convexFor = atEdge ? Double4{} : facts.convexFor;
         const Bends4 alongXY = frame.back(bends);
         const Pair4 spread = alongXY.spread(half);
         facts.bendX = alongXY.xx.low();
@@ -387,7 +433,6 @@ ASPERITY_WITH_AVX2 void examineLanes(const PartBatch& batch, const PartQuery& qu
         facts.spreadX = spread.x + unsure.x;
         facts.spreadY = spread.y + unsure.y;
     }
-    facts.convex = bitsOf(bends.areConvex());
 }
 
 }  // namespace

@@ -69,17 +69,76 @@ BoxMinimum PartSearch::descend(const Box& box, const Vector2& start, double esca
 }
 
 void PartSearch::lookInto(const PartBatch& batch, unsigned lanes) noexcept {
-    for (unsigned left = unclearIn(batch, lanes); left != 0 && mayLook(); left &= left - 1) {
+    PartFacts facts;
+    for (unsigned left = unclearIn(batch, lanes, facts); left != 0 && mayLook(); left &= left - 1) {
         PartBatch quarters;
         quarter(batch, std::countr_zero(left), quarters);
         lookInto(quarters, PartBatch::kAllLanes);
     }
 }
 
-/// Looks at the parts of a batch; @return those that need a closer look.
-unsigned PartSearch::unclearIn(const PartBatch& batch, unsigned lanes) {
-    constexpr double kNearEnough = 1.0 - 2.0 * kSameDistance;
+void PartSearch::lookInto(KnownParts& parts) noexcept {
+    boost::container::static_vector<std::size_t, PartBatch::kLanes> places;
+    const auto lookIntoPlaces = [&] {
+        if (!places.empty()) {
+            lookInto({places.data(), places.size()}, parts);
+            places.clear();
+        }
+    };
+    // Those that are split off on the way are looked into with the part that they belong to.
+    for (const std::size_t part : parts.due(query_, limit())) {
+        if (!holdsKnownPointAlone(parts, part)) {
+            places.push_back(part);
+        }
+        if (places.size() == PartBatch::kLanes) {
+            lookIntoPlaces();
+        }
+    }
+    lookIntoPlaces();
+}
+
+/// Whether a part has a known closest point, and has room for no other.
+bool PartSearch::holdsKnownPointAlone(const KnownParts& parts, std::size_t part) const {
+    return parts.isConvex(part, query_) &&
+           std::ranges::any_of(points_.all(), [&](const ClosestPoint& closest) {
+               return closest.converged &&
+                      parts.at(part).contains(surface_.grid(), closest.point.head<2>());
+           });
+}
+
+void PartSearch::lookInto(std::span<const std::size_t> places, KnownParts& parts) {
+    boost::container::static_vector<CellPart, PartBatch::kLanes> cellParts;
+    for (const std::size_t place : places) {
+        cellParts.push_back(parts.at(place));
+    }
+    PartBatch batch;
+    loadParts(surface_.grid(), {cellParts.data(), cellParts.size()}, batch);
+    lookInto(batch, places, parts);
+}
+
+/// @param places of the batch's parts among those known
+void PartSearch::lookInto(const PartBatch& batch, std::span<const std::size_t> places,
+                          KnownParts& parts) {
     PartFacts facts;
+    const unsigned unclear = unclearIn(batch, (1U << places.size()) - 1U, facts);
+    for (std::size_t lane = 0; lane < places.size(); ++lane) {
+        parts.note(places[lane], query_, facts, static_cast<int>(lane));
+    }
+    for (unsigned left = unclear; left != 0 && mayLook(); left &= left - 1) {
+        const int lane = std::countr_zero(left);
+        PartBatch quarters;
+        quarter(batch, lane, quarters);
+        if (const auto split = parts.split(places[static_cast<std::size_t>(lane)])) {
+            lookInto(quarters, *split, parts);
+        } else {
+            lookInto(quarters, PartBatch::kAllLanes);
+        }
+    }
+}
+
+/// Looks at the parts of a batch; @return those that need a closer look.
+unsigned PartSearch::unclearIn(const PartBatch& batch, unsigned lanes, PartFacts& facts) {
+    constexpr double kNearEnough = 1.0 - 2.0 * kSameDistance;
     examine(batch,
             {.point = query_ - Vector3(0.0, 0.0, surface_.grid().datum),
              .rounding = rounding_,
@@ -149,9 +208,35 @@ void PartSearch::findIn(const Part& part, const Box& box) {
     if (minimum.pushedOut && !isPushedOutOfScan(minimum, box)) {
         return;
     }
-    if (minimum.model.value <= 0.5 * limit() * limit()) {
-        points_.add(closestPointOf(minimum, query_), sameMinimum(surface_));
+    if (minimum.model.value <= 0.5 * limit() * limit() && !isKnown(minimum)) {
+        points_.add(closestPointOf(fromItsSurroundings(minimum), query_), sameMinimum(surface_));
     }
+}
+
+bool PartSearch::isKnown(const BoxMinimum& minimum) const {
+    return std::ranges::any_of(points_.all(), [&](const ClosestPoint& closest) {
+        return (closest.point.head<2>() - minimum.place).norm() <= sameMinimum(surface_);
+    });
+}
+
+/// The same minimum, descended to from a place that depends on the minimum alone: which part it was
+/// found in, and from where, changes no bit of it.
+BoxMinimum PartSearch::fromItsSurroundings(const BoxMinimum& minimum) {
+    constexpr double kPlaces = 64.0;  // in a pixel
+    const Vector2 start = (kPlaces * minimum.place.cwiseQuotient(pitch_))
+                              .array()
+                              .round()
+                              .matrix()
+                              .cwiseProduct(pitch_) /
+                          kPlaces;
+    BoxMinimum again;
+    again.place = start;
+    if (!findMinimumBeside(surface_, query_, again)) {
+        again = descend(scanBox(surface_), start, 0.0);
+    }
+    const bool same =
+        again.converged && (again.place - minimum.place).norm() <= sameMinimum(surface_);
+    return same ? again : minimum;
 }
 
 /// Whether every side of `box` that holds the minimum back is a side of the scan.

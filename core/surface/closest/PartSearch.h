@@ -2,12 +2,15 @@
 
 #include "core/surface/BSplineSurface.h"
 #include "core/surface/closest/ClosestPointList.h"
+#include "core/surface/closest/KnownParts.h"
 #include "core/surface/closest/LocalClosestPoint.h"
 #include "core/surface/closest/Part.h"
 #include "core/surface/closest/SearchReach.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <optional>
+#include <span>
 
 namespace asperity {
 
@@ -39,6 +42,8 @@ public:
     [[nodiscard]] int evaluations() const noexcept { return evaluations_; }
     /// Looks into the parts of a batch, a bit a lane.
     void lookInto(const PartBatch& batch, unsigned lanes) noexcept;
+    /// Looks into those parts of which too little is known, and notes what it finds.
+    void lookInto(KnownParts& parts) noexcept;
     /// Takes up the nearest place known as a closest point, though it may be none, where it is
     /// nearer than all closest points: for a search that is not complete. `start` is one more place
     /// to descend from.
@@ -51,7 +56,12 @@ private:
     [[nodiscard]] double nearest() const;
     [[nodiscard]] double nearestPlace() const;
     void take(const BoxMinimum& minimum);
-    [[nodiscard]] unsigned unclearIn(const PartBatch& batch, unsigned lanes);
+    [[nodiscard]] unsigned unclearIn(const PartBatch& batch, unsigned lanes, PartFacts& facts);
+    [[nodiscard]] bool holdsKnownPointAlone(const KnownParts& parts, std::size_t part) const;
+    void lookInto(std::span<const std::size_t> places, KnownParts& parts);
+    void lookInto(const PartBatch& batch, std::span<const std::size_t> places, KnownParts& parts);
+    [[nodiscard]] bool isKnown(const BoxMinimum& minimum) const;
+    [[nodiscard]] BoxMinimum fromItsSurroundings(const BoxMinimum& minimum);
     BoxMinimum descend(const Box& box, const Vector2& start, double escapeStep);
     void lowerLimit(const Part& part);
     [[nodiscard]] bool holdsKnownPoint(const Part& part) const;

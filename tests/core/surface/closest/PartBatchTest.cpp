@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace asperity {
 
 namespace {
@@ -24,6 +26,57 @@ TEST_P(PartBatchOf, HoldsTheHeightsAtTheCornersOfItsParts) {
             EXPECT_NEAR(batch.net[3][0][lane], aboveDatum(x - halfX, y + halfY), rounding);
             EXPECT_NEAR(batch.net[3][3][lane], aboveDatum(x + halfX, y + halfY), rounding);
         }
+    }
+}
+
+/// Parts of cells are what quartering the cells leads to.
+TEST_P(PartBatchOf, LoadsPartsOfCells) {
+    const double rounding = 1e-14 * (surface_.heightScale() + 5.0_nm);
+    const CellBounds::Level& cells = surface_.bounds().level(0);
+    const auto below = [&](int count) { return static_cast<int>(random_.uniform() * count); };
+    for (int i = 0; i < 200; ++i) {
+        CellPart part{.cell = {.row = below(cells.rows), .column = below(cells.columns)}};
+        PartBatch quarters;
+        loadCells(surface_.grid(), {&part.cell, 1}, quarters);
+        int lane = 0;
+        for (int k = 0; k < i % (CellPart::kMaxDepth + 1); ++k) {
+            const PartBatch whole = quarters;
+            quarter(whole, lane, quarters);
+            lane = below(PartBatch::kLanes);
+            part = part.quarter(lane);
+        }
+        PartBatch batch;
+        loadParts(surface_.grid(), {&part, 1}, batch);
+        for (int row = 0; row < 4; ++row) {
+            for (int column = 0; column < 4; ++column) {
+                ASSERT_NEAR(batch.net[row][column][0], quarters.net[row][column][lane], rounding);
+            }
+        }
+        const double place = 1e-12 * (surface_.sizeX() + surface_.sizeY());
+        ASSERT_NEAR(batch.centerX[0], quarters.centerX[lane], place);
+        ASSERT_NEAR(batch.centerY[0], quarters.centerY[lane], place);
+        ASSERT_NEAR(batch.halfX[0], quarters.halfX[lane], place);
+        ASSERT_NEAR(batch.halfY[0], quarters.halfY[lane], place);
+    }
+}
+
+TEST_P(PartBatchOf, KnowsWhichPlacesItsPartsHold) {
+    const BSplineSurface::Grid& grid = surface_.grid();
+    if (grid.columns < 5 || grid.rows < 5) {
+        return;  // all cells reach to the scan's edge
+    }
+    for (int i = 0; i < 200; ++i) {
+        CellPart part{.cell = {.row = 2, .column = 1}};
+        for (int k = 0; k < i % 5; ++k) {
+            part = part.quarter(static_cast<int>(random_.uniform() * PartBatch::kLanes));
+        }
+        PartBatch batch;
+        loadParts(grid, {&part, 1}, batch);
+        const double shareX = random_.uniform(-2.0, 2.0);
+        const double shareY = random_.uniform(-2.0, 2.0);
+        const Vector2 place(batch.centerX[0] + shareX * batch.halfX[0],
+                            batch.centerY[0] + shareY * batch.halfY[0]);
+        ASSERT_EQ(part.contains(grid, place), std::abs(shareX) < 1.0 && std::abs(shareY) < 1.0);
     }
 }
 

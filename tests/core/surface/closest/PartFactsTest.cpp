@@ -65,6 +65,10 @@ TEST_P(PartFactsOf, SaysNothingOfItsPartsThatIsNotSo) {
                 const double x = batch.centerX[lane] + random_.uniform(-1, 1) * batch.halfX[lane];
                 const double y = batch.centerY[lane] + random_.uniform(-1, 1) * batch.halfY[lane];
                 const LocalModel there = modelAt(query, x, y);
+                const Vector3 away = Vector3(x, y, surface_.at(x, y).height) - query;
+                const Vector3 way(facts.way.x[lane], facts.way.y[lane], facts.way.z[lane]);
+                ASSERT_GE(away.dot(way), facts.alongWay[lane] - 1e-9 * away.norm() * way.norm());
+                ASSERT_GE(there.value, facts.least[lane] * (1.0 - 1e-9));
                 if ((facts.far & bit) != 0) {
                     ASSERT_GE(there.value, limit * (1.0 - 1e-9));
                 }
@@ -106,6 +110,68 @@ TEST_P(PartFactsOf, NeverDeniesAMinimum) {
         ASSERT_EQ(facts.far & 1U, 0U);
     }
     EXPECT_GT(minima, 100);
+}
+
+/// A query has a minimum in a part: one that is farther away than the part is calm for must be the
+/// one asked.
+TEST_P(PartFactsOf, IsNotCalmForAQueryWithAMinimum) {
+    int calm = 0;
+    for (int i = 0; i < 5000; ++i) {
+        const PartBatch batch = randomBatch(i % 6);
+        const double x = batch.centerX[0] + random_.uniform(-1.0, 1.0) * batch.halfX[0];
+        const double y = batch.centerY[0] + random_.uniform(-1.0, 1.0) * batch.halfY[0];
+        const HeightSample s = surface_.at(x, y);
+        const Vector3 held =
+            Vector3(x, y, s.height) + random_.uniform(-5.0, 15.0) * 1.0_nm * s.normal();
+        const Eigen::Matrix2d h = modelAt(held, x, y).hessian;
+        if (h(0, 0) <= 1e-6 || h.determinant() <= 1e-6) {
+            continue;
+        }
+        const double moved = std::pow(10.0, random_.uniform(-2.0, 1.0)) * 1.0_nm;
+        const Vector3 way(random_.normal(), random_.normal(), random_.normal());
+        const Vector3 query = held + moved * way.normalized();
+        PartFacts facts;
+        examine(batch,
+                {.point = query - Vector3(0.0, 0.0, surface_.grid().datum),
+                 .rounding = roundingOf(surface_, query),
+                 .limit = 1.0,
+                 .scan = scanBox(surface_)},
+                facts);
+        ASSERT_LE(facts.calm[0], moved * (1.0 + 1e-9));
+        calm += facts.calm[0] > 0.1 * moved ? 1 : 0;
+    }
+    // Else nothing is said at all. In a scan this small all parts are at the edge.
+    EXPECT_GT(calm, std::min(surface_.grid().rows, surface_.grid().columns) < 5 ? -1 : 20);
+}
+
+/// What is convex stays so for queries as near as it says.
+TEST_P(PartFactsOf, StaysConvexForQueriesAround) {
+    int convex = 0;
+    for (int i = 0; i < 5000; ++i) {
+        const PartBatch batch = randomBatch(i % 7);
+        const Vector3 query = queryAbove(batch, random_.uniform(-5.0, 15.0) * 1.0_nm);
+        PartFacts facts;
+        examine(batch,
+                {.point = query - Vector3(0.0, 0.0, surface_.grid().datum),
+                 .rounding = roundingOf(surface_, query),
+                 .limit = 1.0,
+                 .scan = scanBox(surface_)},
+                facts);
+        if ((facts.convex & 1U) == 0 || facts.convexFor[0] <= 0.0) {
+            continue;
+        }
+        ++convex;
+        for (int k = 0; k < 20; ++k) {
+            const double x = batch.centerX[0] + random_.uniform(-1, 1) * batch.halfX[0];
+            const double y = batch.centerY[0] + random_.uniform(-1, 1) * batch.halfY[0];
+            const Vector3 way(0.0, 0.0, k % 2 == 0 ? 1.0 : -1.0);
+            const LocalModel there =
+                modelAt(query + std::min(facts.convexFor[0], 1.0_um) * way, x, y);
+            ASSERT_GT(there.hessian(0, 0), -1e-6);
+            ASSERT_GT(there.hessian.determinant(), -1e-6);
+        }
+    }
+    EXPECT_GT(convex, std::min(surface_.grid().rows, surface_.grid().columns) < 5 ? -1 : 20);
 }
 
 INSTANTIATE_TEST_SUITE_P(Surfaces, PartFactsOf, testing::ValuesIn(test::mapsOfParts()),
