@@ -87,8 +87,9 @@ void replayTicks(const Scene& scene, const RecordedRun& run, const TickSink& sin
         requireSameSettings(scene, run.samples.front().input, shortest->input.timeStep);
     }
     TickMemory memory = run.memory;
+    ClosestPointTracker tracker;
     for (TickSample sample : run.samples) {
-        sample.output = tick(scene, sample.input, memory);
+        sample.output = tick(scene, sample.input, memory, tracker);
         sink(sample);
     }
 }

@@ -61,7 +61,7 @@ void RunPlayback::seek(std::size_t tick) {
 void RunPlayback::step() {
     sample_.time = inputs_.time(next_);
     sample_.input = inputs_.input(next_);
-    sample_.output = tick(*scene_, sample_.input, memory_);
+    sample_.output = tick(*scene_, sample_.input, memory_, tracker_);
     ++next_;
     if (next_ % kCheckpointTicks == 0 && checkpoints_.size() == next_ / kCheckpointTicks) {
         checkpoints_.push_back(memory_);

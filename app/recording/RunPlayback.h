@@ -25,7 +25,10 @@ public:
     RunPlayback(const Scene& scene, RunInputs inputs);
 
     /// What was computed so far is kept. @param scene the same one at another place; outlives this
-    void moveTo(const Scene& scene) noexcept { scene_ = &scene; }
+    void moveTo(const Scene& scene) noexcept {
+        scene_ = &scene;
+        tracker_ = {};
+    }
 
     [[nodiscard]] std::size_t size() const noexcept { return inputs_.size(); }
     /// Since the run began [s].
@@ -50,6 +53,7 @@ private:
     RunInputs inputs_;
     std::vector<TickMemory> checkpoints_;  ///< before tick 0, kCheckpointTicks, ...
     TickMemory memory_;                    ///< before tick next_
+    ClosestPointTracker tracker_;
     std::size_t next_ = 0;
     TickSample sample_;  ///< of the tick before next_
 };

@@ -67,12 +67,13 @@ void writeSlice(const std::filesystem::path& folder, const LoadedScene& loaded,
     requireTicks(run, span);
     std::optional<Recording> slice;
     TickMemory memory = run.memory;
+    ClosestPointTracker tracker;
     for (TickSample sample : run.samples) {
         const bool isIn = sample.time >= span.from && sample.time <= span.to;
         if (isIn && !slice) {
             slice.emplace(RecordingPlace{.folder = target}, loaded, memory, 0.0);
         }
-        sample.output = tick(loaded.scene, sample.input, memory);
+        sample.output = tick(loaded.scene, sample.input, memory, tracker);
         if (isIn) {
             slice->take(sample);
         }

@@ -38,10 +38,11 @@ ModelRun runModel(const Scene& scene, const std::vector<ModelInputs>& runs,
     ModelRun result;
     for (const ModelInputs& run : runs) {
         TickMemory memory;
+        ClosestPointTracker tracker;
         for (const TickInput& input : run.inputs) {
             throwIfCanceled(progress);
             const auto start = Clock::now();
-            const TickOutput output = tick(scene, input, memory);
+            const TickOutput output = tick(scene, input, memory, tracker);
             result.times.push_back(std::chrono::duration<double>(Clock::now() - start).count());
             result.states.push_back(output.model);
             result.estimates.push_back(output.estimate.force);

@@ -82,9 +82,9 @@ void HapticLoop::tickOnce(double timeStep) noexcept {
     input.device = device_->advance(timeStep);
     input.device.maxForce = specification_.maxForce;
     input.device.streams = specification_.streams;
-    const BaseCommand command = commandBase(scene_, input, latest_.memory);
+    const BaseCommand command = commandBase(scene_, input, latest_.memory, tracker_);
     input.measurement = afm_.exchange(command.base);
-    sample.output = tick(scene_, input, command, latest_.memory);
+    sample.output = tick(scene_, input, command, latest_.memory, tracker_);
     if (truth_ != nullptr) {
         latest_.trueTip = truth_->trueTip();
     }

@@ -81,6 +81,7 @@ private:
 
     // The loop thread's own while it runs.
     Snapshot latest_;
+    ClosestPointTracker tracker_;
     LoopTimes thisSecond_;
     LoopTimes sinceStart_;
 

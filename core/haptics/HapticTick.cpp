@@ -161,10 +161,11 @@ Vector3 wantedForce(const TickInput& input, const TickOutput& out, const BaseCom
 /// Whether a base that goes ahead by `compensation` has the tip where it was commanded: not where
 /// lever, sample and friction have no stable state there.
 bool holdsTip(const Scene& scene, const BaseMotion& tip, const Vector3& compensation,
-              const EquilibriumMemory& memory) {
+              const EquilibriumMemory& memory, ClosestPointTracker& tracker) {
     EquilibriumMemory tried = memory;
-    const TipState state = tipEquilibrium(scene.believedSurface(), scene.belief,
-                                          {tip.position - compensation, tip.velocity}, tried);
+    const TipState state =
+        tipEquilibrium(scene.believedSurface(), scene.belief,
+                       {tip.position - compensation, tip.velocity}, tried, tracker);
     return state.converged && !state.contact.jumped && !state.locked &&
            (state.tip - tip.position).norm() <= kHeldWithin;
 }
@@ -211,8 +212,8 @@ void remember(const TickInput& input, const BaseCommand& command, const TickOutp
 
 }  // namespace
 
-BaseCommand commandBase(const Scene& scene, const TickInput& input,
-                        const TickMemory& memory) noexcept {
+BaseCommand commandBase(const Scene& scene, const TickInput& input, const TickMemory& memory,
+                        ClosestPointTracker& tracker) noexcept {
     const Settings& settings = input.settings;
     const bool tipControl = settings.positionControl == PositionControl::Tip;
     BaseCommand command;
@@ -234,10 +235,11 @@ BaseCommand commandBase(const Scene& scene, const TickInput& input,
     const BaseMotion tip{memory.started ? Vector3(command.base.position + command.compensation)
                                         : command.base.position,
                          command.base.velocity};
-    const TipState held = heldTip(scene.believedSurface(), scene.belief, tip, memory.model);
+    const TipState held =
+        heldTip(scene.believedSurface(), scene.belief, tip, memory.model, tracker);
     const Vector3 deflection = scene.belief.cantilever.compliance() * held.force;
-    command.tipHeld =
-        held.converged && !held.contact.jumped && holdsTip(scene, tip, deflection, memory.model);
+    command.tipHeld = held.converged && !held.contact.jumped &&
+                      holdsTip(scene, tip, deflection, memory.model, tracker);
     if (command.tipHeld) {
         command.compensation = deflection;
     }
@@ -246,7 +248,7 @@ BaseCommand commandBase(const Scene& scene, const TickInput& input,
 }
 
 TickOutput tick(const Scene& scene, const TickInput& input, const BaseCommand& command,
-                TickMemory& memory) noexcept {
+                TickMemory& memory, ClosestPointTracker& tracker) noexcept {
     if (input.settings.rearms != memory.rearms) {
         memory.fault = Fault::None;
         memory.rearms = input.settings.rearms;
@@ -254,7 +256,8 @@ TickOutput tick(const Scene& scene, const TickInput& input, const BaseCommand& c
     const TickMemory before = memory;
     TickOutput out;
     out.base = command.base;
-    out.model = tipEquilibrium(scene.believedSurface(), scene.belief, out.base, memory.model);
+    out.model =
+        tipEquilibrium(scene.believedSurface(), scene.belief, out.base, memory.model, tracker);
     judgeSignals(scene, input, command, out, memory);
     remember(input, command, out, memory);
     const Fault found = faultOf(input, out, memory.unsolved);
@@ -272,8 +275,26 @@ TickOutput tick(const Scene& scene, const TickInput& input, const BaseCommand& c
     return out;
 }
 
+TickOutput tick(const Scene& scene, const TickInput& input, TickMemory& memory,
+                ClosestPointTracker& tracker) noexcept {
+    return tick(scene, input, commandBase(scene, input, memory, tracker), memory, tracker);
+}
+
+BaseCommand commandBase(const Scene& scene, const TickInput& input,
+                        const TickMemory& memory) noexcept {
+    ClosestPointTracker tracker;
+    return commandBase(scene, input, memory, tracker);
+}
+
+TickOutput tick(const Scene& scene, const TickInput& input, const BaseCommand& command,
+                TickMemory& memory) noexcept {
+    ClosestPointTracker tracker;
+    return tick(scene, input, command, memory, tracker);
+}
+
 TickOutput tick(const Scene& scene, const TickInput& input, TickMemory& memory) noexcept {
-    return tick(scene, input, commandBase(scene, input, memory), memory);
+    ClosestPointTracker tracker;
+    return tick(scene, input, memory, tracker);
 }
 
 }  // namespace asperity

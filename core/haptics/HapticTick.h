@@ -47,7 +47,11 @@ struct BaseCommand {
 /// With the tip under control, the base goes ahead by the deflection C F that the model expects at
 /// the commanded place of the tip. Where the lever would jump from there (between its fold and that
 /// of displacement control) the tip cannot be held, and the base keeps its last compensation.
+/// @param tracker of the surface that the model believes in: saves time, changes nothing
 /// Source: Vogl, Ma, Sitti (2005), direct tip control; docs/theory.md 2.5 (the folds).
+[[nodiscard]] BaseCommand commandBase(const Scene& scene, const TickInput& input,
+                                      const TickMemory& memory,
+                                      ClosestPointTracker& tracker) noexcept;
 [[nodiscard]] BaseCommand commandBase(const Scene& scene, const TickInput& input,
                                       const TickMemory& memory) noexcept;
 
@@ -55,10 +59,16 @@ struct BaseCommand {
 /// No allocation, no lock, no log, no exception.
 /// @param input   its measurement answers the command's base
 /// @param command what commandBase() gives for this input and memory
+/// @param tracker as in commandBase()
+[[nodiscard]] TickOutput tick(const Scene& scene, const TickInput& input,
+                              const BaseCommand& command, TickMemory& memory,
+                              ClosestPointTracker& tracker) noexcept;
 [[nodiscard]] TickOutput tick(const Scene& scene, const TickInput& input,
                               const BaseCommand& command, TickMemory& memory) noexcept;
 
 /// The same where the measurement is known beforehand, as in a recording.
+[[nodiscard]] TickOutput tick(const Scene& scene, const TickInput& input, TickMemory& memory,
+                              ClosestPointTracker& tracker) noexcept;
 [[nodiscard]] TickOutput tick(const Scene& scene, const TickInput& input,
                               TickMemory& memory) noexcept;
 

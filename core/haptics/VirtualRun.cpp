@@ -10,15 +10,16 @@ template <class Advance, class Observe>
 void run(const Scene& scene, AfmController& afm, long ticks, const TickSink& sink,
          const Advance& advance, const Observe& observe) {
     TickMemory memory;
+    ClosestPointTracker tracker;
     TickSample sample;
     sample.input.settings = scene.settings;
     sample.input.timeStep = scene.timeStep();
     for (long i = 0; i < ticks; ++i) {
         sample.time = static_cast<double>(i) * scene.timeStep();
         sample.input.device = advance(sample.time);
-        const BaseCommand command = commandBase(scene, sample.input, memory);
+        const BaseCommand command = commandBase(scene, sample.input, memory, tracker);
         sample.input.measurement = afm.exchange(command.base);
-        sample.output = tick(scene, sample.input, command, memory);
+        sample.output = tick(scene, sample.input, command, memory, tracker);
         observe(sample.output);
         sink(sample);
     }

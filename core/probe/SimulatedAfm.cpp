@@ -29,7 +29,7 @@ SimulatedAfm::SimulatedAfm(const SampleSurface& surface, const InstrumentTruth& 
     , bendingPerDeflection_(fundamental.endSlope) {}
 
 AfmMeasurement SimulatedAfm::exchange(const BaseMotion& target) noexcept {
-    state_ = tipEquilibrium(surface_, truth_.system, target, memory_);
+    state_ = tipEquilibrium(surface_, truth_.system, target, memory_, tracker_);
     measured_ = true;
     LeverSignals signals = leverSignals(truth_.system.cantilever, state_.force);
     signals.bending += bendingPerDeflection_ * thermal_.next();

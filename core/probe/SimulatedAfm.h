@@ -47,6 +47,7 @@ private:
     ThermalNoise thermal_;
     double bendingPerDeflection_;  ///< of the fundamental mode [rad/m]
     EquilibriumMemory memory_;
+    ClosestPointTracker tracker_;
     TipState state_;
     bool measured_ = false;  ///< state_ is of a measurement
 };

@@ -82,8 +82,12 @@ EffectiveRadius takenAsFlat(EffectiveRadius curved, double tipRadius) {
 class Balance {
 public:
     Balance(const SampleSurface& surface, const ProbeSystem& system, const BaseMotion& base,
-            const Matrix3& compliance)
-        : surface_(surface), system_(system), base_(base), compliance_(compliance) {}
+            const Matrix3& compliance, ClosestPointTracker& tracker)
+        : surface_(surface)
+        , system_(system)
+        , base_(base)
+        , compliance_(compliance)
+        , tracker_(tracker) {}
 
     TipState solve(EquilibriumMemory& memory) {
         deflection_ = memory.deflection;
@@ -116,7 +120,7 @@ private:
         return base_.position + deflection_ + Vector3(0.0, 0.0, system_.tipRadius());
     }
 
-    void findPoints(EquilibriumMemory& memory) {
+    void findPoints(const EquilibriumMemory& memory) {
         boost::container::static_vector<SearchGuess, kMaxContactPoints> known;
         for (std::size_t i = 0; i < memory.pointCount; ++i) {
             known.push_back(memory.points[i].guess);
@@ -127,7 +131,7 @@ private:
 
     /// Where the tip has moved by much since the last look, there may be closest points that nobody
     /// saw.
-    bool findMorePoints(EquilibriumMemory& memory) {
+    bool findMorePoints(const EquilibriumMemory& memory) {
         if ((center() - lookedFrom_).norm() <= kSamePoint * system_.tipRadius()) {
             return false;
         }
@@ -141,10 +145,10 @@ private:
         return points_.size() > before;
     }
 
-    void addPoints(std::span<const SearchGuess> known, EquilibriumMemory& memory) {
+    void addPoints(std::span<const SearchGuess> known, const EquilibriumMemory& memory) {
         lookedFrom_ = center();
-        const ContactPoints found = surface_.contactPoints({lookedFrom_, system_.tipRadius()},
-                                                           kReach, known, memory.tracker);
+        const ContactPoints found =
+            surface_.contactPoints({lookedFrom_, system_.tipRadius()}, kReach, known, tracker_);
         state_.proof = found.proof;
         for (const ClosestPoint& place : found.list.all()) {
             if (points_.size() < kMaxContactPoints && !isKnown(place, points_.size())) {
@@ -326,6 +330,7 @@ private:
     const ProbeSystem& system_;
     const BaseMotion& base_;
     const Matrix3& compliance_;
+    ClosestPointTracker& tracker_;
     Vector3 deflection_ = Vector3::Zero();
     std::array<bool, kMaxContactPoints>
         taken_{};  ///< which of the remembered closest points have been found again
@@ -338,22 +343,35 @@ private:
 }  // namespace
 
 TipState tipEquilibrium(const SampleSurface& surface, const ProbeSystem& system,
-                        const BaseMotion& base, EquilibriumMemory& memory) noexcept {
+                        const BaseMotion& base, EquilibriumMemory& memory,
+                        ClosestPointTracker& tracker) noexcept {
     if (!isPlace(base.position)) {
         return nowhere();
     }
-    return Balance(surface, system, base, system.cantilever.compliance()).solve(memory);
+    return Balance(surface, system, base, system.cantilever.compliance(), tracker).solve(memory);
+}
+
+TipState tipEquilibrium(const SampleSurface& surface, const ProbeSystem& system,
+                        const BaseMotion& base, EquilibriumMemory& memory) noexcept {
+    ClosestPointTracker tracker;
+    return tipEquilibrium(surface, system, base, memory, tracker);
 }
 
 TipState heldTip(const SampleSurface& surface, const ProbeSystem& system, const BaseMotion& tip,
-                 const EquilibriumMemory& memory) noexcept {
+                 const EquilibriumMemory& memory, ClosestPointTracker& tracker) noexcept {
     if (!isPlace(tip.position)) {
         return nowhere();
     }
     EquilibriumMemory held = memory;
     held.deflection.setZero();
     const Matrix3 rigid = Matrix3::Zero();
-    return Balance(surface, system, tip, rigid).solve(held);
+    return Balance(surface, system, tip, rigid, tracker).solve(held);
+}
+
+TipState heldTip(const SampleSurface& surface, const ProbeSystem& system, const BaseMotion& tip,
+                 const EquilibriumMemory& memory) noexcept {
+    ClosestPointTracker tracker;
+    return heldTip(surface, system, tip, memory, tracker);
 }
 
 }  // namespace asperity

@@ -31,7 +31,6 @@ struct EquilibriumMemory {
     std::array<ClosestPointMemory, kMaxContactPoints> points{};
     std::size_t pointCount = 0;            ///< 0: nothing is known yet
     Vector3 deflection = Vector3::Zero();  ///< of the tip, lab frame [m]
-    ClosestPointTracker tracker;           ///< saves time, changes nothing
 };
 
 /// The tip in quasi-static equilibrium between lever and sample; lab frame. In a valley that the
@@ -59,12 +58,19 @@ struct TipState {
 /// over all closest points, each with the effective radius of its place.
 /// A base beyond 500 m along an axis or at no number has the contact status ApproachOutOfRange,
 /// does not converge and leaves the memory as it is. Allocation-free, bounded, never throws.
+/// @param tracker of this surface: saves time, changes nothing
 /// Source: docs/theory.md 1, 7.1-7.2.
+[[nodiscard]] TipState tipEquilibrium(const SampleSurface& surface, const ProbeSystem& system,
+                                      const BaseMotion& base, EquilibriumMemory& memory,
+                                      ClosestPointTracker& tracker) noexcept;
 [[nodiscard]] TipState tipEquilibrium(const SampleSurface& surface, const ProbeSystem& system,
                                       const BaseMotion& base, EquilibriumMemory& memory) noexcept;
 
 /// State of a tip that is held at `tip` (apex) whatever the lever, i.e. in displacement control;
 /// `memory` stays as it is.
+[[nodiscard]] TipState heldTip(const SampleSurface& surface, const ProbeSystem& system,
+                               const BaseMotion& tip, const EquilibriumMemory& memory,
+                               ClosestPointTracker& tracker) noexcept;
 [[nodiscard]] TipState heldTip(const SampleSurface& surface, const ProbeSystem& system,
                                const BaseMotion& tip, const EquilibriumMemory& memory) noexcept;
 

@@ -58,12 +58,13 @@ std::optional<TipState> loadedState(const Scene& scene, double load) {
     constexpr double kStep = 0.02e-9;
     constexpr int kSteps = 5500;
     EquilibriumMemory memory;
+    ClosestPointTracker tracker;
     Vector3 position(0.5 * scene.surface.sizeX(), 0.5 * scene.surface.sizeY(), 0.0);
     const double surface = scene.surface.at(position.x(), position.y()).height;
     for (int step = 0; step < kSteps; ++step) {
         position.z() = surface + kStart - step * kStep;
         const TipState state =
-            tipEquilibrium(scene.surface, scene.belief, {.position = position}, memory);
+            tipEquilibrium(scene.surface, scene.belief, {.position = position}, memory, tracker);
         if (state.contact.contactRadius > 0.0 && state.normalForce > load) {
             return state;
         }

@@ -103,9 +103,9 @@ private:
     void step(double height) {
         bench_.reachFor(above(height, input_.settings.positionGain));
         input_.device = bench_.advance(input_.timeStep);
-        const BaseCommand command = commandBase(scene_, input_, memory_);
+        const BaseCommand command = commandBase(scene_, input_, memory_, tracker_);
         input_.measurement = afm_.exchange(command.base);
-        const TickOutput output = tick(scene_, input_, command, memory_);
+        const TickOutput output = tick(scene_, input_, command, memory_, tracker_);
         bench_.setForce(output.deviceForce);
         finite_ = finite_ && output.fault == Fault::None;
     }
@@ -116,6 +116,7 @@ private:
     SimulatedAfm afm_;
     TickInput input_;
     TickMemory memory_;
+    ClosestPointTracker tracker_;
     double goal_ = kStart;  ///< height [m]
     bool finite_ = true;
 };

@@ -71,14 +71,14 @@ struct AxisDistances {
 struct WindowRows {
     float* nearest = nullptr;
     float* bend = nullptr;
-    std::uint32_t* reaching = nullptr;
+    BoundsWindow::Bits* reaching = nullptr;
 };
 
 ASPERITY_WITH_AVX2 void boundRows(const CodedRows& coded, const RowQuery& query,
                                   const AxisDistances& away, const WindowRows& window) {
     const Float8 zero{};
     for (int row = 0; row < coded.rows; ++row) {
-        std::uint32_t reaching = 0;
+        BoundsWindow::Bits reaching = 0;
         // Whole groups of lanes: what lies beyond the window is there to be read, and masked.
         for (int i = 0; i < coded.columns; i += kLanes) {
             const std::size_t at =
@@ -101,10 +101,11 @@ ASPERITY_WITH_AVX2 void boundRows(const CodedRows& coded, const RowQuery& query,
             const int to = row * BoundsWindow::kMaxBlocks + i;
             std::memcpy(window.nearest + to, &nearest, sizeof nearest);
             std::memcpy(window.bend + to, &known, sizeof known);
-            reaching |= bitsOf(nearest <= query.limit) << static_cast<unsigned>(i);
+            reaching |= BoundsWindow::Bits{bitsOf(nearest <= query.limit)}
+                        << static_cast<unsigned>(i);
         }
         const auto beyond = static_cast<unsigned>(BoundsWindow::kMaxBlocks - coded.columns);
-        window.reaching[row] = reaching & (~std::uint32_t{0} >> beyond);
+        window.reaching[row] = reaching & (~BoundsWindow::Bits{0} >> beyond);
     }
 }
 
@@ -170,7 +171,7 @@ WindowBlocks BoundsWindow::blocksAround(double x, double y, double reach) const 
 int BoundsWindow::widestOffset(int row, int column) const noexcept {
     int widest = 0;
     for (int i = 0; i < rows_.count; ++i) {
-        if (const std::uint32_t blocks = reaching(i); blocks != 0) {
+        if (const Bits blocks = reaching(i); blocks != 0) {
             const int first = std::countr_zero(blocks);
             const int last = kMaxBlocks - 1 - std::countl_zero(blocks);
             widest = std::max({widest, std::abs(i - row), column - first, last - column});
@@ -179,32 +180,42 @@ int BoundsWindow::widestOffset(int row, int column) const noexcept {
     return widest;
 }
 
+/// Least bend of the window's blocks at this offset from one of them, at most 1.
+float BoundsWindow::leastBend(int row, int column, int offset) const noexcept {
+    float least = 1.0F;
+    const auto take = [&](int i, int j) {
+        if (i >= 0 && i < rows_.count && j >= 0 && j < columns_.count) {
+            least = std::min(least, bend_[index(i, j)]);
+        }
+    };
+    for (int j = column - offset; j <= column + offset; ++j) {
+        take(row - offset, j);
+        take(row + offset, j);
+    }
+    for (int i = row - offset + 1; i < row + offset; ++i) {
+        take(i, column - offset);
+        take(i, column + offset);
+    }
+    return least;
+}
+
 int BoundsWindow::settledAround(int row, int column) const noexcept {
     // Nothing is known of the way from a minimum outside the window into it.
     if (row < 0 || row >= rows_.count || column < 0 || column >= columns_.count) {
         return -1;
     }
     const int widest = widestOffset(row, column);
-    // Least bend of all blocks at the same offset from the closest point's block. On the way to a
-    // block at offset k the slope of the squared distance, zero at the closest point, grows by
-    // these.
-    std::array<float, kMaxBlocks + 1> least;
-    std::fill_n(least.begin(), widest + 2, 1.0F);
-    for (int i = std::max(0, row - widest); i <= std::min(rows_.count - 1, row + widest); ++i) {
-        const int offset = std::abs(i - row);
-        for (int j = std::max(0, column - widest);
-             j <= std::min(columns_.count - 1, column + widest); ++j) {
-            float& bend = least[static_cast<std::size_t>(std::max(offset, std::abs(j - column)))];
-            bend = std::min(bend, bend_[index(i, j)]);
-        }
-    }
+    // On the way to a block at offset k the slope of the squared distance, zero at the closest
+    // point, grows by the bends of the blocks that it passes.
     float slope = 0.0F;
+    float here = leastBend(row, column, 0);
     for (int k = 0; k <= widest; ++k) {
-        const float here = least[static_cast<std::size_t>(k)];
         if ((k > 0 && slope <= 0.0F) || slope + here <= 0.0F) {
             return k - 1;
         }
-        slope += std::min(here, least[static_cast<std::size_t>(k) + 1]);
+        const float next = k < widest ? leastBend(row, column, k + 1) : 1.0F;
+        slope += std::min(here, next);
+        here = next;
     }
     return kMaxBlocks;
 }

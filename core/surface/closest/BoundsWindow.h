@@ -19,7 +19,8 @@ struct WindowBlocks {
 /// the squared distance from it is from having a second minimum there. Allocation-free.
 class BoundsWindow {
 public:
-    static constexpr int kMaxBlocks = 32;  ///< along an axis
+    static constexpr int kMaxBlocks = 64;  ///< along an axis
+    using Bits = std::uint64_t;            ///< one a block of a row
 
     /// @param distance blocks that cannot hold a point within it are left out [m]
     /// @param ball what is settled is so for all queries within this distance of `query` [m]
@@ -32,7 +33,7 @@ public:
 
     /// Bit k: block k of the row can hold a point within the window's distance. Rows and blocks are
     /// counted from the window's first.
-    [[nodiscard]] std::uint32_t reaching(int row) const noexcept {
+    [[nodiscard]] Bits reaching(int row) const noexcept {
         return reaching_[static_cast<std::size_t>(row)];
     }
     /// Whether a block can hold a point within `distance` [m].
@@ -56,15 +57,16 @@ private:
     }
     [[nodiscard]] float squaredWithRounding(double distance) const noexcept;
     [[nodiscard]] int widestOffset(int row, int column) const noexcept;
+    [[nodiscard]] float leastBend(int row, int column, int offset) const noexcept;
 
     BlockAxis x_;
     BlockAxis y_;
     int level_ = 0;
     BlockRun rows_;
     BlockRun columns_;
-    double rounding_ = 0.0;                           ///< of a height difference [m]
-    std::array<std::uint32_t, kMaxBlocks> reaching_;  ///< of each row
-    std::array<float, kMaxWindow> nearest_;           ///< squared distance, at least [m^2]
+    double rounding_ = 0.0;                  ///< of a height difference [m]
+    std::array<Bits, kMaxBlocks> reaching_;  ///< of each row
+    std::array<float, kMaxWindow> nearest_;  ///< squared distance, at least [m^2]
     /// The squared distance along a straight line through the block bends up at least so much, as a
     /// share of that from a level plane; 1 or less, < 0: it may bend down.
     std::array<float, kMaxWindow> bend_;

@@ -39,7 +39,8 @@ public:
     template <class Search>
     void visit(Search& search) const {
         for (int row = 0; row < window_.rows().count; ++row) {
-            for (std::uint32_t blocks = window_.reaching(row); blocks != 0; blocks &= blocks - 1) {
+            for (BoundsWindow::Bits blocks = window_.reaching(row); blocks != 0;
+                 blocks &= blocks - 1) {
                 if (search.hasGivenUp()) {
                     return;
                 }

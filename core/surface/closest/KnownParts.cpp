@@ -72,10 +72,17 @@ void KnownParts::shrink(std::size_t size) noexcept {
 }
 
 bool KnownParts::keepCells(CellSet cells, const Vector3& near) noexcept {
+    // Parts that were divided for queries long ago are not put together again, but for this:
+    constexpr int kTurns = 8;
+    const bool isCrowded = parts_.size() > kMaxParts / 2;
+    turn_ = (turn_ + 1) % kTurns;
+    const auto isStartedAnew = [&](const CellPart& part) {
+        return isCrowded && part.depth > 0 && (part.cell.row + part.cell.column) % kTurns == turn_;
+    };
     CellSet unknown = cells;
     std::size_t kept = 0;
     for (std::size_t i = 0; i < parts_.size(); ++i) {
-        if (cells.holds(parts_[i].part.cell)) {
+        if (cells.holds(parts_[i].part.cell) && !isStartedAnew(parts_[i].part)) {
             unknown.remove(parts_[i].part.cell);
             if (kept != i) {
                 copy(kept, i);
@@ -118,7 +125,7 @@ KnownParts::Places KnownParts::due(const Vector3& query, double distance) const 
             if (part < parts_.size() &&
                 !isWithin(query, parts_[part].query,
                           std::max(parts_[part].calm, parts_[part].distance - distance))) {
-                due.push_back(static_cast<std::uint8_t>(part));
+                due.push_back(static_cast<std::uint16_t>(part));
             }
         }
     }

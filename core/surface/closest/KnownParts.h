@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/Vector.h"
+#include "core/surface/closest/BoundsWindow.h"
 #include "core/surface/closest/PartFacts.h"
 
 #include <array>
@@ -16,7 +17,7 @@ namespace asperity {
 /// Some cells around a place.
 class CellSet {
 public:
-    static constexpr int kSide = 32;  ///< no more rows or columns
+    static constexpr int kSide = BoundsWindow::kMaxBlocks;  ///< no more rows or columns
 
     /// @param first the lowest row and column there can be
     explicit CellSet(const CellIndex& first) noexcept : first_(first) {}
@@ -31,7 +32,7 @@ public:
     template <class Take>
     void forEach(const Take& take) const {
         for (int row = 0; row < kSide; ++row) {
-            for (std::uint32_t left = rows_[static_cast<std::size_t>(row)]; left != 0;
+            for (BoundsWindow::Bits left = rows_[static_cast<std::size_t>(row)]; left != 0;
                  left &= left - 1) {
                 take(CellIndex{.row = first_.row + row,
                                .column = first_.column + std::countr_zero(left)});
@@ -44,12 +45,12 @@ private:
     [[nodiscard]] std::size_t rowOf(const CellIndex& cell) const noexcept {
         return static_cast<std::size_t>(cell.row - first_.row);
     }
-    [[nodiscard]] std::uint32_t bitOf(const CellIndex& cell) const noexcept {
-        return std::uint32_t{1} << static_cast<unsigned>(cell.column - first_.column);
+    [[nodiscard]] BoundsWindow::Bits bitOf(const CellIndex& cell) const noexcept {
+        return BoundsWindow::Bits{1} << static_cast<unsigned>(cell.column - first_.column);
     }
 
     CellIndex first_;
-    std::array<std::uint32_t, kSide> rows_{};
+    std::array<BoundsWindow::Bits, kSide> rows_{};
 };
 
 /// Parts of cells in which queries may have closest points, and for how far around a query that was
@@ -58,7 +59,7 @@ private:
 class KnownParts {
 public:
     /// A look at each of so many takes about as long as a search from nothing.
-    static constexpr std::size_t kMaxParts = 192;
+    static constexpr std::size_t kMaxParts = 1024;
     /// Parts that are asked at a time: as many as there are lanes.
     static constexpr std::size_t kGroup = PartBatch::kLanes;
     using Quarters = std::array<std::size_t, kGroup>;
@@ -73,7 +74,7 @@ public:
     [[nodiscard]] bool empty() const noexcept { return parts_.empty(); }
     [[nodiscard]] const CellPart& at(std::size_t part) const noexcept { return parts_[part].part; }
 
-    using Places = boost::container::static_vector<std::uint8_t, kMaxParts>;
+    using Places = boost::container::static_vector<std::uint16_t, kMaxParts>;
     /// Those that may hold a closest point of a query within a distance [m].
     [[nodiscard]] Places due(const Vector3& query, double distance) const noexcept;
     /// Whether a part surely holds no more than one minimum of a query's distance.
@@ -117,6 +118,7 @@ private:
     [[nodiscard]] Planes& planesOf(std::size_t part) noexcept { return planes_[part / kGroup]; }
 
     Vector3 origin_ = Vector3::Zero();  ///< of the planes' places, world [m]
+    int turn_ = 0;                      ///< whose cells are started anew
     boost::container::static_vector<Planes, kMaxParts / kGroup> planes_;
     boost::container::static_vector<Known, kMaxParts> parts_;
 };
