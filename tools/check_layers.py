@@ -123,6 +123,8 @@ RULES = {
 }
 RULES |= {f"tests/{folder}": TESTS for folder in RULES} | {
     "tests/app/window": TESTS,
+    "tests/bench": TESTS,
+    "tests/bench/scaling": TESTS,
     "tests/fuzz": TESTS,
     "tests/support": TESTS,
     "tests/vtkplugins": TESTS,
@@ -132,6 +134,7 @@ RULES |= {f"tests/{folder}": TESTS for folder in RULES} | {
     "bench/io": f"{BENCH} bench",
     "bench/probe": f"{BENCH} bench",
     "bench/program": f"{BENCH} bench",
+    "bench/scaling": f"{BENCH} bench bench/surface",
     "bench/surface": f"{BENCH} bench",
     "tools/samples": PRODUCT,
     "tools/screenshots": PRODUCT,

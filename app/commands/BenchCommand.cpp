@@ -34,7 +34,7 @@ constexpr Measurement kMeasurements[] = {
     {"closest-point", "asperity_surface_bench"}, {"fit", "asperity_fit_bench"},
     {"contact", "asperity_contact_bench"},       {"load", "asperity_load_bench"},
     {"needs", "asperity_needs_bench"},           {"view", "asperity_view_bench"},
-    {"program", "asperity_program_bench"}};
+    {"program", "asperity_program_bench"},       {"scaling", "asperity_scaling_bench"}};
 
 struct BenchRequest {
     std::vector<std::string> only;  ///< names; empty: all

@@ -160,4 +160,28 @@ std::vector<MethodResult> runMethods(const SearchWork& work,
     return results;
 }
 
+std::vector<MethodTimes> timeTasks(std::span<const MethodTask> tasks, int passes) {
+    const double clock = clockCost();
+    std::vector<Course> courses;
+    courses.reserve(tasks.size());
+    for (const MethodTask& task : tasks) {
+        courses.push_back(courseOf(*task.method, task.work.centers.size()));
+    }
+    for (int i = 0; i < passes; ++i) {
+        for (std::size_t task = 0; task < tasks.size(); ++task) {
+            const SearchWork& work = tasks[task].work;
+            pass(work, work.centers.front().head<2>(), clock, courses[task]);
+        }
+    }
+    std::vector<MethodTimes> results;
+    results.reserve(courses.size());
+    for (const Course& course : courses) {
+        const auto certified = std::ranges::count_if(course.answers, &SearchAnswer::certified);
+        results.push_back({.time = summaryOf(course.times),
+                           .queries = course.answers.size(),
+                           .certified = static_cast<std::size_t>(certified)});
+    }
+    return results;
+}
+
 }  // namespace asperity

@@ -53,6 +53,22 @@ struct TimeSummary {
 };
 [[nodiscard]] TimeSummary summaryOf(std::vector<double> times);
 
+/// One method on one work.
+struct MethodTask {
+    SearchWork work;
+    std::unique_ptr<SearchMethod> method;
+};
+
+/// What one method took, unjudged by a reference.
+struct MethodTimes {
+    TimeSummary time;  ///< of single queries
+    std::size_t queries = 0;
+    std::size_t certified = 0;
+};
+
+/// Runs all tasks, taking turns, so that all meet the same machine; a time is the best of `passes`.
+[[nodiscard]] std::vector<MethodTimes> timeTasks(std::span<const MethodTask> tasks, int passes);
+
 /// What reading the clock itself takes [ns].
 [[nodiscard]] double clockCost();
 

@@ -15,6 +15,7 @@ namespace {
 
 constexpr int kPixels = 512;
 constexpr double kSide = 2048.0_nm;
+constexpr double kPathWave = 32.0_nm;  // the shortest of the roughness of the path
 
 constexpr ScanSize kScan{.columns = kPixels, .rows = kPixels, .sizeX = kSide, .sizeY = kSide};
 
@@ -44,11 +45,52 @@ double reflected(double length, double span) {
     return phase < span ? phase : 2.0 * span - phase;
 }
 
+/// How far a slide has come at a step [m].
+double pathLength(std::size_t step) {
+    constexpr double kStep = 0.1_nm;
+    return kStep * static_cast<double>(step);
+}
+
+/// Where the tip is at a step, world x, y [m].
+Vector2 placeOn(const Slide& slide, std::size_t step) {
+    constexpr double kEdge = 120.0_nm;  // not slid over, so that every peer sees the same surface
+    constexpr double kHeading = 0.65;   // [rad]
+    constexpr double kSpan = kSide - 2.0 * kEdge;
+    const double gone = pathLength(step);
+    return {slide.corner.x() + kEdge + reflected(gone * std::cos(kHeading), kSpan),
+            slide.corner.y() + kEdge + reflected(gone * std::sin(kHeading), kSpan)};
+}
+
+/// Heights of the tip's center at which it touches, at every `stepsPerTouch`-th step and at the one
+/// after the last [m].
+std::vector<double> touchHeights(const BSplineSurface& surface, const Slide& slide) {
+    std::vector<double> heights;
+    for (std::size_t i = 0; i < slide.steps + slide.stepsPerTouch; i += slide.stepsPerTouch) {
+        const Vector2 place = placeOn(slide, i);
+        heights.push_back(tipContactHeight(surface, place.x(), place.y(), slide.tipRadius));
+    }
+    return heights;
+}
+
+/// What the roughness of the ground differs in.
+struct Roughness {
+    double rms = 0.0;           ///< [m]
+    double shortestWave = 0.0;  ///< [m]
+};
+
+HeightMap roughness(const Roughness& recipe) {
+    return selfAffineMap(kScan, {.rms = recipe.rms,
+                                 .hurst = 0.8,
+                                 .longestWave = 1.0_um,
+                                 .rollOffWave = 200.0_nm,
+                                 .shortestWave = recipe.shortestWave,
+                                 .seed = 19});
+}
+
 /// What the maps of rough ground differ in.
 struct Ground {
     int particles = 0;
-    double roughness = 0.0;     ///< rms height [m]
-    double shortestWave = 0.0;  ///< of the roughness [m]
+    Roughness roughness;
 };
 
 HeightMap groundMap(const Ground& ground) {
@@ -70,23 +112,18 @@ HeightMap groundMap(const Ground& ground) {
                                             .angle = 0.4,
                                             .seed = 18},
                                            kScan)));
-    add(map, selfAffineMap(kScan, {.rms = ground.roughness,
-                                   .hurst = 0.8,
-                                   .longestWave = 1.0_um,
-                                   .rollOffWave = 200.0_nm,
-                                   .shortestWave = ground.shortestWave,
-                                   .seed = 19}));
+    add(map, roughness(ground.roughness));
     return map;
 }
 
 }  // namespace
 
 HeightMap pathMap() {
-    return groundMap({.particles = 130, .roughness = 1.0_nm, .shortestWave = 32.0_nm});
+    return groundMap({.particles = 130, .roughness = {.rms = 1.0_nm, .shortestWave = kPathWave}});
 }
 
 HeightMap roughMap() {
-    return groundMap({.particles = 80, .roughness = 5.0_nm, .shortestWave = 16.0_nm});
+    return groundMap({.particles = 80, .roughness = {.rms = 5.0_nm, .shortestWave = 16.0_nm}});
 }
 
 HeightMap concaveMap() {
@@ -105,37 +142,26 @@ HeightMap concaveMap() {
     return map;
 }
 
-HeightMap tiled(const HeightMap& map, int times) {
-    HeightMap large = flatMap({.columns = map.columns * times,
-                               .rows = map.rows * times,
-                               .sizeX = map.sizeX() * times,
-                               .sizeY = map.sizeY() * times});
-    for (int row = 0; row < large.rows; ++row) {
-        for (int column = 0; column < large.columns; ++column) {
-            large.heights[large.index(row, column)] = map.at(row % map.rows, column % map.columns);
-        }
-    }
-    return large;
+HeightMap selfAffineGround(double rms) {
+    return roughness({.rms = rms, .shortestWave = kPathWave});
 }
 
-std::vector<Vector3> slidingTip(const BSplineSurface& surface, std::size_t steps,
-                                const Vector2& corner) {
-    constexpr double kStep = 0.1_nm;
-    constexpr double kEdge = 120.0_nm;  // not slid over, so that every peer sees the same surface
-    constexpr double kHeading = 0.65;   // [rad]
+std::vector<Vector3> slidingTip(const BSplineSurface& surface, const Slide& slide) {
     constexpr double kMeanGap = 1.0_nm;
     constexpr double kSwing = 2.0_nm;
     constexpr double kSwingLength = 90.0_nm;
-    constexpr double kSpan = kSide - 2.0 * kEdge;
+    const std::vector<double> heights = touchHeights(surface, slide);
     std::vector<Vector3> centers;
-    centers.reserve(steps);
-    for (std::size_t i = 0; i < steps; ++i) {
-        const double gone = kStep * static_cast<double>(i);
-        const double x = corner.x() + kEdge + reflected(gone * std::cos(kHeading), kSpan);
-        const double y = corner.y() + kEdge + reflected(gone * std::sin(kHeading), kSpan);
+    centers.reserve(slide.steps);
+    for (std::size_t i = 0; i < slide.steps; ++i) {
+        const Vector2 place = placeOn(slide, i);
         const double gap =
-            kMeanGap + kSwing * std::sin(2.0 * std::numbers::pi * gone / kSwingLength);
-        centers.emplace_back(x, y, tipContactHeight(surface, x, y, kBenchTipRadius) + gap);
+            kMeanGap + kSwing * std::sin(2.0 * std::numbers::pi * pathLength(i) / kSwingLength);
+        const std::size_t before = i / slide.stepsPerTouch;
+        const double height = std::lerp(heights[before], heights[before + 1],
+                                        static_cast<double>(i % slide.stepsPerTouch) /
+                                            static_cast<double>(slide.stepsPerTouch));
+        centers.emplace_back(place.x(), place.y(), height + gap);
     }
     return centers;
 }

@@ -11,7 +11,7 @@
 
 namespace asperity {
 
-/// Radius of the tip in every work [m].
+/// Radius of the tip where a work does not name another [m].
 inline constexpr double kBenchTipRadius = 20e-9;
 
 /// Queries to be answered one after another on one surface.
@@ -32,13 +32,39 @@ struct SearchWork {
 /// Pits about as sharp as the tip and grooves that are sharper: 512 x 512 pixels of 4 nm.
 [[nodiscard]] HeightMap concaveMap();
 
-/// The map repeated `times` x `times`.
-[[nodiscard]] HeightMap tiled(const HeightMap& map, int times);
+/// Self-affine roughness alone, of this rms height [m], whose shortest waves are those of
+/// pathMap(): 512 x 512 pixels of 4 nm.
+[[nodiscard]] HeightMap selfAffineGround(double rms);
 
-/// A tip that slides over the surface in steps of 0.1 nm, its gap swinging from 1 nm of indentation
-/// to 3 nm, from `corner` on (world x, y [m]) within a square of 2048 nm.
-[[nodiscard]] std::vector<Vector3> slidingTip(const BSplineSurface& surface, std::size_t steps,
-                                              const Vector2& corner);
+/// The map, whose pixels are all valid, repeated `times` x `times`.
+/// @tparam Map HeightMap or ScanMap
+template <class Map>
+[[nodiscard]] Map tiled(const Map& map, int times) {
+    Map large = map;
+    large.columns = map.columns * times;
+    large.rows = map.rows * times;
+    large.heights.resize(large.index(large.rows, 0));
+    for (int row = 0; row < large.rows; ++row) {
+        for (int column = 0; column < large.columns; ++column) {
+            large.heights[large.index(row, column)] =
+                map.heights[map.index(row % map.rows, column % map.columns)];
+        }
+    }
+    return large;
+}
+
+/// A tip that slides within a square of 2048 nm.
+struct Slide {
+    std::size_t steps = 0;               ///< of 0.1 nm
+    Vector2 corner = Vector2::Zero();    ///< of the square, world x, y [m]
+    double tipRadius = kBenchTipRadius;  ///< [m]
+    /// The height at which the tip touches is searched for at one step in so many, and straight
+    /// between them: that search takes time in proportion to the area under the tip.
+    std::size_t stepsPerTouch = 1;
+};
+
+/// Centers of the tip along the slide, its gap swinging from 1 nm of indentation to 3 nm.
+[[nodiscard]] std::vector<Vector3> slidingTip(const BSplineSurface& surface, const Slide& slide);
 
 /// Tips anywhere over the scan: every other one near the height at which it touches, from 2 nm
 /// below to a radius above, the others from a radius below to three above the surface under them.

@@ -44,7 +44,7 @@ struct Options {
 WorkResult runSlide(const std::string& name, const HeightMap& map, const Options& options) {
     const BSplineSurface surface = fitSurface(map);
     const SearchWork work{name, &surface,
-                          slidingTip(surface, options.queriesOr(kSlideSteps), Vector2::Zero())};
+                          slidingTip(surface, {.steps = options.queriesOr(kSlideSteps)})};
     const auto truth = referenceOf(work);
     std::vector<std::unique_ptr<SearchMethod>> methods;
     for (const SearchEffort effort :
@@ -61,7 +61,8 @@ WorkResult runSlide(const std::string& name, const HeightMap& map, const Options
 }
 
 MethodResult oursOnSlide(const BSplineSurface& surface, std::size_t steps, const Vector2& corner) {
-    const SearchWork work{"slide", &surface, slidingTip(surface, steps, corner)};
+    const SearchWork work{"slide", &surface,
+                          slidingTip(surface, {.steps = steps, .corner = corner})};
     const auto truth = referenceOf(work);
     std::vector<std::unique_ptr<SearchMethod>> methods;
     methods.push_back(ourMethod(surface, SearchEffort::Certified));
@@ -83,7 +84,7 @@ SizeResult runSizes(const Options& options) {
 
 ChainResult runChain(const Options& options) {
     const BSplineSurface surface = fitSurface(pathMap());
-    const auto tips = slidingTip(surface, options.queriesOr(kSlideSteps), Vector2::Zero());
+    const auto tips = slidingTip(surface, {.steps = options.queriesOr(kSlideSteps)});
     return timeChain(surface, tips, kPasses);
 }
 
