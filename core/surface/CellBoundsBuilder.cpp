@@ -1,5 +1,6 @@
 #include "core/surface/CellBoundsBuilder.h"
 
+#include "core/Simd.h"
 #include "core/surface/BezierCell.h"
 
 #include <algorithm>
@@ -36,7 +37,7 @@ public:
     using Lane = std::array<float, kLanes>;
 
     /// @param corner of the first cell's 4 x 4 control heights
-    void load(const float* corner, std::size_t stride, std::size_t cells) {
+    ASPERITY_INLINE void load(const float* corner, std::size_t stride, std::size_t cells) {
         std::array<std::array<Lane, 4>, 4> across;
         for (std::size_t r = 0; r < 4; ++r) {
             const float* c = corner + r * stride;
@@ -56,7 +57,7 @@ public:
         }
     }
 
-    void heightRange(std::size_t cells, Lane& lowest, Lane& highest) const {
+    ASPERITY_INLINE void heightRange(std::size_t cells, Lane& lowest, Lane& highest) const {
         lowest = net_[0][0];
         highest = net_[0][0];
         for (const auto& row : net_) {
@@ -75,7 +76,7 @@ public:
         Lane yy;
         Lane xy;
     };
-    void bends(std::size_t cells, Bends& most) const {
+    ASPERITY_INLINE void bends(std::size_t cells, Bends& most) const {
         constexpr float kNone = std::numeric_limits<float>::lowest();
         most.xx.fill(kNone);
         most.yy.fill(kNone);
@@ -100,8 +101,8 @@ public:
     }
 
 private:
-    static void toBezier(const std::array<float, 4>& c, std::size_t j,
-                         std::array<Lane, 4>& points) {
+    ASPERITY_INLINE static void toBezier(const std::array<float, 4>& c, std::size_t j,
+                                         std::array<Lane, 4>& points) {
         constexpr float kSixth = 1.0F / 6.0F;
         constexpr float kThird = 1.0F / 3.0F;
         points[0][j] = kSixth * (c[0] + 4.0F * c[1] + c[2]);
@@ -110,7 +111,8 @@ private:
         points[3][j] = kSixth * (c[1] + 4.0F * c[2] + c[3]);
     }
 
-    static void raise(const Lane& a, const Lane& b, const Lane& c, std::size_t cells, Lane& most) {
+    ASPERITY_INLINE static void raise(const Lane& a, const Lane& b, const Lane& c,
+                                      std::size_t cells, Lane& most) {
         for (std::size_t j = 0; j < cells; ++j) {
             most[j] = std::max(most[j], (a[j] - b[j]) + (c[j] - b[j]));
         }
@@ -125,6 +127,31 @@ struct BendScale {
     float yy = 0.0F;
     float xy = 0.0F;
 };
+
+/// Bounds of cells side by side, none of which reaches to the scan's edge.
+/// @param corner of the first one's 4 x 4 control heights
+ASPERITY_WITH_AVX2 void innerBounds(const float* corner, std::size_t stride, const BendScale& scale,
+                                    std::span<RawBounds> bounds) {
+    CellRow cells;
+    cells.load(corner, stride, bounds.size());
+    CellRow::Lane lowest;
+    CellRow::Lane highest;
+    CellRow::Bends bends;
+    cells.heightRange(bounds.size(), lowest, highest);
+    cells.bends(bounds.size(), bends);
+    const float noiseScale = scale.xx + scale.yy + scale.xy;
+    for (std::size_t j = 0; j < bounds.size(); ++j) {
+        const float noise = kRounding * std::max(std::abs(lowest[j]), std::abs(highest[j]));
+        const float xx = scale.xx * bends.xx[j];
+        const float yy = scale.yy * bends.yy[j];
+        const float xy = scale.xy * bends.xy[j];
+        const float spread = std::sqrt(0.25F * (xx - yy) * (xx - yy) + xy * xy);
+        const float most = 0.5F * (xx + yy) + spread;
+        bounds[j] = {.lowest = lowest[j] - noise,
+                     .highest = highest[j] + noise,
+                     .concavity = std::max(0.0F, most + spread * kRounding) + noise * noiseScale};
+    }
+}
 
 class Builder {
 public:
@@ -201,7 +228,8 @@ private:
         bounds.back() = borderBounds(row, columns_ - 1);
         for (int first = 1; first < columns_ - 1; first += static_cast<int>(CellRow::kLanes)) {
             const int cells = std::min(static_cast<int>(CellRow::kLanes), columns_ - 1 - first);
-            innerBounds(row, first, {bounds.data() + first, static_cast<std::size_t>(cells)});
+            innerBounds(corner(row, first), static_cast<std::size_t>(grid_.columns) + 2, scale_,
+                        {bounds.data() + first, static_cast<std::size_t>(cells)});
         }
     }
 
@@ -209,30 +237,6 @@ private:
         return grid_.controlHeights.data() +
                static_cast<std::size_t>(row) * (static_cast<std::size_t>(grid_.columns) + 2) +
                static_cast<std::size_t>(column);
-    }
-
-    void innerBounds(int row, int first, std::span<RawBounds> bounds) const {
-        CellRow cells;
-        cells.load(corner(row, first), (static_cast<std::size_t>(grid_.columns) + 2),
-                   bounds.size());
-        CellRow::Lane lowest;
-        CellRow::Lane highest;
-        CellRow::Bends bends;
-        cells.heightRange(bounds.size(), lowest, highest);
-        cells.bends(bounds.size(), bends);
-        const float noiseScale = scale_.xx + scale_.yy + scale_.xy;
-        for (std::size_t j = 0; j < bounds.size(); ++j) {
-            const float noise = kRounding * std::max(std::abs(lowest[j]), std::abs(highest[j]));
-            const float xx = scale_.xx * bends.xx[j];
-            const float yy = scale_.yy * bends.yy[j];
-            const float xy = scale_.xy * bends.xy[j];
-            const float spread = std::sqrt(0.25F * (xx - yy) * (xx - yy) + xy * xy);
-            const float most = 0.5F * (xx + yy) + spread;
-            bounds[j] = {.lowest = lowest[j] - noise,
-                         .highest = highest[j] + noise,
-                         .concavity =
-                             std::max(0.0F, most + spread * kRounding) + noise * noiseScale};
-        }
     }
 
     /// Bounds of a cell that reaches to the scan's edge.
