@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 /// A function compiled twice, for any x86-64 processor and for those with AVX2; the loader picks.
 /// What it calls must be inlined into it. Not for sanitizers: they are not yet at work when the
@@ -30,6 +31,20 @@ ASPERITY_INLINE Double4 magnitude(Double4 a) {
 ASPERITY_INLINE double least(double a, double b) { return std::min(a, b); }
 ASPERITY_INLINE double most(double a, double b) { return std::max(a, b); }
 ASPERITY_INLINE double magnitude(double a) { return std::abs(a); }
+
+/// As many elements as the vector has lanes, from anywhere.
+template <class Vector, class Element>
+ASPERITY_INLINE Vector loaded(const Element* from) {
+    Vector vector;
+    std::memcpy(&vector, from, sizeof vector);
+    return vector;
+}
+
+/// Bit k: lane k is set.
+ASPERITY_INLINE unsigned bitsOf(Long4 lanes) {
+    const Long4 bits = lanes & Long4{1, 2, 4, 8};
+    return static_cast<unsigned>(bits[0] | bits[1] | bits[2] | bits[3]);
+}
 
 /// Sums of the lanes of four vectors.
 ASPERITY_INLINE Double4 laneSums(Double4 a, Double4 b, Double4 c, Double4 d) {

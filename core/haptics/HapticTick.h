@@ -13,7 +13,7 @@
 
 namespace asperity {
 
-/// All that one tick hands to the next.
+/// All that one tick hands to the next, but a tracker, which changes nothing.
 struct TickMemory {
     EquilibriumMemory model;
     Vector3 base = Vector3::Zero();          ///< commanded in the last tick [m]

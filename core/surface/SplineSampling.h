@@ -100,6 +100,14 @@ struct CellCorner {
     }
 };
 
+ASPERITY_INLINE CellCorner cornerOf(const BSplineSurface::Grid& grid, std::ptrdiff_t row,
+                                    std::ptrdiff_t column) {
+    const std::ptrdiff_t stride = grid.columns + 2;
+    const std::ptrdiff_t first = row * stride + column;
+    return {grid.controlHeights.data() + first,
+            grid.controlRests.empty() ? nullptr : grid.controlRests.data() + first, stride};
+}
+
 /// On a grid with a single pixel along an axis; apart, so that it costs the others nothing.
 void sampleThin(const BSplineSurface::Grid& grid, const SpanPlace& across, const SpanPlace& up,
                 HeightSample& sample) noexcept;
@@ -116,11 +124,7 @@ ASPERITY_INLINE HeightSample sampledAt(const SplineSampling& surface, double x, 
     if (grid.columns == 1 || grid.rows == 1) {
         sampleThin(grid, across, up, sample);
     } else {
-        const std::ptrdiff_t stride = grid.columns + 2;
-        const std::ptrdiff_t first = up.first * stride + across.first;
-        const CellCorner corner{
-            grid.controlHeights.data() + first,
-            grid.controlRests.empty() ? nullptr : grid.controlRests.data() + first, stride};
+        const CellCorner corner = cornerOf(grid, up.first, across.first);
         sample =
             sampled({corner.row(0), corner.row(1), corner.row(2), corner.row(3)}, across.t, up.t);
     }

@@ -24,13 +24,6 @@ using Float8 [[gnu::vector_size(32)]] = float;
 using Int8 [[gnu::vector_size(32)]] = int;
 using Word8 [[gnu::vector_size(32)]] = std::uint32_t;
 
-template <class Vector, class Element>
-ASPERITY_INLINE Vector loaded(const Element* from) {
-    Vector vector;
-    std::memcpy(&vector, from, sizeof vector);
-    return vector;
-}
-
 ASPERITY_INLINE Float8 decodedShorts(Word8 codes) {
     const Word8 bits = (codes << kShortCodeShift) + kShortCodeBias;
     return loaded<Float8>(&bits);

@@ -1,9 +1,19 @@
 #include "core/surface/closest/ClosestPointList.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace asperity {
+
+namespace {
+
+/// The nearest first, and of those as near a certain one, in whatever order they are found.
+std::array<double, 3> orderOf(const ClosestPoint& closest) {
+    return {std::abs(closest.distance), closest.point.x(), closest.point.y()};
+}
+
+}  // namespace
 
 void ClosestPointList::add(const ClosestPoint& closest, double sameWithin) noexcept {
     const bool isKnown = std::ranges::any_of(all(), [&](const ClosestPoint& known) {
@@ -12,14 +22,14 @@ void ClosestPointList::add(const ClosestPoint& closest, double sameWithin) noexc
     if (isKnown) {
         return;
     }
-    const auto place = std::ranges::find_if(points_, [&](const ClosestPoint& known) {
-        return std::abs(closest.distance) < std::abs(known.distance);
-    });
+    const auto place = std::ranges::find_if(
+        points_, [&](const ClosestPoint& known) { return orderOf(closest) < orderOf(known); });
     if (points_.size() < kMaxMinima) {
         points_.insert(place, closest);
         return;
     }
-    hasLeftOut_ = true;
+    const ClosestPoint& leftOut = place == points_.end() ? closest : points_.back();
+    leftOutFrom_ = std::min(leftOutFrom_, std::abs(leftOut.distance));
     if (place != points_.end()) {
         std::move_backward(place, points_.end() - 1, points_.end());
         *place = closest;

@@ -4,6 +4,7 @@
 
 #include <boost/container/static_vector.hpp>
 #include <cstddef>
+#include <limits>
 #include <span>
 
 namespace asperity {
@@ -26,12 +27,14 @@ public:
 
     /// Drops all but the nearest ones.
     void keepNearest(std::size_t count) noexcept;
-    /// Whether a closest point had no room.
-    [[nodiscard]] bool hasLeftOut() const noexcept { return hasLeftOut_; }
+    /// Whether a closest point no farther than this had no room [m].
+    [[nodiscard]] bool hasLeftOut(double distance) const noexcept {
+        return leftOutFrom_ <= distance;
+    }
 
 private:
     boost::container::static_vector<ClosestPoint, kMaxMinima> points_;
-    bool hasLeftOut_ = false;
+    double leftOutFrom_ = std::numeric_limits<double>::infinity();  ///< the nearest [m]
 };
 
 }  // namespace asperity

@@ -87,16 +87,16 @@ bool ClosestPointTracker::settles(const BSplineSurface& surface, const Vector3& 
 SearchProof ClosestPointTracker::provePoints(const BSplineSurface& surface, const Vector3& query,
                                              const SearchReach& reach,
                                              ClosestPointList& points) noexcept {
+    SearchProof proof = SearchProof::NotSought;
     if (ball_.covers(query, reach, points.all().front())) {
-        return asperity::completePoints(surface, query, reach, ball_, points);
-    }
-    if (untilNextTry_ > 0) {
+        proof = asperity::completePoints(surface, query, reach, ball_, points);
+    } else if (untilNextTry_ > 0) {
         --untilNextTry_;
         return asperity::completePoints(surface, query, reach, points);
+    } else {
+        const double radius = kBall * std::min(surface.grid().pitchX, surface.grid().pitchY);
+        proof = asperity::completePoints(surface, {query, radius}, reach, points, ball_);
     }
-    const double radius = kBall * std::min(surface.grid().pitchX, surface.grid().pitchY);
-    const SearchProof proof =
-        asperity::completePoints(surface, {query, radius}, reach, points, ball_);
     rest_ = ball_.queries.radius > 0.0 ? 0 : std::min(2 * rest_ + 1, kMaxRest);
     untilNextTry_ = rest_;
     return proof;

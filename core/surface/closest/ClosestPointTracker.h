@@ -6,7 +6,8 @@ namespace asperity {
 
 /// Completes the closest points of one query after another on ONE surface. Most cells are ruled out
 /// for a ball of queries at once, so that the next ones look into the few that are left, or into
-/// none. Holds proofs, no answers: a fresh tracker only takes longer.
+/// none. Holds proofs, no answers: a fresh tracker only takes longer, but
+/// where that ends at a search's limit, it proves less.
 class ClosestPointTracker {
 public:
     /// As completePoints() of ExhaustiveSearch.h where `effort` is Certified. With Global only a

@@ -58,8 +58,9 @@ ContactPoints pointsOf(const BSplineSurface& surface, const TipSphere& tip, doub
     ClosestPointList minima = points.list;
     points.proof = complete({.farthest = within, .behindNearest = kBehindNearest}, minima);
     const double nearest = std::abs(minima.all().front().distance);
-    points.list = bearing(minima, same, std::min(within, nearest + kBehindNearest));
-    if (minima.hasLeftOut() || points.list.all().size() > kMaxContactPoints) {
+    const double farthest = std::min(within, nearest + kBehindNearest);
+    points.list = bearing(minima, same, farthest);
+    if (minima.hasLeftOut(farthest) || points.list.all().size() > kMaxContactPoints) {
         points.proof = SearchProof::TooManyPoints;
         points.list.keepNearest(kMaxContactPoints);
     }

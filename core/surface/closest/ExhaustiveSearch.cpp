@@ -90,6 +90,35 @@ SearchProof lookInto(const BSplineSurface& surface, const Vector3& query, const 
     return SearchProof::TooManyPoints;
 }
 
+/// Whether few enough parts are left open for all queries in a ball. Apart, so that its window is
+/// gone before the open parts are looked into.
+[[gnu::noinline]] bool proveBall(const BSplineSurface& surface, const QueryBall& queries,
+                                 const SearchReach& reach, const ClosestPoint& nearest,
+                                 ProvenBall& ball) {
+    // A closest point follows its query, on most surfaces by little more than the query moves.
+    constexpr double kWander = 1.0;
+    const Vector2 place = nearest.point.head<2>();
+    const double wander = kWander * queries.radius;
+    // The closest point of a query in the ball may lie one radius farther from it than that of the
+    // center, and so may others that matter; from the center these lie one radius more.
+    const double farthest =
+        std::min(reach.farthest + queries.radius, reach.limit(nearest) + 2.0 * queries.radius);
+    CellSweep sweep(surface, queries.center, farthest, queries.radius);
+    const BoundsWindow& window = sweep.window();
+    CellsOfBall cells(window, farthest);
+    if (!sweep.settle(window.blocksAround(place.x(), place.y(), wander))) {
+        if (window.level() > 0) {
+            return false;
+        }
+        sweep.visit(cells);
+    }
+    ball.queries = queries;
+    ball.reach = farthest;
+    ball.anchor = {.low = place - Vector2::Constant(wander),
+                   .high = place + Vector2::Constant(wander)};
+    return ball.open.keepCells(cells.all(), queries.center);
+}
+
 }  // namespace
 
 bool ProvenBall::covers(const Vector3& query, const SearchReach& within,
@@ -118,6 +147,7 @@ SearchProof completePoints(const BSplineSurface& surface, const Vector3& query,
     if (search.isComplete()) {
         return SearchProof::Nearest;
     }
+    ball = {};
     points = known;
     return completePoints(surface, query, reach, points);
 }
@@ -125,35 +155,11 @@ SearchProof completePoints(const BSplineSurface& surface, const Vector3& query,
 SearchProof completePoints(const BSplineSurface& surface, const QueryBall& queries,
                            const SearchReach& reach, ClosestPointList& points,
                            ProvenBall& ball) noexcept {
-    // A closest point follows its query, on most surfaces by little more than the query moves.
-    constexpr double kWander = 1.0;
     const ClosestPoint& nearest = points.all().front();
-    const Vector2 place = nearest.point.head<2>();
-    const double wander = kWander * queries.radius;
-    // The closest point of a query in the ball may lie one radius farther from it than that of the
-    // center, and so may others that matter; from the center these lie one radius more.
-    const double farthest =
-        std::min(reach.farthest + queries.radius, reach.limit(nearest) + 2.0 * queries.radius);
-    CellSweep sweep(surface, queries.center, farthest, queries.radius);
-    const BoundsWindow& window = sweep.window();
-    const bool settled =
-        nearest.converged && sweep.settle(window.blocksAround(place.x(), place.y(), wander));
-    CellsOfBall cells(window, farthest);
-    const bool areCells = window.level() == 0;
-    if (!settled && areCells) {
-        sweep.visit(cells);
+    if (!nearest.converged || !proveBall(surface, queries, reach, nearest, ball)) {
+        ball = {};
+        return completePoints(surface, queries.center, reach, points);
     }
-    ball.queries.radius = -1.0;
-    if (!nearest.converged || !(settled || areCells) ||
-        !ball.open.keepCells(cells.all(), queries.center)) {
-        ball.open.clear();
-        settleAround(points, sweep);
-        return lookInto(surface, queries.center, reach, sweep, points);
-    }
-    ball.queries = queries;
-    ball.reach = farthest;
-    ball.anchor = {.low = place - Vector2::Constant(wander),
-                   .high = place + Vector2::Constant(wander)};
     return completePoints(surface, queries.center, reach, ball, points);
 }
 

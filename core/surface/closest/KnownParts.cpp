@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <limits>
 
 namespace asperity {
@@ -15,17 +14,6 @@ namespace {
 constexpr double kSurely = 1.0 - 1e-9;
 /// Of a plane that is not known.
 constexpr double kNowhere = -std::numeric_limits<double>::infinity();
-
-ASPERITY_INLINE Double4 loaded(const std::array<double, KnownParts::kGroup>& from) {
-    Double4 vector;
-    std::memcpy(&vector, from.data(), sizeof vector);
-    return vector;
-}
-
-ASPERITY_INLINE unsigned bitsOf(Long4 lanes) {
-    const Long4 bits = lanes & Long4{1, 2, 4, 8};
-    return static_cast<unsigned>(bits[0] | bits[1] | bits[2] | bits[3]);
-}
 
 /// Whether the query may be moved so far from the one that was asked.
 bool isWithin(const Vector3& query, const Vector3& asked, double distance) {
@@ -108,8 +96,10 @@ ASPERITY_WITH_AVX2 void KnownParts::findNear(std::span<const Planes> planes, con
                                              double distance, Lanes& near) noexcept {
     for (std::size_t i = 0; i < planes.size(); ++i) {
         const Planes& four = planes[i];
-        const Double4 nearest = loaded(four.offset) - loaded(four.wayX) * place.x() -
-                                loaded(four.wayY) * place.y() - loaded(four.wayZ) * place.z();
+        const Double4 nearest = loaded<Double4>(four.offset.data()) -
+                                loaded<Double4>(four.wayX.data()) * place.x() -
+                                loaded<Double4>(four.wayY.data()) * place.y() -
+                                loaded<Double4>(four.wayZ.data()) * place.z();
         near[i] = static_cast<std::uint8_t>(bitsOf(kSurely * nearest < distance));
     }
 }

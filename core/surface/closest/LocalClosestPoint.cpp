@@ -131,7 +131,8 @@ private:
 
 }  // namespace
 
-void HalfSquaredDistance::expand(const Vector2& place, LocalModel& model) const noexcept {
+LocalModel HalfSquaredDistance::operator()(const Vector2& place) const noexcept {
+    LocalModel model;
     const HeightSample s = surface_.at(place.x(), place.y());
     const Vector3 r(place.x() - query_.x(), place.y() - query_.y(), s.height - query_.z());
     model.surface = s;
@@ -148,6 +149,7 @@ void HalfSquaredDistance::expand(const Vector2& place, LocalModel& model) const 
     model.gradientNoise = Vector2(common + rounding_.height * std::abs(s.dx),
                                   common + rounding_.height * std::abs(s.dy));
     model.valueNoise = r.lpNorm<1>() * (rounding_.place * steepness + rounding_.height);
+    return model;
 }
 
 bool isUsableQuery(const Vector3& query) noexcept {

@@ -12,12 +12,7 @@ public:
     HalfSquaredDistance(const BSplineSurface& surface, const Vector3& query) noexcept
         : surface_(surface), query_(query), rounding_(roundingOf(surface, query)) {}
 
-    [[nodiscard]] LocalModel operator()(const Vector2& place) const noexcept {
-        LocalModel model;
-        expand(place, model);
-        return model;
-    }
-    void expand(const Vector2& place, LocalModel& model) const noexcept;
+    [[nodiscard]] LocalModel operator()(const Vector2& place) const noexcept;
 
 private:
     const BSplineSurface& surface_;

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <cstring>
 #include <limits>
 
 namespace asperity {
@@ -16,12 +15,6 @@ constexpr int kMaxToASide = 15;  // pixels
 constexpr int kLanes = 8;
 using Float8 [[gnu::vector_size(32)]] = float;
 using Int8 [[gnu::vector_size(32)]] = int;
-
-ASPERITY_INLINE Float8 loaded(const float* from) {
-    Float8 vector;
-    std::memcpy(&vector, from, sizeof vector);
-    return vector;
-}
 
 /// Pixels first..last along one axis.
 struct PixelRun {
@@ -81,9 +74,9 @@ ASPERITY_WITH_AVX2 Sample leastPromise(const Neighborhood& n) {
             Float8 sum[3];
             Float8 rise[3];
             for (int k = 0; k < 3; ++k) {
-                const Float8 low = loaded(below + first + k);
-                const Float8 middle = loaded(below + n.stride + first + k);
-                const Float8 high = loaded(below + 2 * n.stride + first + k);
+                const Float8 low = loaded<Float8>(below + first + k);
+                const Float8 middle = loaded<Float8>(below + n.stride + first + k);
+                const Float8 high = loaded<Float8>(below + 2 * n.stride + first + k);
                 sum[k] = low + 4.0F * middle + high;
                 rise[k] = high - low;
             }

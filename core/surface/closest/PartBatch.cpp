@@ -1,6 +1,7 @@
 #include "core/surface/closest/PartBatch.h"
 
 #include "core/surface/BezierCell.h"
+#include "core/surface/SplineSampling.h"
 
 #include <algorithm>
 #include <array>
@@ -24,30 +25,12 @@ ASPERITY_INLINE void toBezier(Double4& a, Double4& b, Double4& c, Double4& d) {
     d = last;
 }
 
-ASPERITY_INLINE Double4 widened(const float* heights) {
-    return Double4{heights[0], heights[1], heights[2], heights[3]};
-}
-
-/// The control heights of a surface with what single precision leaves of them.
-struct StoredControls {
-    const float* heights = nullptr;
-    const float* rests = nullptr;  ///< null: nothing
-    std::ptrdiff_t stride = 0;
-
-    [[nodiscard]] ASPERITY_INLINE Double4 fourAt(std::ptrdiff_t first) const {
-        const Double4 four = widened(heights + first);
-        return rests == nullptr ? four : four + widened(rests + first);
-    }
-};
-
-/// Bezier points of four cells from the indices of their first control heights.
-ASPERITY_WITH_AVX2 void bezierOfCells(const StoredControls& controls,
-                                      const std::array<std::ptrdiff_t, 4>& corners,
-                                      PartBatch& batch) {
+/// Bezier points of four cells.
+ASPERITY_WITH_AVX2 void bezierOfCells(const std::array<CellCorner, 4>& corners, PartBatch& batch) {
     for (int i = 0; i < 4; ++i) {
         Double4 row[4];
         for (std::size_t lane = 0; lane < 4; ++lane) {
-            row[lane] = controls.fourAt(corners[lane] + i * controls.stride);
+            row[lane] = corners[lane].row(i);
         }
         transpose(row);
         toBezier(row[0], row[1], row[2], row[3]);
@@ -164,16 +147,9 @@ void setOutermost(const BSplineSurface::Grid& grid, const CellIndex& cell, int l
 
 void loadCells(const BSplineSurface::Grid& grid, std::span<const CellIndex> cells,
                PartBatch& batch) noexcept {
-    const std::ptrdiff_t stride = grid.columns + 2;
     std::array<CellIndex, PartBatch::kLanes> all;
     all.fill(cells.front());
     std::ranges::copy(cells, all.begin());
-    std::array<std::ptrdiff_t, PartBatch::kLanes> corners{};
-    for (std::size_t lane = 0; lane < all.size(); ++lane) {
-        // The outermost are set below; until then any place of the grid will do.
-        const bool inner = !isOutermost(grid, all[lane]);
-        corners[lane] = inner ? all[lane].row * stride + all[lane].column : 0;
-    }
     const auto lanesOf = [&](int CellIndex::*index) {
         return Double4{all[0].*index + 0.0, all[1].*index + 0.0, all[2].*index + 0.0,
                        all[3].*index + 0.0};
@@ -183,14 +159,32 @@ void loadCells(const BSplineSurface::Grid& grid, std::span<const CellIndex> cell
     batch.halfX = Double4{} + 0.5 * grid.pitchX;
     batch.halfY = Double4{} + 0.5 * grid.pitchY;
     if (grid.rows > 1 && grid.columns > 1) {
-        const float* rests = grid.controlRests.empty() ? nullptr : grid.controlRests.data();
-        bezierOfCells({grid.controlHeights.data(), rests, stride}, corners, batch);
+        std::array<CellCorner, PartBatch::kLanes> corners;
+        for (std::size_t lane = 0; lane < all.size(); ++lane) {
+            // The outermost are set below; until then any place of the grid will do.
+            const bool inner = !isOutermost(grid, all[lane]);
+            corners[lane] =
+                inner ? cornerOf(grid, all[lane].row, all[lane].column) : cornerOf(grid, 0, 0);
+        }
+        bezierOfCells(corners, batch);
     }
     for (std::size_t lane = 0; lane < all.size(); ++lane) {
         if (isOutermost(grid, all[lane])) {
             setOutermost(grid, all[lane], static_cast<int>(lane), batch);
         }
     }
+}
+
+bool CellPart::contains(const BSplineSurface::Grid& grid, const Vector2& place) const noexcept {
+    const double parts = 1 << depth;
+    // Outermost cells reach farther than their spans.
+    const auto isWithin = [&](double inSpans, const SpanPart& extent, int index) {
+        const double at = (inSpans - extent.low) / extent.length() * parts - index;
+        return at >= 0.0 && at <= 1.0;
+    };
+    return isWithin(place.x() / grid.pitchX - 0.5 - cell.column,
+                    cellExtent(cell.column, grid.columns), column) &&
+           isWithin(place.y() / grid.pitchY - 0.5 - cell.row, cellExtent(cell.row, grid.rows), row);
 }
 
 void loadParts(const BSplineSurface::Grid& grid, std::span<const CellPart> parts,

@@ -36,14 +36,9 @@ struct CellPart {
     std::uint8_t row = 0;     ///< from the cell's lower edge, in parts
     std::uint8_t column = 0;  ///< from the cell's left edge, in parts
 
-    /// Whether a place lies in it; for cells that do not reach to the scan's edge.
+    /// Whether a place lies in it.
     [[nodiscard]] bool contains(const BSplineSurface::Grid& grid,
-                                const Vector2& place) const noexcept {
-        const double parts = 1 << depth;
-        const double x = (place.x() / grid.pitchX - 0.5 - cell.column) * parts - column;
-        const double y = (place.y() / grid.pitchY - 0.5 - cell.row) * parts - row;
-        return x >= 0.0 && x <= 1.0 && y >= 0.0 && y <= 1.0;
-    }
+                                const Vector2& place) const noexcept;
     /// One of its quarters, in the order of quarter().
     [[nodiscard]] CellPart quarter(int lane) const noexcept {
         return {.cell = cell,

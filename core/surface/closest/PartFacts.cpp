@@ -70,11 +70,6 @@ ASPERITY_INLINE Double4 leastOnAxis(Double4 slope, Double4 bend, Double4 half) {
     return steep >= bend * half ? atSide : inside;
 }
 
-ASPERITY_INLINE unsigned bitsOf(Long4 lanes) {
-    const Long4 bits = lanes & Long4{1, 2, 4, 8};
-    return static_cast<unsigned>(bits[0] | bits[1] | bits[2] | bits[3]);
-}
-
 /// A number along each of two axes.
 struct Pair4 {
     Double4 x;

@@ -22,13 +22,14 @@ struct PartFacts {
     Double4 value;      ///< at the center [m^2]
     Double4 gradientX;  ///< at the center [m]
     Double4 gradientY;  ///< at the center [m]
-    Double4 spreadX;    ///< by which that differs elsewhere, rounding included [m]
-    Double4 spreadY;    ///< by which that differs elsewhere, rounding included [m]
-    Double4 bendX;      ///< least second derivative along x
-    Double4 bendY;      ///< least second derivative along y
-    Double4 least;      ///< nowhere is it less [m^2]
-    Vector4 way;        ///< from the query to about the nearest place of the part
-    Double4 alongWay;   ///< all of the part is so far along it, times its length [m^2]
+    /// Of these four nothing is said where no part of the batch is near the scan's edge.
+    Double4 spreadX;   ///< by which that differs elsewhere, rounding included [m]
+    Double4 spreadY;   ///< by which that differs elsewhere, rounding included [m]
+    Double4 bendX;     ///< least second derivative along x
+    Double4 bendY;     ///< least second derivative along y
+    Double4 least;     ///< nowhere is it less [m^2]
+    Vector4 way;       ///< from the query to about the nearest place of the part
+    Double4 alongWay;  ///< all of the part is so far along it, times its length [m^2]
     /// How far the query may move with no minimum getting into the part; <= 0: it may hold one, or
     /// is at the scan's edge [m].
     Double4 calm;

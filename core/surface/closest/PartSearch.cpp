@@ -10,7 +10,7 @@ namespace asperity {
 namespace {
 
 /// Parts of cells that are looked into before a search gives up.
-constexpr int kMaxParts = 2048;
+constexpr int kMaxLooks = 2048;
 /// A part of a cell smaller than this says no more than rounding does [pixel].
 constexpr double kMinPart = 0x1p-14;
 /// Half the size below which a part that holds one minimum at most is searched for it; quartering
@@ -56,7 +56,7 @@ bool PartSearch::mayLook() noexcept {
 }
 
 bool PartSearch::hasGivenUp() noexcept {
-    const bool givenUp = looks_ > kMaxParts || evaluations_ >= kMaxEvaluations;
+    const bool givenUp = looks_ > kMaxLooks || evaluations_ >= kMaxEvaluations;
     complete_ = complete_ && !givenUp;
     return givenUp;
 }
@@ -86,7 +86,10 @@ void PartSearch::lookInto(KnownParts& parts) noexcept {
         }
     };
     // Those that are split off on the way are looked into with the part that they belong to.
-    for (const std::size_t part : parts.due(query_, limit())) {
+    for (const std::size_t part : parts.due(query_, (1.0 - kSameDistance) * limit())) {
+        if (hasGivenUp()) {
+            return;
+        }
         if (!holdsKnownPointAlone(parts, part)) {
             places.push_back(part);
         }
@@ -222,21 +225,24 @@ bool PartSearch::isKnown(const BoxMinimum& minimum) const {
 /// The same minimum, descended to from a place that depends on the minimum alone: which part it was
 /// found in, and from where, changes no bit of it.
 BoxMinimum PartSearch::fromItsSurroundings(const BoxMinimum& minimum) {
-    constexpr double kPlaces = 64.0;  // in a pixel
-    const Vector2 start = (kPlaces * minimum.place.cwiseQuotient(pitch_))
-                              .array()
-                              .round()
-                              .matrix()
-                              .cwiseProduct(pitch_) /
-                          kPlaces;
-    BoxMinimum again;
-    again.place = start;
-    if (!findMinimumBeside(surface_, query_, again)) {
-        again = descend(scanBox(surface_), start, 0.0);
+    // Between a minimum and a saddle close by, only a start as close leads back.
+    for (const double placesInPixel : {0x1p6, 0x1p10, 0x1p14, 0x1p20}) {
+        BoxMinimum again;
+        for (int axis = 0; axis < 2; ++axis) {
+            const double grid = pitch_[axis] / placesInPixel;
+            again.place[axis] = std::round(minimum.place[axis] / grid) * grid;
+        }
+        const Vector2 start = again.place;
+        const bool isBeside = findMinimumBeside(surface_, query_, again);
+        evaluations_ += again.iterations;
+        if (!isBeside) {
+            again = descend(scanBox(surface_), start, 0.0);
+        }
+        if (again.converged && (again.place - minimum.place).norm() <= sameMinimum(surface_)) {
+            return again;
+        }
     }
-    const bool same =
-        again.converged && (again.place - minimum.place).norm() <= sameMinimum(surface_);
-    return same ? again : minimum;
+    return minimum;
 }
 
 /// Whether every side of `box` that holds the minimum back is a side of the scan.

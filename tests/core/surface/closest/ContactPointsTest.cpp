@@ -316,15 +316,38 @@ TEST(ClosestPointList, KeepsTheNearestInOrderAndNoClosestPointTwice) {
         return result;
     };
     EXPECT_EQ(places(), (std::vector<double>{1.0, 3.0, 4.0, 5.0, 6.0, -7.0}));
-    EXPECT_FALSE(list.hasLeftOut());
+    EXPECT_FALSE(list.hasLeftOut(1000.0));
     for (std::size_t i = 0; i < kMaxMinima; ++i) {
         list.add(closestPointAt(100.0 + static_cast<double>(i), 10.0 + static_cast<double>(i)),
                  0.5);
     }
     EXPECT_EQ(list.all().size(), kMaxMinima);
-    EXPECT_TRUE(list.hasLeftOut());
+    EXPECT_FALSE(list.hasLeftOut(15.9)) << "all as near as that have room";
+    EXPECT_TRUE(list.hasLeftOut(16.0));
     list.keepNearest(kMaxContactPoints);
     EXPECT_EQ(places(), (std::vector<double>{1.0, 3.0, 4.0, 5.0}));
+}
+
+/// In a pit that is the same all around, the order in which its points are found must not matter.
+TEST(ClosestPointList, OrdersPointsOfOneDistanceByTheirPlace) {
+    const auto at = [](double x, double y) {
+        ClosestPoint closest;
+        closest.point = {x, y, 0.0};
+        closest.distance = 1.0;
+        return closest;
+    };
+    std::vector<ClosestPoint> points = {at(-2.0, 1.0), at(-2.0, 3.0), at(2.0, -1.0)};
+    for (int turn = 0; turn < 3; ++turn) {
+        std::ranges::rotate(points, points.begin() + 1);
+        ClosestPointList list;
+        for (const ClosestPoint& point : points) {
+            list.add(point, 0.5);
+        }
+        ASSERT_EQ(list.all().size(), 3U);
+        EXPECT_EQ(list.all()[0].point.y(), 1.0);
+        EXPECT_EQ(list.all()[1].point.y(), 3.0);
+        EXPECT_EQ(list.all()[2].point.x(), 2.0);
+    }
 }
 
 }  // namespace

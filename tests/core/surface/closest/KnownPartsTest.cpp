@@ -134,16 +134,52 @@ TEST_F(OnePart, HasQuartersOfWhichNothingIsKnown) {
     EXPECT_EQ(parts_.due(query_, 0.1_nm).size(), 3U);
 }
 
-TEST_F(OnePart, HasRoomForSoManyQuarters) {
+TEST_F(OnePart, IsQuarteredSoManyTimes) {
     std::size_t splits = 0;
-    while (splits < 1000 && parts_.split(parts_.size() - 1)) {
+    while (parts_.split(0)) {
         ++splits;
     }
     EXPECT_EQ(splits, static_cast<std::size_t>(CellPart::kMaxDepth));
-    while (splits < 1000 && parts_.split(splits % parts_.size())) {
-        ++splits;
+}
+
+TEST(KnownParts, AreQuarteredWhileThereIsRoom) {
+    CellSet cells(kFirst);
+    for (int i = 0; i < CellSet::kSide; ++i) {
+        cells.add({.row = kFirst.row + i, .column = kFirst.column});
     }
-    EXPECT_LE(parts_.size(), KnownParts::kMaxParts);
+    KnownParts parts;
+    ASSERT_TRUE(parts.keepCells(cells, Vector3::Zero()));
+    std::size_t part = 0;
+    while (part < parts.size() && (parts.at(part).depth > 2 || parts.split(part))) {
+        part += parts.at(part).depth > 2 ? 1 : 0;
+    }
+    EXPECT_GT(parts.size() + KnownParts::kGroup - 1, KnownParts::kMaxParts);
+    EXPECT_LE(parts.size(), KnownParts::kMaxParts);
+}
+
+/// Where there are many parts, an eighth of the divided cells is forgotten at a time.
+TEST(KnownParts, AreStartedAnewWhereTheyAreMany) {
+    CellSet cells(kFirst);
+    for (int i = 0; i < 8 * CellSet::kSide; ++i) {
+        cells.add(
+            {.row = kFirst.row + i % CellSet::kSide, .column = kFirst.column + i / CellSet::kSide});
+    }
+    KnownParts parts;
+    ASSERT_TRUE(parts.keepCells(cells, Vector3::Zero()));
+    while (parts.size() + KnownParts::kGroup <= KnownParts::kMaxParts) {
+        std::size_t whole = 0;
+        while (parts.at(whole).depth > 0) {
+            ++whole;
+        }
+        ASSERT_TRUE(parts.split(whole));
+    }
+    for (int turn = 0; turn < 8; ++turn) {
+        const std::size_t before = parts.size();
+        ASSERT_TRUE(parts.keepCells(cells, Vector3::Zero()));
+        EXPECT_LE(parts.size(), before);
+        EXPECT_GE(parts.size(), before - before / 4);
+    }
+    EXPECT_LE(parts.size(), KnownParts::kMaxParts / 2 + KnownParts::kMaxParts / 8);
 }
 
 TEST(KnownParts, KeepWhatIsKnownOfCellsThatStay) {
