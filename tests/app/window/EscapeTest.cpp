@@ -129,11 +129,14 @@ TEST_F(Escape, ANumberHalfTypedDoesNotCountWhenItClosesTheWindow) {
     EXPECT_EQ(box.text(), before);
 }
 
+/// Side of a scan that is still being loaded when a test looks [pixel].
+constexpr int kLongLoaded = 4096;
+
 TEST_F(Escape, ClosingAToolWindowCancelsNoLoading) {
     openFlatScene();
     openTools();
     QSignalSpy canceled(&session.scenes(), &SceneControl::openCanceled);
-    session.scenes().open(levelScan(folder, 2048));
+    session.scenes().open(levelScan(folder, kLongLoaded));
     ASSERT_TRUE(eventually([this] { return window.menus().cancelLoading->isEnabled(); }));
     QApplication::setActiveWindow(&window.fidelity());
     QTest::keyClick(&window.fidelity(), Qt::Key_Escape);
@@ -145,7 +148,7 @@ TEST_F(Escape, ClosingAToolWindowCancelsNoLoading) {
 TEST_F(Escape, PuttingAnEnlargedPanelBackCancelsNoLoading) {
     openFlatScene();
     window.layout().maximizer().toggle(*window.cards().front());
-    session.scenes().open(levelScan(folder, 2048));
+    session.scenes().open(levelScan(folder, kLongLoaded));
     ASSERT_TRUE(eventually([this] { return window.menus().cancelLoading->isEnabled(); }));
     QTest::keyClick(&window, Qt::Key_Escape);
     EXPECT_FALSE(window.isPanelEnlarged());

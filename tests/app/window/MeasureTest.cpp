@@ -101,7 +101,7 @@ TEST_F(Measure, EscEndsAToolBeforeItCancelsLoading) {
     openGrating();
     window.menus().measure().profile->trigger();
     QSignalSpy canceled(&session.scenes(), &SceneControl::openCanceled);
-    session.scenes().open(levelScan(folder, 2048));
+    session.scenes().open(levelScan(folder, 4096));
     QTest::keyClick(&window.view(), Qt::Key_Escape);
     EXPECT_EQ(map().activeTool(), nullptr);
     EXPECT_EQ(canceled.count(), 0);
