@@ -338,7 +338,7 @@ TEST(ClosestPointList, OrdersPointsOfOneDistanceByTheirPlace) {
     };
     std::vector<ClosestPoint> points = {at(-2.0, 1.0), at(-2.0, 3.0), at(2.0, -1.0)};
     for (int turn = 0; turn < 3; ++turn) {
-        std::ranges::rotate(points, points.begin() + 1);
+        std::rotate(points.begin(), points.begin() + 1, points.end());
         ClosestPointList list;
         for (const ClosestPoint& point : points) {
             list.add(point, 0.5);
