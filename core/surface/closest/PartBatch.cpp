@@ -82,18 +82,22 @@ ASPERITY_WITH_AVX2 void quarterNet(const PartBatch& batch, int lane, PartBatch& 
 }
 
 /// The part of each of four cubics between two places, 0..1 along each of them (polar form).
-ASPERITY_INLINE void cut(Double4& a, Double4& b, Double4& c, Double4& d, Double4 from, Double4 to) {
+ASPERITY_INLINE void cut(Double4 (&points)[4], Double4 from, Double4 to) {
     const auto between = [](Double4 low, Double4 high, Double4 at) {
         return low + at * (high - low);
     };
-    const Double4 first[3] = {between(a, b, from), between(b, c, from), between(c, d, from)};
-    const Double4 last[3] = {between(a, b, to), between(b, c, to), between(c, d, to)};
+    Double4 first[3];
+    Double4 last[3];
+    for (int i = 0; i < 3; ++i) {
+        first[i] = between(points[i], points[i + 1], from);
+        last[i] = between(points[i], points[i + 1], to);
+    }
     const Double4 low[2] = {between(first[0], first[1], from), between(first[1], first[2], from)};
     const Double4 high[2] = {between(last[0], last[1], to), between(last[1], last[2], to)};
-    a = between(low[0], low[1], from);
-    b = between(low[0], low[1], to);
-    c = between(high[0], high[1], from);
-    d = between(high[0], high[1], to);
+    points[0] = between(low[0], low[1], from);
+    points[1] = between(low[0], low[1], to);
+    points[2] = between(high[0], high[1], from);
+    points[3] = between(high[0], high[1], to);
 }
 
 /// Where in its cell each of four parts lies, 0..1 along the cell's sides.
@@ -107,11 +111,14 @@ struct PartSides {
 /// Cells become parts of theirs.
 ASPERITY_WITH_AVX2 void cutNets(const PartSides& sides, PartBatch& batch) {
     for (auto& row : batch.net) {
-        cut(row[0], row[1], row[2], row[3], sides.left, sides.right);
+        cut(row, sides.left, sides.right);
     }
     for (int k = 0; k < 4; ++k) {
-        cut(batch.net[0][k], batch.net[1][k], batch.net[2][k], batch.net[3][k], sides.low,
-            sides.high);
+        Double4 column[4] = {batch.net[0][k], batch.net[1][k], batch.net[2][k], batch.net[3][k]};
+        cut(column, sides.low, sides.high);
+        for (int i = 0; i < 4; ++i) {
+            batch.net[i][k] = column[i];
+        }
     }
     batch.centerX += batch.halfX * (sides.left + sides.right - 1.0);
     batch.centerY += batch.halfY * (sides.low + sides.high - 1.0);

@@ -171,14 +171,14 @@ struct SlopeFrame {
 
     /// Where there is hardly any slope the axes are x and y: the box around a part is larger along
     /// any others.
-    ASPERITY_INLINE explicit SlopeFrame(const Pair4& slope) {
+    [[nodiscard]] ASPERITY_INLINE static SlopeFrame of(const Pair4& slope) {
         constexpr double kSlope = 2.0;
         const Double4 steepness = magnitude(slope.x) + magnitude(slope.y);
         const Long4 hasSlope = steepness > kSlope;
         const Double4 per = 1.0 / (hasSlope ? steepness : Double4{} + 1.0);
-        p = hasSlope ? slope.x * per : Double4{} + 1.0;
-        q = hasSlope ? slope.y * per : Double4{};
-        square = p * p + q * q;
+        const Double4 p = hasSlope ? slope.x * per : Double4{} + 1.0;
+        const Double4 q = hasSlope ? slope.y * per : Double4{};
+        return {p, q, p * p + q * q};
     }
 
     /// A gradient along the axes.
@@ -248,20 +248,25 @@ ASPERITY_INLINE Bends4 distanceBends(const HeightIn& height, Double4 square, con
             flat + squared(v) + offset * height.bends.yy};
 }
 
+/// Half the length of each part's sides, and the inverse of the whole.
+struct Sides4 {
+    Pair4 half;  ///< [m]
+    Pair4 per;   ///< [1/m]
+};
+
 /// Rounding of the gradient at the center of a part and of its spread over it: a minimum on the
 /// side that two parts share must not be denied to both.
 /// @param bend no second derivative along x and y is larger
 /// @param above the query, at the center [m]
 ASPERITY_INLINE Pair4 gradientRounding(Double4 bend, const Pair4& slope, Double4 above,
-                                       const Pair4& half, const Pair4& per,
-                                       const SurfaceRounding& rounding) {
+                                       const Sides4& sides, const SurfaceRounding& rounding) {
     constexpr double kRelative = 1e-13;
     const Double4 common =
-        rounding.place * (1.0 + 2.0 * bend) + kRelative * bend * (half.x + half.y);
+        rounding.place * (1.0 + 2.0 * bend) + kRelative * bend * (sides.half.x + sides.half.y);
     // A slope is told from heights no farther apart than the part is wide.
     const Double4 lever = 4.0 * magnitude(above);
-    return {common + rounding.height * (magnitude(slope.x) + lever * per.x),
-            common + rounding.height * (magnitude(slope.y) + lever * per.y)};
+    return {common + rounding.height * (magnitude(slope.x) + lever * sides.per.x),
+            common + rounding.height * (magnitude(slope.y) + lever * sides.per.y)};
 }
 
 /// How a function's gradient can be in a part, along the axes of a frame.
@@ -390,7 +395,7 @@ ASPERITY_WITH_AVX2 void examineLanes(const PartBatch& batch, const PartQuery& qu
         return;
     }
 
-    const SlopeFrame frame(center.slope);
+    const SlopeFrame frame = SlopeFrame::of(center.slope);
     const Pair4 reach = frame.reach(half);
     const Bends4 height = heightBends(batch, per);
     const Bends4 heightAlong = frame.along(height);
@@ -405,8 +410,8 @@ ASPERITY_WITH_AVX2 void examineLanes(const PartBatch& batch, const PartQuery& qu
     if (facts.far == PartBatch::kAllLanes) {
         return;
     }
-    const Pair4 unsure =
-        gradientRounding(frame.mostAlongXY(bends), center.slope, above, half, per, query.rounding);
+    const Pair4 unsure = gradientRounding(frame.mostAlongXY(bends), center.slope, above,
+                                          {half, per}, query.rounding);
     facts.calm =
         calmOf({.center = gradient,
                 .unsure = unsure,
