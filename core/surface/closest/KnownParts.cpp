@@ -3,6 +3,7 @@
 #include "core/Simd.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 
@@ -34,8 +35,6 @@ void KnownParts::Planes::copy(std::size_t lane, const Planes& from, std::size_t 
     set(lane, {from.wayX[fromLane], from.wayY[fromLane], from.wayZ[fromLane]},
         from.offset[fromLane]);
 }
-
-void KnownParts::clear() noexcept { shrink(0); }
 
 void KnownParts::push(const Known& known) noexcept {
     if (parts_.size() % kGroup == 0) {

@@ -4,9 +4,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <vector>
 
 namespace asperity {
@@ -21,12 +18,6 @@ CellSet cellsOf(const std::vector<CellIndex>& cells) {
         set.add(cell);
     }
     return set;
-}
-
-std::vector<std::array<int, 2>> listOf(const CellSet& cells) {
-    std::vector<std::array<int, 2>> list;
-    cells.forEach([&](const CellIndex& cell) { list.push_back({cell.row, cell.column}); });
-    return list;
 }
 
 /// A part that lies 5 nm above the query and more, holds a minimum, and none for 1 nm around.
@@ -59,19 +50,6 @@ protected:
 };
 
 }  // namespace
-
-TEST(CellSet, HoldsWhatWasAdded) {
-    CellSet cells = cellsOf({{.row = 10, .column = 20}, {.row = 41, .column = 51}});
-    EXPECT_TRUE(cells.holds({.row = 10, .column = 20}));
-    EXPECT_TRUE(cells.holds({.row = 41, .column = 51}));
-    EXPECT_FALSE(cells.holds({.row = 10, .column = 21}));
-    EXPECT_FALSE(cells.holds({.row = 9, .column = 20}));
-    EXPECT_FALSE(cells.holds({.row = 42, .column = 20}));
-    EXPECT_FALSE(cells.holds({.row = 10, .column = 52}));
-    EXPECT_EQ(listOf(cells), (std::vector<std::array<int, 2>>{{10, 20}, {41, 51}}));
-    cells.remove({.row = 10, .column = 20});
-    EXPECT_EQ(listOf(cells), (std::vector<std::array<int, 2>>{{41, 51}}));
-}
 
 TEST_F(OnePart, IsLookedAtFirst) { EXPECT_TRUE(isDue(parts_, query_, 0.0)); }
 

@@ -15,19 +15,26 @@ class PartFactsOf : public test::PartsOf {
 protected:
     /// A scan of no size: every part counts as one at its edge, of which all is said.
     static Box everything() { return {}; }
+
+    /// @param limit half a squared distance [m^2]
+    [[nodiscard]] PartFacts factsOf(const PartBatch& batch, const Vector3& query, double limit,
+                                    const Box& scan) const {
+        PartFacts facts;
+        examine(batch,
+                {.point = query - Vector3(0.0, 0.0, surface_.grid().datum),
+                 .rounding = roundingOf(surface_, query),
+                 .limit = limit,
+                 .scan = scan},
+                facts);
+        return facts;
+    }
 };
 
 TEST_P(PartFactsOf, KnowsTheDistanceAtItsCentersAndHowItsGradientDiffers) {
     for (int i = 0; i < 200; ++i) {
         const PartBatch batch = randomBatch(i % 5);
         const Vector3 query = queryAbove(batch, random_.uniform(-5.0, 15.0) * 1.0_nm);
-        PartFacts facts;
-        examine(batch,
-                {.point = query - Vector3(0.0, 0.0, surface_.grid().datum),
-                 .rounding = roundingOf(surface_, query),
-                 .limit = 1.0,
-                 .scan = everything()},
-                facts);
+        const PartFacts facts = factsOf(batch, query, 1.0, everything());
         for (int lane = 0; lane < PartBatch::kLanes; ++lane) {
             const LocalModel center = modelAt(query, batch.centerX[lane], batch.centerY[lane]);
             const Vector2 noise = 4.0 * center.gradientNoise;
@@ -56,13 +63,7 @@ TEST_P(PartFactsOf, SaysNothingOfItsPartsThatIsNotSo) {
         const PartBatch batch = randomBatch(i % 6);
         const Vector3 query = queryAbove(batch, random_.uniform(-5.0, 15.0) * 1.0_nm);
         const double limit = 0.5 * std::pow(random_.uniform(1.0, 20.0) * 1.0_nm, 2);
-        PartFacts facts;
-        examine(batch,
-                {.point = query - Vector3(0.0, 0.0, surface_.grid().datum),
-                 .rounding = roundingOf(surface_, query),
-                 .limit = limit,
-                 .scan = everything()},
-                facts);
+        const PartFacts facts = factsOf(batch, query, limit, everything());
         far += static_cast<int>(facts.far != 0);
         convex += static_cast<int>(facts.convex != 0);
         for (int lane = 0; lane < PartBatch::kLanes; ++lane) {
@@ -106,13 +107,7 @@ TEST_P(PartFactsOf, NeverDeniesAMinimum) {
             continue;
         }
         ++minima;
-        PartFacts facts;
-        examine(batch,
-                {.point = query - Vector3(0.0, 0.0, surface_.grid().datum),
-                 .rounding = roundingOf(surface_, query),
-                 .limit = 1.0,
-                 .scan = everything()},
-                facts);
+        const PartFacts facts = factsOf(batch, query, 1.0, everything());
         ASSERT_EQ(facts.withoutMinimum & 1U, 0U);
         ASSERT_EQ(facts.far & 1U, 0U);
     }
@@ -137,13 +132,7 @@ TEST_P(PartFactsOf, IsNotCalmForAQueryWithAMinimum) {
         const double moved = std::pow(10.0, random_.uniform(-2.0, 1.0)) * 1.0_nm;
         const Vector3 way(random_.normal(), random_.normal(), random_.normal());
         const Vector3 query = held + moved * way.normalized();
-        PartFacts facts;
-        examine(batch,
-                {.point = query - Vector3(0.0, 0.0, surface_.grid().datum),
-                 .rounding = roundingOf(surface_, query),
-                 .limit = 1.0,
-                 .scan = scanBox(surface_)},
-                facts);
+        const PartFacts facts = factsOf(batch, query, 1.0, scanBox(surface_));
         ASSERT_LE(facts.calm[0], moved * (1.0 + 1e-9));
         calm += facts.calm[0] > 0.1 * moved ? 1 : 0;
     }
@@ -159,13 +148,7 @@ TEST_P(PartFactsOf, StaysConvexForQueriesAround) {
     for (int i = 0; i < 5000; ++i) {
         const PartBatch batch = randomBatch(i % 7);
         const Vector3 query = queryAbove(batch, random_.uniform(-5.0, 15.0) * 1.0_nm);
-        PartFacts facts;
-        examine(batch,
-                {.point = query - Vector3(0.0, 0.0, surface_.grid().datum),
-                 .rounding = roundingOf(surface_, query),
-                 .limit = 1.0,
-                 .scan = scanBox(surface_)},
-                facts);
+        const PartFacts facts = factsOf(batch, query, 1.0, scanBox(surface_));
         if ((facts.convex & 1U) == 0 || facts.convexFor[0] <= 0.0) {
             continue;
         }
