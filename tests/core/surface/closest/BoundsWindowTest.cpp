@@ -70,6 +70,10 @@ TEST_P(BoundsWindowOf, LeavesOutNoPlaceWithinItsDistanceAndSettlesNoneThatIsNear
                     bounds.reaches(bounds.rowAt(place.y()), bounds.columnAt(place.x()), away));
                 if (closest.converged && isSettled(window, place.x(), place.y())) {
                     ASSERT_GE(away, std::abs(closest.distance) * (1.0 - kSameDistance));
+                    // On the straight line from there the distance only grows.
+                    const Vector2 way = place - closest.point.head<2>();
+                    const LocalModel there = HalfSquaredDistance(surface_, query)(place);
+                    ASSERT_GE(there.gradient.dot(way), -1e-9 * away * way.norm());
                 }
             }
         }
