@@ -118,4 +118,21 @@ double AttractiveTail::separationAt(double approach, double compliance, double e
     return d;
 }
 
+/// The softening falls with the separation: where it is below 1, the end is nearer.
+std::optional<double> AttractiveTail::stableSeparation(double approach,
+                                                       double compliance) const noexcept {
+    constexpr double kClearlyAbove = 1.001;
+    constexpr double kClearlyStable = 0.9;
+    const double nearest = std::max(joint_, elasticInstability_);
+    const double found = separationAt(approach, compliance, nearest);
+    if (found > kClearlyAbove * nearest && softening(found, compliance) < kClearlyStable) {
+        return found;
+    }
+    const double end = endSeparation(compliance);
+    if (approach > this->approach(end, compliance)) {
+        return std::nullopt;
+    }
+    return separationAt(approach, compliance, end);
+}
+
 }  // namespace asperity

@@ -2,6 +2,8 @@
 
 #include "core/contact/laws/VanDerWaals.h"
 
+#include <optional>
+
 namespace asperity {
 
 /// Tip and sample before snap-in: van der Waals attraction across the separation D of the surfaces,
@@ -35,6 +37,10 @@ public:
     /// where the approach lies beyond it.
     [[nodiscard]] double separationAt(double approach, double compliance,
                                       double end) const noexcept;
+    /// The same; none where the approach lies beyond the end. Where the state is clearly stable the
+    /// end need not be found, which takes longer.
+    [[nodiscard]] std::optional<double> stableSeparation(double approach,
+                                                         double compliance) const noexcept;
 
 private:
     /// d(approach)/dD + 1: how much of the stiffness the attraction has used up; 1 is unstable.

@@ -5,6 +5,7 @@
 #include "core/contact/laws/LawPoint.h"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 namespace asperity {
@@ -16,6 +17,11 @@ public:
 
     /// Largest approach at which the bodies stay separate [m].
     [[nodiscard]] double endApproach(double /*compliance*/) const noexcept { return onset_; }
+    /// None beyond endApproach().
+    [[nodiscard]] std::optional<ContactState> stable(double approach,
+                                                     double compliance) const noexcept {
+        return approach > onset_ ? std::nullopt : std::optional(state(approach, compliance));
+    }
     [[nodiscard]] ContactState state(double approach, double /*compliance*/) const noexcept {
         return {.indentation = approach};
     }
@@ -44,6 +50,12 @@ public:
 
     [[nodiscard]] double endApproach(double compliance) const noexcept {
         return tail_.approach(tail_.endSeparation(compliance), compliance);
+    }
+    /// None beyond endApproach().
+    [[nodiscard]] std::optional<ContactState> stable(double approach,
+                                                     double compliance) const noexcept {
+        const auto separation = tail_.stableSeparation(approach, compliance);
+        return separation ? std::optional(stateAt(*separation)) : std::nullopt;
     }
     [[nodiscard]] ContactState state(double approach, double compliance) const noexcept {
         return stateAt(tail_.separationAt(approach, compliance, tail_.endSeparation(compliance)));
@@ -82,8 +94,8 @@ public:
     [[nodiscard]] ContactState equilibrium(double approach, double compliance,
                                            const ContactMemory& memory) const noexcept {
         if (memory.branch == ContactBranch::Far) {
-            return approach > jumpInApproach(compliance) ? snapIn(approach, compliance)
-                                                         : separate_.state(approach, compliance);
+            const auto separate = separate_.stable(approach, compliance);
+            return separate ? *separate : snapIn(approach, compliance);
         }
         const auto point = stable(approach, compliance, memory.coordinate);
         return point ? stateOf(*point) : pullOff(approach, compliance);

@@ -33,17 +33,6 @@ double energyShape(double separation, double radius) noexcept {
 
 }  // namespace
 
-double VanDerWaals::force(double separation) const noexcept {
-    const double d = std::max(separation, kContactSeparation);
-    const double ratio = radius_ / (d * (d + (2.0 * radius_)));
-    return -2.0 / 3.0 * hamaker_ * radius_ * ratio * ratio;
-}
-
-double VanDerWaals::gradient(double separation) const noexcept {
-    const double d = std::max(separation, kContactSeparation);
-    return -2.0 * force(d) * (1.0 / d + 1.0 / (d + (2.0 * radius_)));
-}
-
 double VanDerWaals::energy(double separation) const noexcept {
     const double d = std::max(separation, kContactSeparation);
     return -hamaker_ / 3.0 * energyShape(d, radius_);

@@ -2,6 +2,8 @@
 
 #include "core/Units.h"
 
+#include <algorithm>
+
 namespace asperity {
 
 /// Separation at which two solids are taken to touch, D0 [m]. Source: docs/theory.md 3.1.
@@ -17,8 +19,17 @@ public:
     [[nodiscard]] double hamaker() const noexcept { return hamaker_; }  ///< [J]
     [[nodiscard]] double radius() const noexcept { return radius_; }    ///< [m]
 
-    [[nodiscard]] double force(double separation) const noexcept;     ///< < 0: attraction [N]
-    [[nodiscard]] double gradient(double separation) const noexcept;  ///< dF/dD > 0 [N/m]
+    /// < 0: attraction [N]
+    [[nodiscard]] double force(double separation) const noexcept {
+        const double d = std::max(separation, kContactSeparation);
+        const double ratio = radius_ / (d * (d + (2.0 * radius_)));
+        return -2.0 / 3.0 * hamaker_ * radius_ * ratio * ratio;
+    }
+    /// dF/dD > 0 [N/m]
+    [[nodiscard]] double gradient(double separation) const noexcept {
+        const double d = std::max(separation, kContactSeparation);
+        return -2.0 * force(d) * (1.0 / d + 1.0 / (d + (2.0 * radius_)));
+    }
     [[nodiscard]] double energy(double separation) const noexcept;    ///< 0 far away [J]
     /// Separation [m] at which the force takes this value, < 0 [N].
     [[nodiscard]] double separationAt(double force) const noexcept;

@@ -110,24 +110,37 @@ double inverseHermite(double width, const Rise& before, const Rise& rise, double
     return span * t * (slope + (t * (bend + ((1.0 + t) * twist))));
 }
 
+/// The state where one of its rates turns from falling to rising.
+MaugisPoint foldOf(const MaugisCurve& curve, double MaugisPoint::* rate,
+                   double Landmarks::* guess) noexcept {
+    const Landmarks near = landmarksOf(curve.lambda());
+    const auto rateAt = [&](double coordinate) { return curve.contact(coordinate).*rate; };
+    return curve.contact(rootNear(rateAt, near.*guess, 0.0, near.noForce * 1.5));
+}
+
 }  // namespace
 
 MaugisDugdale::MaugisDugdale(double lambda) noexcept
-    : curve_(lambda), touch_(curve_.noncontact(curve_.touchRadius())) {
-    const Landmarks near = landmarksOf(lambda);
-    const auto forceRate = [this](double x) { return curve_.contact(x).forceRate; };
-    loadFold_ = curve_.contact(rootNear(forceRate, near.loadFold, 0.0, near.noForce * 1.5));
-    lowestContact_ = curve_.contact(0.0);
+    : curve_(lambda)
+    , touch_(curve_.noncontact(curve_.touchRadius()))
+    , lowestContact_(curve_.contact(0.0)) {
     if (touch_.indentationRate < 0.0) {
-        const auto indentationRate = [this](double x) { return curve_.contact(x).indentationRate; };
-        lowestContact_ = curve_.contact(
-            rootNear(indentationRate, near.displacementFold, 0.0, loadFold_.coordinate));
+        lowestContact_ = foldOf(curve_, &MaugisPoint::indentationRate, &Landmarks::displacementFold);
     }
 }
 
+MaugisPoint MaugisDugdale::loadFold() const noexcept {
+    return foldOf(curve_, &MaugisPoint::forceRate, &Landmarks::loadFold);
+}
+
 MaugisPoint MaugisDugdale::fold(const MaugisControl& control) const noexcept {
+    return fold(control, loadFold());
+}
+
+MaugisPoint MaugisDugdale::fold(const MaugisControl& control,
+                                const MaugisPoint& loadFold) const noexcept {
     if (control.perIndentation == 0.0) {
-        return loadFold_;
+        return loadFold;
     }
     if (control.heldRate(touch_) > 0.0) {
         const double lift = 8.0 * curve_.lambda() / (3.0 * pi);
@@ -146,19 +159,20 @@ MaugisPoint MaugisDugdale::fold(const MaugisControl& control) const noexcept {
         return (point.indentationRate - pull) / (std::abs(point.indentationRate) + pull);
     };
     const double low = lowestContact_.coordinate;
-    const double high = loadFold_.coordinate;
+    const double high = loadFold.coordinate;
     const double pull = control.perForce * std::abs(lowestContact_.forceRate);
-    const double part = pull / (pull + loadFold_.indentationRate);
+    const double part = pull / (pull + loadFold.indentationRate);
     return curve_.contact(rootNear(balance, low + (part * (high - low)), low, high));
 }
 
 std::optional<MaugisPoint> MaugisDugdale::stable(const MaugisControl& control,
                                                  double value) const noexcept {
     // Every fold lies at or below the one in load control, so above it none needs to be found.
-    if (value >= control.held(loadFold_)) {
-        return climb(control, value, loadFold_);
+    const MaugisPoint loadFold = this->loadFold();
+    if (value >= control.held(loadFold)) {
+        return climb(control, value, loadFold);
     }
-    const MaugisPoint end = fold(control);
+    const MaugisPoint end = fold(control, loadFold);
     if (value < control.held(end)) {
         return std::nullopt;
     }

@@ -56,6 +56,10 @@ public:
     [[nodiscard]] MaugisPoint atContactRadius(double contactRadius) const noexcept;
 
 private:
+    /// The smallest force of all states; found on demand, as what follows a way does not ask for it.
+    [[nodiscard]] MaugisPoint loadFold() const noexcept;
+    [[nodiscard]] MaugisPoint fold(const MaugisControl& control,
+                                   const MaugisPoint& loadFold) const noexcept;
     [[nodiscard]] MaugisPoint climb(const MaugisControl& control, double value,
                                     const MaugisPoint& from) const noexcept;
     [[nodiscard]] std::optional<MaugisPoint> follow(const MaugisControl& control, double value,
@@ -67,7 +71,6 @@ private:
 
     MaugisCurve curve_;
     MaugisPoint touch_;          ///< first touch, as a state without contact
-    MaugisPoint loadFold_;       ///< smallest force of all states
     MaugisPoint lowestContact_;  ///< end of the stable states with contact, by indentation
 };
 

@@ -73,6 +73,9 @@ std::optional<MaugisState> MaugisTable::stable(const MaugisDugdale& law, double 
     constexpr double kSettled = 1e-12;  // relative
     double coordinate = 0.0;
     double indentation = std::isfinite(start) ? start : 0.0;
+    if (compliance == 0.0) {
+        indentation = value;
+    }
     for (int i = 0; i < kMaxIterations; ++i) {
         const auto found = entry(law, indentation);
         if (!found || !found->accurate) {
