@@ -8,6 +8,7 @@
 #include <QPainter>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <cstring>
 
@@ -44,6 +45,7 @@ PixelView::PixelView(QWidget* parent) : QWidget(parent) {
     setAttribute(Qt::WA_OpaquePaintEvent);
     window_->SetOffScreenRendering(1);
     window_->SetMultiSamples(0);  // multisampling takes half the frame rate
+    renderWindow().SetFrameBlitModeToNoBlit();
 }
 
 PixelView::~PixelView() = default;
@@ -52,15 +54,29 @@ vtkOpenGLRenderWindow& PixelView::renderWindow() const {
     return *vtkOpenGLRenderWindow::SafeDownCast(window_);
 }
 
-QSize PixelView::pixels() const {
-    return (QSizeF(size()) * devicePixelRatioF()).toSize().expandedTo(QSize(1, 1));
+QSize PixelView::pixels(double ratio) const {
+    return (QSizeF(size()) * ratio).toSize().expandedTo(QSize(1, 1));
+}
+
+double PixelView::drawnRatio() const {
+    constexpr double kCoarsePixels = 500'000.0;
+    const double area = std::max(1.0, static_cast<double>(width()) * height());
+    const double screen = devicePixelRatioF();
+    return coarse_ ? std::min(screen, std::sqrt(kCoarsePixels / area)) : screen;
+}
+
+void PixelView::setCoarse(bool coarse) {
+    coarse_ = coarse;
+    const QSize size = pixels(drawnRatio());
+    window_->SetSize(size.width(), size.height());
 }
 
 bool PixelView::drawFrame() {
     if (!isVisible()) {
         return false;
     }
-    const QSize size = pixels();
+    const double ratio = drawnRatio();
+    const QSize size = pixels(ratio);
     window_->SetSize(size.width(), size.height());
     window_->Render();
     window_->GetRGBACharPixelData(0, 0, size.width() - 1, size.height() - 1, 0, drawn_);
@@ -71,7 +87,7 @@ bool PixelView::drawFrame() {
     if (frame_.size() != size) {
         frame_ = QImage(size, QImage::Format_RGB32);
     }
-    frame_.setDevicePixelRatio(devicePixelRatioF());
+    frame_.setDevicePixelRatio(ratio);
     copyFrame(drawn_->GetPointer(0), frame_);
     update();
     return true;
@@ -79,13 +95,19 @@ bool PixelView::drawFrame() {
 
 void PixelView::paintEvent(QPaintEvent* /*event*/) {
     QPainter painter(this);
-    if (frame_.size() != pixels()) {  // of another size, or none
+    if (frame_.isNull() || frame_.size() != pixels(frame_.devicePixelRatio())) {  // another size's
         painter.fillRect(rect(), theme::colors().backdrop);
     }
-    if (!frame_.isNull()) {
-        painter.drawImage(0, 0, frame_);
-        Q_EMIT painted();
+    if (frame_.isNull()) {
+        return;
     }
+    if (frame_.devicePixelRatio() == devicePixelRatioF()) {
+        painter.drawImage(0, 0, frame_);
+    } else {
+        painter.setRenderHint(QPainter::SmoothPixmapTransform);
+        painter.drawImage(rect(), frame_);
+    }
+    Q_EMIT painted();
 }
 
 }  // namespace asperity

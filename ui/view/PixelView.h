@@ -21,7 +21,7 @@ public:
     explicit PixelView(QWidget* parent = nullptr);
     ~PixelView() override;
 
-    /// The last frame, in pixels of the screen; null: there is none yet.
+    /// The last frame, in pixels of the screen or, while coarse, fewer; null: there is none yet.
     [[nodiscard]] const QImage& frame() const { return frame_; }
     /// What draws, and is never shown itself.
     [[nodiscard]] vtkOpenGLRenderWindow& renderWindow() const;
@@ -31,17 +31,24 @@ Q_SIGNALS:
     void painted();
 
 protected:
+    /// Whether from the next frame on at most half a million pixels are drawn, and enlarged: the
+    /// time of a frame is mostly that of its pixels.
+    void setCoarse(bool coarse);
+    /// Pixels that are drawn for each of the widget, along each side.
+    [[nodiscard]] double drawnRatio() const;
+
     /// Draws a frame and has it painted; not while the widget is hidden. @return whether it did
     bool drawFrame();
 
     void paintEvent(QPaintEvent* event) override;
 
 private:
-    [[nodiscard]] QSize pixels() const;
+    [[nodiscard]] QSize pixels(double ratio) const;
 
     vtkNew<vtkRenderWindow> window_;
     vtkNew<vtkUnsignedCharArray> drawn_;
     QImage frame_;
+    bool coarse_ = false;
 };
 
 }  // namespace asperity

@@ -40,8 +40,8 @@ StaticLayer::StaticLayer(vtkOpenGLRenderWindow* window, vtkRenderer* renderer)
 StaticLayer::~StaticLayer() { renderer_->RemoveObserver(observer_); }
 
 void StaticLayer::setEnabled(bool enabled) {
+    valid_ = valid_ && enabled == enabled_;
     enabled_ = enabled;
-    valid_ = false;
 }
 
 void StaticLayer::handleEvent(vtkObject* /*caller*/, unsigned long event, void* self,

@@ -28,7 +28,7 @@ public:
 
     /// Something in the layer, or the camera, is about to change: the next frame draws it anew.
     void invalidate() { valid_ = false; }
-    /// Off: every frame draws everything.
+    /// Off: every frame draws everything, which is faster where every frame differs.
     void setEnabled(bool enabled);
 
 private:

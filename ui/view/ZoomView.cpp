@@ -51,8 +51,7 @@ void ZoomView::connectGestures() {
             [this](double steps) { setHalfWidth(halfWidth() * std::pow(kZoomStep, -steps)); });
     connect(this, &ZoomView::turned, this, [this](const QPointF& pixels) {
         camera_.turn(-kTurnPerPixel * pixels.x(), kTurnPerPixel * pixels.y());
-        disturb();
-        renderSoon();
+        showTurned();
     });
     connect(this, &ZoomView::dragged, this, [this](const QPointF& pixels) {
         if (picture_.frame()) {
@@ -73,7 +72,7 @@ void ZoomView::connectGestures() {
 
 void ZoomView::setScene(const Scene* scene) {
     picture_.setScene(scene);
-    picture_.showLabels(camera_, height(), devicePixelRatioF());
+    picture_.showLabels(camera_, height(), drawnRatio());
     Q_EMIT scalesChanged();
     Q_EMIT frameChanged();
     frameDue_.start();
@@ -121,20 +120,17 @@ void ZoomView::resetCamera() {
 
 void ZoomView::lookFrom(ViewDirection side) {
     camera_.lookFrom(side);
-    disturb();
-    renderSoon();
+    showTurned();
 }
 
 void ZoomView::setDirection(double azimuth, double elevation) {
     camera_.setDirection(azimuth, elevation);
-    disturb();
-    renderSoon();
+    showTurned();
 }
 
 void ZoomView::setPerspective(bool perspective) {
     camera_.setPerspective(perspective);
-    disturb();
-    renderSoon();
+    showTurned();
 }
 
 void ZoomView::setOptions(const ViewOptions& options) {
@@ -177,18 +173,18 @@ std::optional<SurfaceReading> ZoomView::reading(const Vector2& place) const {
 }
 
 std::optional<Vector2> ZoomView::placeAt(const QPointF& pixel) const {
-    const double ratio = devicePixelRatioF();
+    const double ratio = drawnRatio();
     return picture_.placeAt({ratio * pixel.x(), ratio * (height() - pixel.y())});
 }
 
 QPointF ZoomView::onScreen(const Vector3& place) const {
     const Vector2 drawn = picture_.drawnPlace(place);
-    const double ratio = devicePixelRatioF();
+    const double ratio = drawnRatio();
     return {drawn.x() / ratio, height() - drawn.y() / ratio};
 }
 
 void ZoomView::setCacheEnabled(bool enabled) {
-    picture_.cache().setEnabled(enabled);
+    cacheEnabled_ = enabled;
     renderSoon();
 }
 
@@ -216,6 +212,16 @@ void ZoomView::disturb() {
     aim();
 }
 
+void ZoomView::showTurned() {
+    sinceTurn_.start();
+    disturb();
+    renderSoon();
+}
+
+bool ZoomView::isTurning() const {
+    return settling_.isActive() && sinceTurn_.isValid() && !sinceTurn_.hasExpired(kSettlingTime);
+}
+
 /// A frame within a few milliseconds, unless another one is drawn before.
 void ZoomView::renderSoon() {
     contactDue_ = true;
@@ -229,11 +235,13 @@ void ZoomView::renderNow() {
     if (std::exchange(contactDue_, false)) {
         picture_.showSample(camera_, isDragging());
     }
+    const bool isMoving = settling_.isActive();
     if (std::exchange(terrainDue_, false)) {
-        picture_.showTerrain(camera_,
-                             settling_.isActive() ? TerrainDetail::Coarse : TerrainDetail::Fine);
+        picture_.showTerrain(camera_, isMoving ? TerrainDetail::Coarse : TerrainDetail::Fine);
     }
-    picture_.showLabels(camera_, height(), devicePixelRatioF());
+    picture_.cache().setEnabled(cacheEnabled_ && !isTurning());
+    setCoarse(isTurning());
+    picture_.showLabels(camera_, height(), drawnRatio());
     if (drawFrame()) {
         Q_EMIT frameRendered();
     }

@@ -96,6 +96,8 @@ private:
     void connectGestures();
     void aim();
     void disturb();
+    void showTurned();
+    [[nodiscard]] bool isTurning() const;
     void read();
     void renderSoon();
     void renderNow();
@@ -104,8 +106,10 @@ private:
     ViewCamera camera_;
     QTimer settling_;  ///< runs while the view is in motion
     QTimer frameDue_;  ///< runs while a frame is due
+    QElapsedTimer sinceTurn_;
     QElapsedTimer sinceSnapshot_;
     QElapsedTimer sinceReading_;
+    bool cacheEnabled_ = true;
     bool terrainDue_ = false;  ///< it is to be shown anew in the next frame
     bool contactDue_ = false;  ///< and so is all the rest
 };

@@ -315,6 +315,32 @@ TEST_F(ZoomViewTest, FitsItsPictureToItsSize) {
     EXPECT_EQ(view->frame().size(), QSize(400, 560));
 }
 
+TEST_F(ZoomViewTest, DrawsFewerPixelsWhileTheCameraTurns) {
+    view->resize(1200, 800);
+    settle();
+    view->showSnapshot(moments.deep);
+    ASSERT_EQ(view->frame().size(), QSize(1200, 800));
+    const Vector3 apex = moments.deep.sample.output.model.tip;
+    view->setDirection(view->camera().azimuth() + 0.1, view->camera().elevation());
+    view->showSnapshot(moments.deep);
+    const QSize turning = view->frame().size();
+    const QPointF whileTurning = view->onScreen(apex);
+    EXPECT_LT(turning.width() * turning.height(), 510'000);
+    EXPECT_GT(turning.width() * turning.height(), 490'000);
+    settle();
+    view->showSnapshot(moments.deep);
+    EXPECT_EQ(view->frame().size(), QSize(1200, 800));
+    EXPECT_LT((view->onScreen(apex) - whileTurning).manhattanLength(), 2.0);
+}
+
+TEST_F(ZoomViewTest, DrawsAllPixelsOfASmallViewWhileTheCameraTurns) {
+    view->showSnapshot(moments.deep);
+    const QSize still = view->frame().size();
+    view->setDirection(view->camera().azimuth() + 0.1, view->camera().elevation());
+    view->showSnapshot(moments.deep);
+    EXPECT_EQ(view->frame().size(), still);
+}
+
 /// On a screen with two pixels a point.
 class FineView : public ZoomView {
 protected:
