@@ -11,7 +11,7 @@ namespace asperity {
 namespace {
 
 constexpr int kTicksAPath = 120;
-/// Runs that take less are timed twice, in turns; of others the reference need not run again [s].
+/// Runs that take less are timed in turns; of others the reference need not run again [s].
 constexpr double kQuickRuns = 0.02;
 /// Of the ticks: one in which a jump comes a little earlier is no other feeling.
 constexpr double kAllButJumps = 0.97;
@@ -70,10 +70,6 @@ ModelDifference SampledRuns::between(const ForceModelOptions& with,
     ModelDifference difference{.with = isKnown ? reference_ : runWith(with)};
     difference.effect = forceShare(less, difference.with);
     difference.time = quantile(difference.with.times, 0.5) - quantile(less.times, 0.5);
-    if (isQuick) {
-        const double again = -quantile(runWith(without).times, 0.5);
-        difference.time = 0.5 * (difference.time + again + quantile(runWith(with).times, 0.5));
-    }
     setModel(scene_, with);
     return difference;
 }

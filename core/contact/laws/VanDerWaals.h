@@ -30,7 +30,7 @@ public:
         const double d = std::max(separation, kContactSeparation);
         return -2.0 * force(d) * (1.0 / d + 1.0 / (d + (2.0 * radius_)));
     }
-    [[nodiscard]] double energy(double separation) const noexcept;    ///< 0 far away [J]
+    [[nodiscard]] double energy(double separation) const noexcept;  ///< 0 far away [J]
     /// Separation [m] at which the force takes this value, < 0 [N].
     [[nodiscard]] double separationAt(double force) const noexcept;
 

@@ -111,8 +111,8 @@ double inverseHermite(double width, const Rise& before, const Rise& rise, double
 }
 
 /// The state where one of its rates turns from falling to rising.
-MaugisPoint foldOf(const MaugisCurve& curve, double MaugisPoint::* rate,
-                   double Landmarks::* guess) noexcept {
+MaugisPoint foldOf(const MaugisCurve& curve, double MaugisPoint::*rate,
+                   double Landmarks::*guess) noexcept {
     const Landmarks near = landmarksOf(curve.lambda());
     const auto rateAt = [&](double coordinate) { return curve.contact(coordinate).*rate; };
     return curve.contact(rootNear(rateAt, near.*guess, 0.0, near.noForce * 1.5));
@@ -125,7 +125,8 @@ MaugisDugdale::MaugisDugdale(double lambda) noexcept
     , touch_(curve_.noncontact(curve_.touchRadius()))
     , lowestContact_(curve_.contact(0.0)) {
     if (touch_.indentationRate < 0.0) {
-        lowestContact_ = foldOf(curve_, &MaugisPoint::indentationRate, &Landmarks::displacementFold);
+        lowestContact_ =
+            foldOf(curve_, &MaugisPoint::indentationRate, &Landmarks::displacementFold);
     }
 }
 

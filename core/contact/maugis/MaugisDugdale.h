@@ -56,7 +56,8 @@ public:
     [[nodiscard]] MaugisPoint atContactRadius(double contactRadius) const noexcept;
 
 private:
-    /// The smallest force of all states; found on demand, as what follows a way does not ask for it.
+    /// The smallest force of all states; found on demand, as what follows a way does not ask for
+    /// it.
     [[nodiscard]] MaugisPoint loadFold() const noexcept;
     [[nodiscard]] MaugisPoint fold(const MaugisControl& control,
                                    const MaugisPoint& loadFold) const noexcept;
