@@ -6,6 +6,7 @@
 #include "app/commands/CurveCommand.h"
 #include "app/commands/DecoupleCommand.h"
 #include "app/commands/DevicesCommand.h"
+#include "app/commands/ExperimentCommand.h"
 #include "app/commands/ExploreCommand.h"
 #include "app/commands/ExtremesCommand.h"
 #include "app/commands/FilmCommand.h"
@@ -52,6 +53,7 @@ int run(int argc, char** argv) {
     asperity::addProjectCommand(program);
     asperity::addTradeOffCommand(program);
     asperity::addExtremesCommand(program);
+    asperity::addExperimentCommand(program);
     asperity::addReplayCommand(program);
     asperity::addRenderCommand(program);
     asperity::addFilmCommand(program);

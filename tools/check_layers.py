@@ -59,6 +59,7 @@ RULES = {
                     " core/haptics/fixtures core/haptics/coupling core/haptics/cycle",
     "core/haptics/bench": f"{LOOP} core/haptics core/haptics/device",
     "core/haptics/blackbox": f"{LOOP} core/haptics",
+    "core/experiment": f"{LOOP} core/haptics/",
     "core/fidelity": ENGINE,
     "core/studies": MODEL,
     "core/studies/extremes": f"{MODEL} core/studies",
@@ -91,6 +92,7 @@ RULES = {
     "core/io/heightmap/wsxm": READERS,
     "core/io/heightmap/x3p": f"{READERS} core/io/zip",
     "core/io/scene": RUNS,
+    "core/io/experiment": f"{RUNS} core/experiment core/io/scene",
     "core/io/recording": f"{RUNS} core/io/hdf5",
     "core/words": "core/",
     "vtkplugins/module": MODEL,
@@ -115,8 +117,10 @@ RULES = {
     "app/reports/page": "core/ vtkplugins/pictures",
     "app/reports": f"{BELOW_APP} app/program app/runs",
     "app/exports": f"{BELOW_APP} app/program app/runs app/reports app/recording",
+    "app/experiment": f"{BELOW_APP} app/program app/runs app/recording app/exports",
     "app/session": f"{BELOW_APP} app/program app/runs app/reports app/recording app/exports",
     "app/commands": f"{BELOW_APP} app/program app/runs app/reports/ app/recording app/exports"
+                    " app/experiment"
                     " app/session",
     "app/reports/run": f"{BELOW_APP} app/program app/runs app/reports app/reports/page",
     "app": PRODUCT,  # main

@@ -79,7 +79,7 @@ public:
         , scale_(scale)
         , titleSize_(titleSize)
         , parts_(parts)
-        , x_({chart.xLabel, chart.xUnit, chart.logX, ticksIn(area.width, kTickWidth)},
+        , x_({chart.xLabel, chart.xUnit, chart.logX, ticksIn(area.width, kTickWidth), chart.xNames},
              allValues(chart, &Curve::x))
         , y_({chart.yLabel, chart.yUnit, chart.logY, ticksIn(area.height, kTickHeight)},
              allValues(chart, &Curve::y)) {}

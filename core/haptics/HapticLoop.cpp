@@ -40,6 +40,7 @@ void HapticLoop::start() {
 void HapticLoop::setDevice(HapticDevice& device) noexcept {
     device_ = &device;
     specification_ = device.specification();
+    ++latest_.sample.input.starts;
 }
 
 void HapticLoop::stop() {

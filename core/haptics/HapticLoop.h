@@ -41,7 +41,8 @@ public:
     /// One tick without waiting for its time; only while the loop does not run. The base is then
     /// where the present device has it, before another one takes over that may be anywhere.
     void step();
-    /// Another device takes over; only while the loop does not run. It outlives the loop.
+    /// Another device takes over; only while the loop does not run. It outlives the loop. Where it
+    /// is at first moves nothing, and its force comes on as after a start.
     void setDevice(HapticDevice& device) noexcept;
     /// Lets the present tick end; the operator feels nothing from then on.
     void stop();

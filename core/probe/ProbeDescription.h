@@ -9,6 +9,8 @@ namespace asperity {
 struct ProbeDescription {
     CantileverGeometry lever;
     DetectorCalibration detector;
+
+    bool operator==(const ProbeDescription&) const = default;
 };
 
 }  // namespace asperity

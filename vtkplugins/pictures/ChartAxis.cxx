@@ -51,7 +51,9 @@ ChartAxis::ChartAxis(const Request& request, std::span<const double> values)
     const double padding = span > least ? kPadding * span : low != 0.0 ? 0.5 * std::abs(low) : 1.0;
     low_ = low - padding;
     high_ = high + padding;
-    if (logarithmic_) {
+    if (!request.names.empty()) {
+        setNames(request.names);
+    } else if (logarithmic_) {
         setDecades(request.mostTicks);
     } else {
         setLinearTicks(request.mostTicks);
@@ -64,6 +66,15 @@ double ChartAxis::place(double value) const {
         return shown;
     }
     return shown > 0.0 ? std::log10(shown) : std::numeric_limits<double>::quiet_NaN();
+}
+
+void ChartAxis::setNames(const std::vector<std::string>& names) {
+    low_ = -0.5;
+    high_ = static_cast<double>(names.size()) - 0.5;
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        ticks_.push_back(static_cast<double>(i));
+    }
+    labels_ = names;
 }
 
 void ChartAxis::setLinearTicks(int most) {

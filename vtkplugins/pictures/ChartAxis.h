@@ -14,6 +14,7 @@ public:
         std::string unit;
         bool logarithmic = false;
         int mostTicks = 8;
+        std::vector<std::string> names = {};  ///< of the values 0, 1, ...: ticks are these
     };
 
     /// Fits the axis to all values that it can show.
@@ -29,6 +30,7 @@ public:
     [[nodiscard]] const std::vector<std::string>& labels() const { return labels_; }
 
 private:
+    void setNames(const std::vector<std::string>& names);
     void setLinearTicks(int most);
     void setDecades(int most);
 

@@ -1,0 +1,141 @@
+#include "app/experiment/ExperimentFolder.h"
+
+#include "core/Error.h"
+#include "core/FormattedText.h"
+#include "core/io/experiment/StudyFile.h"
+#include "core/io/experiment/TrialTable.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace asperity {
+
+namespace {
+
+constexpr const char* kStudy = "study.toml";
+constexpr const char* kTable = "trials.csv";
+constexpr const char* kTrials = "trials";
+constexpr const char* kMoments = "trajectory.csv";
+
+/// Everything that a study leaves, for one that replaces it.
+const std::vector<std::string> kOwn{kTable,          kTrials,         "figure_11.png",
+                                    "figure_11.svg", "figure_12.png", "figure_12.svg",
+                                    "figure_13.png", "figure_13.svg", "statistics.csv",
+                                    "findings.csv",  "summary.json",  kStudy};
+
+bool isBefore(const TrialRecord& one, const TrialRecord& other) {
+    return std::pair(one.plan.number, one.plan.attempt) <
+           std::pair(other.plan.number, other.plan.attempt);
+}
+
+/// The same study, wherever its files lie.
+Study comparable(Study study) {
+    std::string& file = study.scene.sample.file;
+    file = file.empty() ? file : std::filesystem::weakly_canonical(file).string();
+    return study;
+}
+
+}  // namespace
+
+ExperimentFolder::ExperimentFolder(std::filesystem::path folder, const Study& study, FolderUse use)
+    : claim_(std::move(folder)), study_(study) {
+    take(use);
+    std::filesystem::create_directories(path() / kTrials);
+    claim_.keep();
+    for (const auto& entry : std::filesystem::directory_iterator(path() / kTrials)) {
+        if (entry.path().filename().string().starts_with('.')) {  // of a program that was killed
+            std::filesystem::remove_all(entry.path());
+        }
+    }
+}
+
+void ExperimentFolder::take(FolderUse use) {
+    const bool isThere = std::filesystem::exists(path() / kStudy);
+    if (isThere && use == FolderUse::Resume) {
+        requireSameStudy();
+        if (std::filesystem::exists(path() / kTable)) {
+            trials_ = readTrials(path() / kTable, study_);
+        }
+        return;
+    }
+    const auto isOwn = [&](const std::string& name) {
+        return std::filesystem::exists(path() / name);
+    };
+    if (use != FolderUse::Replace && std::ranges::any_of(kOwn, isOwn)) {
+        throw Error(path().string() +
+                    ": holds a study; --resume goes on with it, --force replaces it");
+    }
+    for (const std::string& name : kOwn) {
+        std::filesystem::remove_all(path() / name);
+    }
+    writeStudy(study_, path());
+}
+
+void ExperimentFolder::requireSameStudy() const {
+    if (comparable(readStudy(path() / kStudy)) != comparable(study_)) {
+        throw Error((path() / kStudy).string() +
+                    ": is another study; --resume goes on with the same one only");
+    }
+}
+
+std::filesystem::path ExperimentFolder::placeOf(const PlannedTrial& trial) const {
+    const std::string name = formatted("%03d", trial.number);
+    return path() / kTrials /
+           (trial.attempt == 1 ? name : name + "_" + std::to_string(trial.attempt));
+}
+
+std::filesystem::path ExperimentFolder::stagingOf(const PlannedTrial& trial) const {
+    const std::filesystem::path place = placeOf(trial);
+    return place.parent_path() / ("." + place.filename().string());
+}
+
+std::optional<PlannedTrial> ExperimentFolder::nextAttempt(const PlannedTrial& trial) const {
+    const std::lock_guard lock(mutex_);
+    PlannedTrial next = trial;
+    for (const TrialRecord& done : trials_) {
+        if (done.plan.number == trial.number) {
+            if (done.counts()) {
+                return std::nullopt;
+            }
+            next = again(next);
+        }
+    }
+    return next;
+}
+
+std::filesystem::path ExperimentFolder::begin(const PlannedTrial& trial) const {
+    std::filesystem::path staging = stagingOf(trial);
+    std::filesystem::remove_all(staging);
+    std::filesystem::create_directories(staging);
+    return staging;
+}
+
+void ExperimentFolder::keep(const DoneTrial& trial) {
+    writeMoments(stagingOf(trial.record.plan) / kMoments, trial.moments);
+    const std::lock_guard lock(mutex_);
+    std::filesystem::remove_all(placeOf(trial.record.plan));
+    std::filesystem::rename(stagingOf(trial.record.plan), placeOf(trial.record.plan));
+    trials_.insert(std::ranges::upper_bound(trials_, trial.record, isBefore), trial.record);
+    writeTrials(path() / kTable, study_, trials_);
+}
+
+std::vector<TrialMoment> ExperimentFolder::momentsOf(const TrialRecord& trial) const {
+    return readMoments(placeOf(trial.plan) / kMoments);
+}
+
+void requirePlanned(const ExperimentFolder& folder, std::span<const PlannedTrial> planned) {
+    for (const TrialRecord& trial : folder.trials()) {
+        const auto found = std::ranges::find(planned, trial.plan.number, &PlannedTrial::number);
+        PlannedTrial expected = found == planned.end() ? PlannedTrial{} : *found;
+        while (expected.attempt < trial.plan.attempt) {
+            expected = again(expected);
+        }
+        if (expected != trial.plan) {
+            throw Error((folder.path() / kTable).string() + ": trial " +
+                        std::to_string(trial.plan.number) +
+                        " is none of this study with this --seed, --operators and --repeats");
+        }
+    }
+}
+
+}  // namespace asperity

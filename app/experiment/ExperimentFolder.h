@@ -1,0 +1,57 @@
+#pragma once
+
+#include "app/runs/ClaimedFolder.h"
+#include "core/experiment/TrialRecord.h"
+
+#include <filesystem>
+#include <mutex>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace asperity {
+
+/// Whether a folder begins anew, goes on with a study, or gives way to another one.
+enum class FolderUse : std::uint8_t { New, Resume, Replace };
+
+/// The folder of a study: study.toml and what it names, trials.csv, trials/NNN. Each trial is in
+/// its place when it ends: whatever ends the program, at most one of each thread is lost.
+class ExperimentFolder {
+public:
+    /// @throw Error where a study is in the folder and none goes on or gives way, or the one that
+    /// is there is another study; FileError
+    ExperimentFolder(std::filesystem::path folder, const Study& study, FolderUse use);
+
+    [[nodiscard]] const std::filesystem::path& path() const noexcept { return claim_.path(); }
+    [[nodiscard]] const Study& study() const noexcept { return study_; }
+    /// In the order of their numbers and attempts. Not while others keep trials.
+    [[nodiscard]] const std::vector<TrialRecord>& trials() const noexcept { return trials_; }
+
+    /// The next attempt at a trial; none: one counts already. Any thread.
+    [[nodiscard]] std::optional<PlannedTrial> nextAttempt(const PlannedTrial& trial) const;
+    /// An empty folder for a trial that begins: keep() puts it in place. Any thread.
+    [[nodiscard]] std::filesystem::path begin(const PlannedTrial& trial) const;
+    /// A trial has ended: its moments go into the folder of begin(), which takes its place, and it
+    /// gets its row. Any thread. @throw Error, FileError
+    void keep(const DoneTrial& trial);
+
+    /// Read again. @throw InputError
+    [[nodiscard]] std::vector<TrialMoment> momentsOf(const TrialRecord& trial) const;
+
+private:
+    void take(FolderUse use);
+    void requireSameStudy() const;
+    [[nodiscard]] std::filesystem::path placeOf(const PlannedTrial& trial) const;
+    [[nodiscard]] std::filesystem::path stagingOf(const PlannedTrial& trial) const;
+
+    ClaimedFolder claim_;
+    const Study& study_;
+    mutable std::mutex mutex_;
+    std::vector<TrialRecord> trials_;
+};
+
+/// Refuses trials that are none of these planned ones: of another seed or number of participants.
+/// @throw Error
+void requirePlanned(const ExperimentFolder& folder, std::span<const PlannedTrial> planned);
+
+}  // namespace asperity

@@ -1,0 +1,185 @@
+#include "core/experiment/TrialRun.h"
+
+#include "core/experiment/OperatedBench.h"
+#include "core/haptics/HapticLoop.h"
+#include "core/haptics/ScriptedDevice.h"
+#include "core/haptics/coupling/CouplingKeeper.h"
+#include "core/scene/SceneTruth.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace asperity {
+
+namespace {
+
+constexpr double kMomentRate = 100.0;    // [Hz]
+constexpr double kEngagePatience = 5.0;  // for the forces to come on [s]
+
+// How the window shows the sample before anybody turns the view: see ViewScale and ViewCamera.
+constexpr double kScreenWidth = 0.2;    // of the large view [m]
+constexpr double kShownTipRadii = 4.8;  // its width on the sample, in tip radii
+constexpr double kAzimuth = -1.917;     // [rad]
+constexpr double kElevation = 0.565;    // [rad]
+
+Vector3 lineOfSight() {
+    return -Vector3(std::cos(kElevation) * std::cos(kAzimuth),
+                    std::cos(kElevation) * std::sin(kAzimuth), std::sin(kElevation));
+}
+
+OperatorTask operatorTask(const TrialSetup& setup, const Vector3& target, double positionGain) {
+    const double shown = kShownTipRadii * setup.scene.description.tip.radius;
+    return {.target = target,
+            .positionGain = positionGain,
+            .screenScale = kScreenWidth / shown,
+            .lineOfSight = lineOfSight()};
+}
+
+/// Keeps a hundred moments a second, and the largest force between them.
+class MomentKeeper {
+public:
+    explicit MomentKeeper(double timeStep)
+        : every_(std::max(1L, std::lround(1.0 / (kMomentRate * timeStep)))) {}
+
+    void take(const TickSample& sample, const Vector3& tip, double time, bool isLast) {
+        largest_ = std::max(largest_, sample.output.estimate.force.norm());
+        if (ticks_++ % every_ == 0 || isLast) {
+            moments_.push_back({.time = time,
+                                .tip = tip,
+                                .shown = sample.output.model.tip,
+                                .device = sample.input.device.position,
+                                .force = sample.output.estimate.force,
+                                .deviceForce = sample.output.deviceForce,
+                                .largestForce = std::exchange(largest_, 0.0)});
+        }
+    }
+
+    [[nodiscard]] std::vector<TrialMoment> release() { return std::move(moments_); }
+
+private:
+    long every_;
+    long ticks_ = 0;
+    double largest_ = 0.0;
+    std::vector<TrialMoment> moments_;
+};
+
+/// A trial while it is done.
+class RunningTrial {
+public:
+    RunningTrial(const TrialSetup& setup, const PlannedTrial& plan)
+        : setup_(setup)
+        , plan_(plan)
+        , places_(placesOf(setup.study, setup.scene, plan))
+        , settings_(trialSettings(setup.study, setup.scene, setup.bench, places_.target))
+        , afm_(setup.scene.trueSurface(), truth(setup.scene, plan.seed))
+        , waiting_({{0.0, places_.start}}, setup.scene.settings.positionGain)
+        , device_(setup.bench, Vector3::Zero(),
+                  Operator(setup.person,
+                           operatorTask(setup, places_.target, settings_.positionGain),
+                           Vector3::Zero(), plan.seed))
+        , loop_(setup.scene, waiting_, afm_) {
+        device_.showDeformation(setup.study.aids.deformation);
+        loop_.step();  // the base waits where the trial begins before the bench takes over
+        loop_.setSettings(settings_);
+        loop_.setDevice(device_);
+    }
+
+    DoneTrial run(const TrialWatch& watch) {
+        engage();
+        DoneTrial done;
+        done.record.plan = plan_;
+        done.record.start = tip();
+        done.record.target = places_.target;
+        done.record.scale = {.positionGain = settings_.positionGain,
+                             .forceGain = settings_.forceGain};
+        done.record.coupling = settings_.coupling;
+        device_.person().begin();
+        if (watch.begin) {
+            watch.begin(loop_.memory());
+        }
+        MomentKeeper keeper(setup_.scene.timeStep());
+        for (long ticks = 1; !ended_; ++ticks) {
+            loop_.step();
+            const TickSample& sample = loop_.snapshot().sample;
+            const double time = static_cast<double>(ticks) * setup_.scene.timeStep();
+            done.record.fault = sample.output.fault;
+            done.record.timedOut = time >= setup_.study.timeLimit;
+            ended_ = done.record.timedOut || done.record.fault != Fault::None ||
+                     device_.person().hasPressed();
+            keeper.take(sample, tip(), time, ended_);
+            if (watch.tick) {
+                watch.tick(sample);
+            }
+        }
+        done.moments = keeper.release();
+        evaluate(done);
+        return done;
+    }
+
+private:
+    static InstrumentTruth truth(const Scene& scene, std::uint64_t seed) {
+        InstrumentTruth truth = truthOf(scene);
+        truth.seed = seed;
+        return truth;
+    }
+
+    /// Nothing is measured while the forces come on; whether they do is found in the trial.
+    void engage() {
+        const double patience = kEngagePatience + settings_.governor.engageTime;
+        const auto ticks = std::lround(patience / setup_.scene.timeStep());
+        for (long i = 0; i < ticks && !isOn(); ++i) {
+            loop_.step();
+        }
+    }
+
+    [[nodiscard]] bool isOn() {
+        const ForceState state = loop_.snapshot().sample.output.forceState;
+        return loop_.snapshot().statistics.ticks > 1 &&
+               (!settings_.forcesOn || state == ForceState::On || state == ForceState::Limited);
+    }
+
+    [[nodiscard]] Vector3 tip() const { return afm_.trueState().tip; }
+
+    const TrialSetup& setup_;
+    const PlannedTrial& plan_;
+    TrialPlaces places_;
+    Settings settings_;
+    SimulatedAfm afm_;
+    ScriptedDevice waiting_;
+    OperatedBench device_;
+    HapticLoop loop_;
+    bool ended_ = false;
+};
+
+}  // namespace
+
+TrialPlaces placesOf(const Study& study, const Scene& scene, const PlannedTrial& trial) {
+    const Vector2 middle = 0.5 * Vector2(scene.surface.sizeX(), scene.surface.sizeY());
+    const auto above = [&](const Vector2& place, double height) {
+        return Vector3(place.x(), place.y(), touchHeight(scene, place.x(), place.y()) + height);
+    };
+    return {.start = above(middle, study.startHeight),
+            .target = above(middle + study.targets.at(trial.target), trial.height)};
+}
+
+Settings trialSettings(const Study& study, const Scene& scene, const BenchSetup& bench,
+                       const Vector3& target) {
+    Settings settings = scene.settings;
+    if (study.aids.coupling) {
+        CouplingKeeper keeper(scene);
+        settings = keeper.takeOver(VirtualBench(bench, Vector3::Zero()).specification(),
+                                   bench.delay, settings);
+        settings.guide.kind = study.aids.guide;
+        settings.guide.point = target;
+        settings.guide.axis = Vector3::UnitZ();
+        settings = keeper.turned(settings, bench.delay);
+    }
+    return settings;
+}
+
+DoneTrial runTrial(const TrialSetup& setup, const PlannedTrial& trial, const TrialWatch& watch) {
+    return RunningTrial(setup, trial).run(watch);
+}
+
+}  // namespace asperity
