@@ -57,7 +57,7 @@ double conditionOf(const ContactGeometry& geometry, double coupling) noexcept {
     const double nn = n.z() + (coupling * n.x());
     const double ff = f.z() + (coupling * f.x());
     const double largest =
-        0.5 * (Vector2(nn + f.y(), ff - n.y()).norm() + Vector2(nn - f.y(), ff + n.y()).norm());
+        0.5 * (std::hypot(nn + f.y(), ff - n.y()) + std::hypot(nn - f.y(), ff + n.y()));
     const double determinant = std::abs((nn * f.y()) - (ff * n.y()));
     if (determinant * kSingularCondition <= largest * largest) {
         return std::numeric_limits<double>::infinity();
@@ -71,15 +71,14 @@ struct WhitenedSystem {
     Eigen::Matrix<double, 5, 1> values = Eigen::Matrix<double, 5, 1>::Zero();
 
     void set(int row, const Vector3& direction, double value, double sigma) noexcept {
-        const double weight = 1.0 / sigma;
-        rows.row(row) = weight * direction.transpose();
-        values(row) = weight * value;
+        rows.row(row) = direction.transpose() / sigma;
+        values(row) = value / sigma;
     }
 };
 
 /// Standard deviation of the friction law [N].
 double lawDeviation(const Sliding& sliding, double scale) noexcept {
-    return scale * Vector2(sliding.certainty * kFrictionLawDefect, sliding.doubt).norm();
+    return scale * std::hypot(sliding.certainty * kFrictionLawDefect, sliding.doubt);
 }
 
 /// Weight of T = mu N + tau A against T = 0, which takes its place where the model pulls the tip so
@@ -109,9 +108,9 @@ WhitenedSystem whitenedSystem(const Cantilever& cantilever, const DecouplingInpu
     system.set(0, Vector3(cantilever.couplingRatio(), 0.0, 1.0), in.signals.bending / cz,
                in.sigma.bending / cz);
     system.set(1, Vector3::UnitY(), in.signals.torsion / cy, in.sigma.torsion / cy);
-    system.set(2, planeNormal, 0.0, scale * Vector2(g * kPlanarityDefect, sliding.doubt).norm());
+    system.set(2, planeNormal, 0.0, scale * std::hypot(g * kPlanarityDefect, sliding.doubt));
     system.set(3, frictionLaw, law * adhesiveFriction(in),
-               Vector2(lawDeviation(sliding, scale), in.frictionLawError).norm());
+               std::hypot(lawDeviation(sliding, scale), in.frictionLawError));
     system.set(4, normal, in.normalForceModel, in.normalForceSigma);
     return system;
 }
@@ -149,7 +148,7 @@ Plausibility plausibilityOf(const DecouplingInput& in, const ContactGeometry& ge
     const Vector3 excess = law > 0.0 ? Vector3(f - (in.frictionCoefficient * n)) : f;
     // The law itself holds to a share only, and at rest friction may have any direction.
     const double sigma =
-        Vector2(deviationAlong(covariance, excess), lawDeviation(sliding, scale)).norm();
+        std::hypot(deviationAlong(covariance, excess), lawDeviation(sliding, scale));
     plausibility.pushesAlong =
         friction < -(kMinFriction + (kPlausibleSigmas * sliding.doubt * scale));
     plausibility.excessFriction =

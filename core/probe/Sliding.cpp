@@ -39,7 +39,7 @@ Sliding slidingOf(const Vector3& normal, const Vector3& velocity) noexcept {
     const Vector3 against = -tangential / speed;
     // A second pass: where v is almost parallel to n, the first leaves a normal part of rounding.
     sliding.friction = (against - (against.dot(normal) * normal)).normalized();
-    const double total = Vector2(speed, kRestSpeed).norm();
+    const double total = std::hypot(speed, kRestSpeed);
     sliding.certainty = speed / total;
     sliding.doubt = kRestSpeed / total;
     return sliding;
