@@ -82,6 +82,20 @@ TEST(HapticLoop, AStepIsATickWithoutTheClock) {
     EXPECT_EQ(times, (std::vector<double>{0.0, bench.scene.timeStep()}));
 }
 
+TEST(HapticLoop, ADeviceThatTakesOverMovesNothingByWhereItIs) {
+    const Scene scene = flatScene();
+    const Vector3 place = middleAbove(scene, 20.0_nm);
+    FakeDevice first(place / scene.settings.positionGain);
+    FakeDevice second(Vector3(0.02, -0.01, 0.03));
+    SimulatedAfm afm(scene.trueSurface(), truthOf(scene));
+    HapticLoop loop(scene, first, afm);
+    loop.step();
+    loop.setDevice(second);
+    loop.step();
+    loop.step();
+    EXPECT_LT((loop.snapshot().sample.output.base.position - place).norm(), 1e-15);
+}
+
 TEST(HapticLoop, ADeviceSeesWhatEveryTickComputed) {
     Bench bench;
     bench.loop.step();
