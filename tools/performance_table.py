@@ -37,13 +37,31 @@ def with_table(page, rows):
     return f"{before}{BEGIN}\n\n{table(rows)}\n\n{END}{after}"
 
 
+def names_in(page):
+    """The figures of the table that the page has."""
+    lines = page.split(BEGIN)[1].split(END)[0].strip().splitlines()[2:]
+    return [line.split("|")[1].strip() for line in lines]
+
+
+def rows_of(path):
+    try:
+        return json.loads(pathlib.Path(path).read_text())["rows"]
+    except (OSError, ValueError, KeyError) as problem:
+        sys.exit(f"{path}: no rows of asperity bench --json ({problem})")
+
+
 def main():
     if len(sys.argv) not in (2, 3):
         sys.exit(__doc__)
-    rows = json.loads(pathlib.Path(sys.argv[1]).read_text())["rows"]
+    rows = rows_of(sys.argv[1])
     top = pathlib.Path(__file__).resolve().parent.parent
     page = pathlib.Path(sys.argv[2]) if len(sys.argv) == 3 else top / "docs" / "performance.md"
-    page.write_text(with_table(page.read_text(), rows))
+    text = page.read_text()
+    missing = sorted(set(names_in(text)) - {row["name"] for row in rows})
+    if missing:
+        sys.exit(f"{sys.argv[1]}: {len(missing)} figures of {page.name} are missing, such as "
+                 f"'{missing[0]}': the table is that of one whole run, not --quick")
+    page.write_text(with_table(text, rows))
 
 
 if __name__ == "__main__":

@@ -192,7 +192,9 @@ Way foldsWay(double lambda) {
     constexpr int kCount = 100;
     const auto run = [lambda] {
         for (int i = 0; i < kCount; ++i) {
-            used = MaugisDugdale(lambda * (1.0 + (1e-4 * i))).lowestContact().force;
+            used = MaugisDugdale(lambda * (1.0 + (1e-4 * i)), MaugisDugdale::LoadFold::OnDemand)
+                       .lowestContact()
+                       .force;
         }
     };
     return {.name = "folds of a new radius", .sweep = run, .solutions = kCount};
@@ -256,6 +258,15 @@ void addRows(const Material& material, std::vector<Way>& ways,
     }
 }
 
+/// The shorter of both: a slow moment of the machine is nobody's time.
+std::optional<PeerTiming> shorter(const std::optional<PeerTiming>& one,
+                                  const std::optional<PeerTiming>& other) {
+    if (!one || !other) {
+        return std::nullopt;
+    }
+    return one->nanoseconds < other->nanoseconds ? one : other;
+}
+
 void benchMaterial(const Material& material, int repeats, std::vector<BenchRow>& rows) {
     const MaugisDugdale law(material.lambda);
     const MaugisTable flat({material.lambda, material.lambda, kMaxTable});
@@ -273,8 +284,9 @@ void benchMaterial(const Material& material, int repeats, std::vector<BenchRow>&
         springFoldWay(law),
         foldsWay(material.lambda),
     };
+    const auto numpyBefore = timeSciPy("numpy", peerCases(law));
     measure(ways, repeats);
-    const auto numpy = timeSciPy("numpy", peerCases(law));
+    const auto numpy = shorter(numpyBefore, timeSciPy("numpy", peerCases(law)));
     const auto math = timeSciPy("math", peerCases(law));
     std::printf("%s, lambda %.4f: time of one solution, ratio to SciPy (numpy, math)\n",
                 material.name, material.lambda);

@@ -45,6 +45,23 @@ class PerformanceTable(unittest.TestCase):
             "| slow | 16,432 x | ≥ 20,000 x | no |",
             "| alone | not installed | ≥ 2 x | |"])
 
+    def test_refuses_rows_of_a_part_and_leaves_the_page(self):
+        with tempfile.TemporaryDirectory() as folder:
+            rows = pathlib.Path(folder, "rows.json")
+            page = pathlib.Path(folder, "page.md")
+            rows.write_text(json.dumps({"rows": ROWS}))
+            page.write_text(PAGE)
+            subprocess.run([sys.executable, TOOL, rows, page], check=True)
+            before = page.read_text()
+            for part in (json.dumps({"rows": ROWS[:1]}), "no json", "{}"):
+                rows.write_text(part)
+                done = subprocess.run([sys.executable, TOOL, rows, page], capture_output=True,
+                                      text=True, check=False)
+                self.assertEqual(done.returncode, 1)
+                self.assertIn("rows.json", done.stderr)
+                self.assertNotIn("Traceback", done.stderr)
+                self.assertEqual(page.read_text(), before)
+
 
 if __name__ == "__main__":
     unittest.main()

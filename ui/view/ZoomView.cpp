@@ -120,17 +120,20 @@ void ZoomView::resetCamera() {
 
 void ZoomView::lookFrom(ViewDirection side) {
     camera_.lookFrom(side);
-    showTurned();
+    disturb();
+    renderSoon();
 }
 
 void ZoomView::setDirection(double azimuth, double elevation) {
     camera_.setDirection(azimuth, elevation);
-    showTurned();
+    disturb();
+    renderSoon();
 }
 
 void ZoomView::setPerspective(bool perspective) {
     camera_.setPerspective(perspective);
-    showTurned();
+    disturb();
+    renderSoon();
 }
 
 void ZoomView::setOptions(const ViewOptions& options) {

@@ -18,7 +18,9 @@ double creditedStress(const MaugisUnits& units, double stress) noexcept {
 MaugisLaw::MaugisLaw(const ContactPair& pair, double cohesiveStress, MaugisSolver solver) noexcept
     : units_(maugisUnits(pair))
     , cohesiveStress_(creditedStress(units_, cohesiveStress))
-    , curve_(transitionParameter(units_, cohesiveStress_))
+    , curve_(transitionParameter(units_, cohesiveStress_), solver.solver == SolverSetting::Exact
+                                                               ? MaugisDugdale::LoadFold::Kept
+                                                               : MaugisDugdale::LoadFold::OnDemand)
     , solver_(solver) {}
 
 double MaugisLaw::range() const noexcept { return curve_.curve().range() * units_.indentation; }

@@ -120,7 +120,7 @@ MaugisPoint foldOf(const MaugisCurve& curve, double MaugisPoint::*rate,
 
 }  // namespace
 
-MaugisDugdale::MaugisDugdale(double lambda) noexcept
+MaugisDugdale::MaugisDugdale(double lambda, LoadFold loadFold) noexcept
     : curve_(lambda)
     , touch_(curve_.noncontact(curve_.touchRadius()))
     , lowestContact_(curve_.contact(0.0)) {
@@ -128,20 +128,18 @@ MaugisDugdale::MaugisDugdale(double lambda) noexcept
         lowestContact_ =
             foldOf(curve_, &MaugisPoint::indentationRate, &Landmarks::displacementFold);
     }
+    if (loadFold == LoadFold::Kept) {
+        loadFold_ = this->loadFold();
+    }
 }
 
 MaugisPoint MaugisDugdale::loadFold() const noexcept {
-    return foldOf(curve_, &MaugisPoint::forceRate, &Landmarks::loadFold);
+    return loadFold_ ? *loadFold_ : foldOf(curve_, &MaugisPoint::forceRate, &Landmarks::loadFold);
 }
 
 MaugisPoint MaugisDugdale::fold(const MaugisControl& control) const noexcept {
-    return fold(control, loadFold());
-}
-
-MaugisPoint MaugisDugdale::fold(const MaugisControl& control,
-                                const MaugisPoint& loadFold) const noexcept {
     if (control.perIndentation == 0.0) {
-        return loadFold;
+        return loadFold();
     }
     if (control.heldRate(touch_) > 0.0) {
         const double lift = 8.0 * curve_.lambda() / (3.0 * pi);
@@ -159,6 +157,7 @@ MaugisPoint MaugisDugdale::fold(const MaugisControl& control,
         const double pull = control.perForce * std::abs(point.forceRate);
         return (point.indentationRate - pull) / (std::abs(point.indentationRate) + pull);
     };
+    const MaugisPoint loadFold = this->loadFold();
     const double low = lowestContact_.coordinate;
     const double high = loadFold.coordinate;
     const double pull = control.perForce * std::abs(lowestContact_.forceRate);
@@ -173,7 +172,7 @@ std::optional<MaugisPoint> MaugisDugdale::stable(const MaugisControl& control,
     if (value >= control.held(loadFold)) {
         return climb(control, value, loadFold);
     }
-    const MaugisPoint end = fold(control, loadFold);
+    const MaugisPoint end = fold(control);
     if (value < control.held(end)) {
         return std::nullopt;
     }

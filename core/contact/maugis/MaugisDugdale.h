@@ -2,6 +2,7 @@
 
 #include "core/contact/maugis/MaugisCurve.h"
 
+#include <cstdint>
 #include <optional>
 
 namespace asperity {
@@ -31,7 +32,11 @@ struct MaugisControl {
 /// Source: docs/theory.md 2.5, 2.7, 7.1.
 class MaugisDugdale {
 public:
-    explicit MaugisDugdale(double lambda) noexcept;
+    /// Whether the fold in load control is found at once, for laws that many cold solutions are
+    /// asked of, or by each that asks for it: a law that follows a way never does.
+    enum class LoadFold : std::uint8_t { Kept, OnDemand };
+
+    explicit MaugisDugdale(double lambda, LoadFold loadFold = LoadFold::Kept) noexcept;
 
     [[nodiscard]] const MaugisCurve& curve() const noexcept { return curve_; }
 
@@ -56,11 +61,8 @@ public:
     [[nodiscard]] MaugisPoint atContactRadius(double contactRadius) const noexcept;
 
 private:
-    /// The smallest force of all states; found on demand, as what follows a way does not ask for
-    /// it.
+    /// The smallest force of all states.
     [[nodiscard]] MaugisPoint loadFold() const noexcept;
-    [[nodiscard]] MaugisPoint fold(const MaugisControl& control,
-                                   const MaugisPoint& loadFold) const noexcept;
     [[nodiscard]] MaugisPoint climb(const MaugisControl& control, double value,
                                     const MaugisPoint& from) const noexcept;
     [[nodiscard]] std::optional<MaugisPoint> follow(const MaugisControl& control, double value,
@@ -71,7 +73,8 @@ private:
                                                double value) const noexcept;
 
     MaugisCurve curve_;
-    MaugisPoint touch_;          ///< first touch, as a state without contact
+    MaugisPoint touch_;  ///< first touch, as a state without contact
+    std::optional<MaugisPoint> loadFold_;
     MaugisPoint lowestContact_;  ///< end of the stable states with contact, by indentation
 };
 

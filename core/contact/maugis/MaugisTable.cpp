@@ -74,7 +74,7 @@ std::optional<MaugisState> MaugisTable::stable(const MaugisDugdale& law, double 
     double coordinate = 0.0;
     double indentation = std::isfinite(start) ? start : 0.0;
     if (compliance == 0.0) {
-        indentation = value;
+        indentation = value;  // a rigid lever holds it: one look-up
     }
     for (int i = 0; i < kMaxIterations; ++i) {
         const auto found = entry(law, indentation);

@@ -4,7 +4,9 @@
 #include "tests/vtkplugins/NeedsDisplay.h"
 #include "ui/view/ZoomView.h"
 
+#include <QApplication>
 #include <QImage>
+#include <QMouseEvent>
 #include <QtTest>
 
 #include <gtest/gtest.h>
@@ -35,6 +37,15 @@ protected:
         view->showSnapshot(snapshot);
         settle();
         return view->frame();
+    }
+
+    /// Turns the view a little, as a user does with the right button.
+    void turn() {
+        QTest::mousePress(view.get(), Qt::RightButton, Qt::NoModifier, {100, 100});
+        QMouseEvent move(QEvent::MouseMove, QPointF(110.0, 100.0), Qt::RightButton, Qt::RightButton,
+                         Qt::NoModifier);
+        QApplication::sendEvent(view.get(), &move);
+        QTest::mouseRelease(view.get(), Qt::RightButton, Qt::NoModifier, {110, 100});
     }
 
     [[nodiscard]] QColor colorAt(const QImage& picture, const Vector3& place) const {

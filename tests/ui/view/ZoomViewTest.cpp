@@ -315,13 +315,21 @@ TEST_F(ZoomViewTest, FitsItsPictureToItsSize) {
     EXPECT_EQ(view->frame().size(), QSize(400, 560));
 }
 
+TEST_F(ZoomViewTest, DrawsAllPixelsFromASideThatIsChosen) {
+    view->resize(1200, 800);
+    settle();
+    view->setDirection(view->camera().azimuth() + 0.1, view->camera().elevation());
+    view->showSnapshot(moments.deep);
+    EXPECT_EQ(view->frame().size(), QSize(1200, 800));
+}
+
 TEST_F(ZoomViewTest, DrawsFewerPixelsWhileTheCameraTurns) {
     view->resize(1200, 800);
     settle();
     view->showSnapshot(moments.deep);
     ASSERT_EQ(view->frame().size(), QSize(1200, 800));
     const Vector3 apex = moments.deep.sample.output.model.tip;
-    view->setDirection(view->camera().azimuth() + 0.1, view->camera().elevation());
+    turn();
     view->showSnapshot(moments.deep);
     const QSize turning = view->frame().size();
     const QPointF whileTurning = view->onScreen(apex);
@@ -336,7 +344,7 @@ TEST_F(ZoomViewTest, DrawsFewerPixelsWhileTheCameraTurns) {
 TEST_F(ZoomViewTest, DrawsAllPixelsOfASmallViewWhileTheCameraTurns) {
     view->showSnapshot(moments.deep);
     const QSize still = view->frame().size();
-    view->setDirection(view->camera().azimuth() + 0.1, view->camera().elevation());
+    turn();
     view->showSnapshot(moments.deep);
     EXPECT_EQ(view->frame().size(), still);
 }
