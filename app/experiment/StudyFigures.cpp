@@ -100,11 +100,7 @@ void alignHeights(std::vector<Chart>& charts) {
         }
     }
     for (Chart& chart : charts) {
-        chart.curves.push_back({.label = {},
-                                .x = {0.0, 0.0},
-                                .y = {0.0, highest},
-                                .color = kLightPalette.paper,
-                                .points = true});
+        chart.yHolds = {0.0, highest};
     }
 }
 

@@ -49,6 +49,12 @@ std::vector<double> allValues(const Chart& chart, std::vector<double> Curve::*va
     return all;
 }
 
+std::vector<double> allHeights(const Chart& chart) {
+    std::vector<double> all = allValues(chart, &Curve::y);
+    all.insert(all.end(), chart.yHolds.begin(), chart.yHolds.end());
+    return all;
+}
+
 void check(const Chart& chart) {
     for (const Curve& curve : chart.curves) {
         if (curve.x.size() != curve.y.size()) {
@@ -82,7 +88,7 @@ public:
         , x_({chart.xLabel, chart.xUnit, chart.logX, ticksIn(area.width, kTickWidth), chart.xNames},
              allValues(chart, &Curve::x))
         , y_({chart.yLabel, chart.yUnit, chart.logY, ticksIn(area.height, kTickHeight)},
-             allValues(chart, &Curve::y)) {}
+             allHeights(chart)) {}
 
     void draw() {
         placePlot();

@@ -81,6 +81,15 @@ TEST(ChartAxis, LogarithmicAxesHaveDecadesAndNoPlaceForZero) {
     EXPECT_TRUE(std::isnan(axis.place(-1.0)));
 }
 
+TEST(ChartAxis, CategoriesStandUnderTheirNames) {
+    const std::vector<double> values{0.0, 2.0};
+    const ChartAxis axis({"", "", false, 8, {"oxide", "polystyrene", "rubber"}}, values);
+    EXPECT_EQ(axis.labels(), (std::vector<std::string>{"oxide", "polystyrene", "rubber"}));
+    EXPECT_EQ(axis.ticks(), (std::vector<double>{0.0, 1.0, 2.0}));
+    EXPECT_LT(axis.low(), 0.0);
+    EXPECT_GT(axis.high(), 2.0);
+}
+
 TEST(ChartAxis, ConstantAndMissingValuesStillGiveARange) {
     for (const std::vector<double>& values :
          {std::vector<double>{}, std::vector<double>{5.0, 5.0}, std::vector<double>{0.0},

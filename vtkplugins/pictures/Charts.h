@@ -35,6 +35,7 @@ struct Chart {
     bool logX = false;
     bool logY = false;
     std::vector<std::string> xNames = {};  ///< of x = 0, 1, ...: categories, on pages of plots
+    std::vector<double> yHolds = {};       ///< values that its y axis reaches, on pages of plots
 };
 
 /// Draws the charts row by row on one page, `columns` side by side. Long series are thinned such

@@ -16,7 +16,8 @@ struct Rise {
 
 /// Search for the coordinate where a rising quantity takes the value `target`. It grows from
 /// `origin` (coordinate and value) roughly as a power of the distance, so Newton's method runs on
-/// the logarithms of both; a bracket guards it. Real-time safe.
+/// the logarithms of both, and on themselves near the root or where that takes long, as for a
+/// quantity that levels off; a bracket guards it. Real-time safe.
 class RisingSearch {
 public:
     RisingSearch(double origin, double originValue, double target,
@@ -26,7 +27,8 @@ public:
     /// The root, from a first guess beyond the origin; `function(coordinate)` gives a Rise.
     template <typename Function>
     [[nodiscard]] double solve(const Function& function, double guess) noexcept {
-        constexpr int kMaxIterations = 100;
+        constexpr int kPowerSteps = 100;
+        constexpr int kMaxIterations = 200;
         double here = guess;
         for (int i = 0; i < kMaxIterations; ++i) {
             const Rise rise = function(here);
@@ -34,7 +36,7 @@ public:
                 break;
             }
             const double before = here;
-            here = next(before, rise);
+            here = next(before, rise, i >= kPowerSteps);
             if (std::abs(here - before) <= 2.0 * std::numeric_limits<double>::epsilon() * here) {
                 break;
             }
@@ -43,10 +45,10 @@ public:
     }
 
 private:
-    [[nodiscard]] double next(double here, const Rise& rise) noexcept {
+    [[nodiscard]] double next(double here, const Rise& rise, bool takesLong) noexcept {
         const double miss = rise.value - target_;
         (miss < 0.0 ? low_ : high_) = here;
-        const bool near = std::abs(miss) < 1e-3 * (target_ - originValue_);
+        const bool near = takesLong || std::abs(miss) < 1e-3 * (target_ - originValue_);
         const double trial = near ? newtonStep(here, miss, rise.rate) : powerStep(here, rise);
         const bool shrinks = std::isinf(high_) || std::abs(trial - here) < 0.5 * steps_[0];
         const double there = trial > low_ && trial < high_ && shrinks ? trial : middle();

@@ -64,6 +64,18 @@ TEST(PlotPage, NamesAxesWithTheUnitThatIsShown) {
     EXPECT_TRUE(hasText(page, "Fx"));
 }
 
+TEST(PlotPage, HoldsTheHeightsAndNamesThatAChartAsksFor) {
+    std::vector<Chart> some = charts(1);
+    some[0].yUnit.clear();
+    some[0].yHolds = {0.0, 40.0};
+    some[0].xNames = {"oxide", "rubber"};
+    const PlotPage page = plotPage(some, specOf(800, 600));
+    EXPECT_TRUE(hasText(page, "40"));
+    EXPECT_TRUE(hasText(page, "oxide"));
+    EXPECT_TRUE(hasText(page, "rubber"));
+    EXPECT_FALSE(hasText(page, "0.5"));
+}
+
 TEST(PlotPage, PartsACurveWhereItHasNoValue) {
     const PlotPage page = plotPage(charts(1), specOf(800, 600));
     const auto ofTwo = std::ranges::count_if(page.lines, [](const PlotPage::Line& line) {

@@ -300,5 +300,24 @@ TEST(GaussLegendre, IntegratesPolynomialsExactly) {
     }
 }
 
+/// There the pull of the cohesive zone fades exponentially and the indentation levels off to the
+/// depth, which a search in powers of the distance takes too long for.
+TEST(SphereMaugisLaw, ATipThatSinksByManyRadiiIsInEquilibrium) {
+    for (const double modulus : {0.1, 3.9, 10.0, 100.0}) {  // [Pa]
+        const ContactModel model(
+            ContactLaw::SphereMaugis,
+            {.tipRadius = 0.448e-9, .reducedModulus = modulus, .workOfAdhesion = 0.001}, {});
+        for (const double approach : {1e-9, 8e-9, 9e-9, 1.07e-8, 2e-8, 2e-7}) {
+            for (const double compliance : {0.0, 85.8}) {
+                const ContactState state =
+                    model.equilibrium(approach, compliance, {ContactBranch::Bonded});
+                EXPECT_NEAR(state.indentation + (compliance * state.force), approach,
+                            1e-12 * approach)
+                    << modulus << ' ' << approach;
+            }
+        }
+    }
+}
+
 }  // namespace
 }  // namespace asperity
