@@ -91,16 +91,18 @@ Chart meanChart(const Study& study, const std::vector<StudyEstimate>& statistics
     return chart;
 }
 
-/// All charts from 0 to the same height, so that sizes compare.
+/// All charts over the same heights, 0 among them, so that sizes compare.
 void alignHeights(std::vector<Chart>& charts) {
+    double lowest = 0.0;
     double highest = 0.0;
     for (const Chart& chart : charts) {
         for (const Curve& curve : chart.curves) {
+            lowest = std::min(lowest, std::ranges::min(curve.y));
             highest = std::max(highest, std::ranges::max(curve.y));
         }
     }
     for (Chart& chart : charts) {
-        chart.yHolds = {0.0, highest};
+        chart.yHolds = {lowest, highest};
     }
 }
 
