@@ -11,6 +11,7 @@ foreach(
   lib/udev/rules.d/70-asperity-hid.rules
   share/applications/asperity.desktop
   share/asperity/data/scenes/granular_film.toml
+  share/asperity/data/studies/positioning.toml
   share/bash-completion/completions/asperity
   share/doc/asperity/copyright
   share/icons/hicolor/scalable/apps/asperity.svg
