@@ -61,9 +61,12 @@ void ExperimentFolder::take(FolderUse use) {
     const auto isOwn = [&](const std::string& name) {
         return std::filesystem::exists(path() / name);
     };
-    if (use != FolderUse::Replace && std::ranges::any_of(kOwn, isOwn)) {
+    if (isThere && use != FolderUse::Replace) {
         throw Error(path().string() +
                     ": holds a study; --resume goes on with it, --force replaces it");
+    }
+    if (!isThere && std::ranges::any_of(kOwn, isOwn)) {  // of a run, or somebody's
+        throw Error(path().string() + ": holds files of the names of a study's, and no study");
     }
     for (const std::string& name : kOwn) {
         std::filesystem::remove_all(path() / name);

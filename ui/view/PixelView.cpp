@@ -44,8 +44,8 @@ void copyFrame(const unsigned char* drawn, QImage& frame) {
 PixelView::PixelView(QWidget* parent) : QWidget(parent) {
     setAttribute(Qt::WA_OpaquePaintEvent);
     window_->SetOffScreenRendering(1);
-    window_->SetMultiSamples(0);  // multisampling takes half the frame rate
-    renderWindow().SetFrameBlitModeToNoBlit();
+    window_->SetMultiSamples(0);                // multisampling takes half the frame rate
+    renderWindow().SetFrameBlitModeToNoBlit();  // its pixels are read where they are drawn
 }
 
 PixelView::~PixelView() = default;

@@ -90,6 +90,15 @@ TEST_F(ExperimentFolders, AreNotWrittenOverUnasked) {
     EXPECT_FALSE(std::filesystem::exists(replaced.path() / "trials.csv"));
 }
 
+TEST_F(ExperimentFolders, LeaveFilesOfOthersWhateverIsAsked) {
+    std::filesystem::create_directories(scratch.file("out"));
+    std::ofstream(scratch.file("out") / "summary.json") << "of a run";
+    for (const FolderUse use : {FolderUse::New, FolderUse::Resume, FolderUse::Replace}) {
+        EXPECT_THAT(refusal(use), HasSubstr("no study"));
+        EXPECT_EQ(contentOf(scratch.file("out") / "summary.json"), "of a run");
+    }
+}
+
 TEST_F(ExperimentFolders, GoOnWithTheSameStudyAlone) {
     { const ExperimentFolder folder = open(FolderUse::New); }
     study.repeats = 3;
