@@ -110,6 +110,7 @@ RULES = {
     "ui/view": WINDOW,
     "ui/measure": f"{WINDOW} ui/panels",
     "ui/playback": f"{WINDOW} ui/panels ui/measure",
+    "ui/experiment": f"{WINDOW} ui/panels ui/measure",
     "ui/window": f"{WINDOW} ui/help ui/panels ui/view",
     "app/program": "core/",
     "app/runs": "core/ app/program",
@@ -118,7 +119,8 @@ RULES = {
     "app/reports": f"{BELOW_APP} app/program app/runs",
     "app/exports": f"{BELOW_APP} app/program app/runs app/reports app/recording",
     "app/experiment": f"{BELOW_APP} app/program app/runs app/recording app/exports",
-    "app/session": f"{BELOW_APP} app/program app/runs app/reports app/recording app/exports",
+    "app/session": f"{BELOW_APP} app/program app/runs app/reports app/recording app/exports"
+                   " app/experiment",
     "app/commands": f"{BELOW_APP} app/program app/runs app/reports/ app/recording app/exports"
                     " app/experiment"
                     " app/session",

@@ -40,6 +40,7 @@ ThemeColors forQt(const Palette& colors) {
             .path = toQColor(colors.path),
             .zoom = toQColor(colors.zoom),
             .guide = toQColor(colors.guide),
+            .target = toQColor(colors.target),
             .commanded = toQColor(colors.commanded),
             .trueTip = toQColor(colors.trueTip),
             .blue = toQColor(colors.blue),

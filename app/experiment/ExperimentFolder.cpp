@@ -119,7 +119,19 @@ void ExperimentFolder::keep(const DoneTrial& trial) {
     std::filesystem::remove_all(placeOf(trial.record.plan));
     std::filesystem::rename(stagingOf(trial.record.plan), placeOf(trial.record.plan));
     trials_.insert(std::ranges::upper_bound(trials_, trial.record, isBefore), trial.record);
-    writeTrials(path() / kTable, study_, trials_);
+    writeTable();
+}
+
+void ExperimentFolder::writeTable() const { writeTrials(path() / kTable, study_, trials_); }
+
+void ExperimentFolder::strikeOut(const PlannedTrial& trial, const std::string& why) {
+    const std::lock_guard lock(mutex_);
+    const auto found = std::ranges::find(trials_, trial, &TrialRecord::plan);
+    if (found == trials_.end()) {
+        throw Error("trial " + std::to_string(trial.number) + " was not done yet");
+    }
+    found->struckOut = why;
+    writeTable();
 }
 
 std::vector<TrialMoment> ExperimentFolder::momentsOf(const TrialRecord& trial) const {

@@ -35,12 +35,17 @@ public:
     /// gets its row. Any thread. @throw Error, FileError
     void keep(const DoneTrial& trial);
 
+    /// A trial that is there does not count, and comes again. Any thread.
+    /// @param why in one line @throw Error without such a trial; FileError
+    void strikeOut(const PlannedTrial& trial, const std::string& why);
+
     /// Read again. @throw InputError
     [[nodiscard]] std::vector<TrialMoment> momentsOf(const TrialRecord& trial) const;
 
 private:
     void take(FolderUse use);
     void requireSameStudy() const;
+    void writeTable() const;
     [[nodiscard]] std::filesystem::path placeOf(const PlannedTrial& trial) const;
     [[nodiscard]] std::filesystem::path stagingOf(const PlannedTrial& trial) const;
 

@@ -85,17 +85,17 @@ void DeviceControl::attach() {
 
 void DeviceControl::detach() {
     const LiveRun& run = *runs_.run();
-    before_ = run.coupling().coupled() != nullptr ? device_.driver() : nullptr;
+    before_ = device_.driver();
     scaleBefore_ = {run.settings().positionGain, run.settings().forceGain};
     device_.detach();
 }
 
 void DeviceControl::takeUp() {
-    if (before_ == nullptr) {
+    if (before_ == nullptr || before_ == device_.driver()) {
         return;
     }
     use(*before_);
-    if (device_.driver() == before_) {
+    if (runs_.run()->coupling().coupled() != nullptr) {
         runs_.turn([this](Settings& settings) {
             settings.positionGain = scaleBefore_.positionGain;
             settings.forceGain = scaleBefore_.forceGain;
@@ -166,8 +166,9 @@ void DeviceControl::travelTo(const Vector2& place) {
     if (runs_.run() == nullptr) {
         return;
     }
-    if (!runs_.tipRefusal().isEmpty()) {
-        window_.tell(runs_.tipRefusal());
+    const QString& why = runs_.fixedBy().isEmpty() ? runs_.tipRefusal() : runs_.fixedBy();
+    if (!why.isEmpty()) {
+        window_.tell(why);
         return;
     }
     if (device_.driver() != &pointerDriver()) {

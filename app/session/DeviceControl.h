@@ -36,6 +36,8 @@ public:
     void advance(double seconds);
     /// Whether a device has the tip whose axes are not those of the screen.
     [[nodiscard]] bool hasHardware() const { return device_.isHardware(); }
+    /// Of the device that has the tip; null: a path has it.
+    [[nodiscard]] const DeviceDriver* driver() const { return device_.driver(); }
 
 Q_SIGNALS:
     /// The user wants the device to follow a path.

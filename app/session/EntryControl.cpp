@@ -1,6 +1,7 @@
 #include "app/session/EntryControl.h"
 
 #include "ui/window/MainWindow.h"
+#include "ui/window/ViewOptionsMenu.h"
 #include "ui/window/WindowMenus.h"
 
 #include <QAction>
@@ -23,6 +24,7 @@ EntryControl::EntryControl(MainWindow& window, const RunControl& runs, const Dev
 void EntryControl::show() {
     showThoseOfARun();
     showThoseOfADevice();
+    showThoseOfTheScene();
     window_.menus().setHistory(edits_.undoName(), edits_.redoName());
 }
 
@@ -30,14 +32,17 @@ void EntryControl::showThoseOfARun() {
     WindowMenus& menus = window_.menus();
     LiveRun* const run = runs_.run();
     const QString noRun = unless(run != nullptr, QObject::tr("Open a scan or a scene first"));
-    for (QAction* const entry :
-         {menus.aboutScan, menus.exportView, menus.record, menus.saveSession, menus.saveSessionAs,
-          menus.saveLastSeconds, menus.bundle, menus.startPause, menus.tipControl, menus.clutch,
-          menus.copyNumbers}) {
+    for (QAction* const entry : {menus.aboutScan, menus.exportView, menus.saveLastSeconds,
+                                 menus.bundle, menus.copyNumbers, menus.study}) {
         menus.refuse(*entry, noRun);
     }
+    const QString fixed = noRun.isEmpty() ? runs_.fixedBy() : noRun;
+    for (QAction* const entry : {menus.record, menus.saveSession, menus.saveSessionAs,
+                                 menus.startPause, menus.tipControl, menus.clutch}) {
+        menus.refuse(*entry, fixed);
+    }
     for (QAction* const entry : {menus.followPathFile, menus.followRecording}) {
-        menus.refuse(*entry, noRun.isEmpty() ? runs_.tipRefusal() : noRun);
+        menus.refuse(*entry, fixed.isEmpty() ? runs_.tipRefusal() : fixed);
     }
     const bool isFaulty =
         run != nullptr && run->loop().snapshot().sample.output.fault != Fault::None;
@@ -56,8 +61,21 @@ void EntryControl::showThoseOfADevice() {
         unless(run != nullptr && run->device().specification().calibrates,
                QObject::tr("This device needs no calibration: it has no encoders to zero")));
     menus.refuseGuides(
-        unless(run != nullptr && run->settings().coupling.couples(),
-               QObject::tr("A guide needs a coupling: a force-feedback device's or the scene's")));
+        !runs_.fixedBy().isEmpty()
+            ? runs_.fixedBy()
+            : unless(run != nullptr && run->settings().coupling.couples(),
+                     QObject::tr(
+                         "A guide needs a coupling: a force-feedback device's or the scene's")));
+}
+
+void EntryControl::showThoseOfTheScene() {
+    WindowMenus& menus = window_.menus();
+    ViewOptionsMenu& options = menus.viewOptions();
+    for (QAction* const entry :
+         {menus.open, menus.lookAtRecording, &options.action(&ViewOptions::deformation),
+          &options.action(&ViewOptions::trueTip)}) {
+        menus.refuse(*entry, runs_.fixedBy());
+    }
 }
 
 }  // namespace asperity

@@ -19,6 +19,7 @@ public:
 private:
     void showThoseOfARun();
     void showThoseOfADevice();
+    void showThoseOfTheScene();
 
     MainWindow& window_;
     const RunControl& runs_;

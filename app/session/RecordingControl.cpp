@@ -1,13 +1,13 @@
 #include "app/session/RecordingControl.h"
 
 #include "app/recording/RunPacking.h"
+#include "app/session/UserFolder.h"
 #include "ui/panels/ControlBar.h"
 #include "ui/window/MainWindow.h"
 #include "ui/window/WindowMenus.h"
 
 #include <QAction>
 #include <QDateTime>
-#include <QStandardPaths>
 
 #include <chrono>
 
@@ -28,11 +28,6 @@ std::filesystem::path folderOfThisMoment(const std::filesystem::path& parent) {
     return named(now);
 }
 
-std::filesystem::path standardFolder() {
-    const QString documents = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
-    return std::filesystem::path(documents.toStdString()) / "Asperity";
-}
-
 template <typename Result>
 bool isReady(const std::future<Result>& result) {
     using namespace std::chrono_literals;
@@ -42,7 +37,7 @@ bool isReady(const std::future<Result>& result) {
 }  // namespace
 
 RecordingControl::RecordingControl(MainWindow& window, RunControl& runs)
-    : window_(window), runs_(runs), folder_(standardFolder()) {
+    : window_(window), runs_(runs), folder_(userFolder()) {
     connect(&window.controls(), &ControlBar::recordingChosen, this, &RecordingControl::record);
     connect(window.menus().record, &QAction::triggered, this, &RecordingControl::record);
     connect(window.menus().saveLastSeconds, &QAction::triggered, this, [this] {
@@ -56,7 +51,7 @@ RecordingControl::RecordingControl(MainWindow& window, RunControl& runs)
 }
 
 void RecordingControl::take(const TickSample& sample) {
-    if (recording_ && sample.time > after_) {
+    if (recording_) {
         recording_->take(sample);
     }
 }
@@ -67,7 +62,7 @@ void RecordingControl::advance() {
     if (isReady(packing_)) {
         tellOfPacked();
     }
-    if (recording_ && recording_->end() != RecordingEnd::None) {
+    if (recording_ && recording_->thread().end() != RecordingEnd::None) {
         finish();
     }
 }
@@ -85,14 +80,10 @@ void RecordingControl::record(bool on) {
 void RecordingControl::start(const RecordingPlace& place) {
     failure_.clear();
     runs_.fetch();  // those before the recording belong to nobody
-    LiveRun& run = *runs_.run();
-    const Snapshot before = run.loop().snapshot();
-    after_ = before.statistics.ticks > 0 ? before.sample.time : -1.0;
     try {
         // Packing takes seconds, and whoever finishes a recording waits for its end.
         const RecordingPlace text{.folder = place.folder, .replace = place.replace};
-        recording_ = std::make_unique<RecordingThread>(text, run.loaded(), before.memory,
-                                                       run.device().delay());
+        recording_ = std::make_unique<RunRecording>(text, *runs_.run());
         format_ = place.format;
     } catch (const std::exception& error) {
         failure_ = QString::fromUtf8(error.what());
@@ -104,22 +95,23 @@ void RecordingControl::start(const RecordingPlace& place) {
 void RecordingControl::finish() {
     if (recording_) {
         runs_.fetch();
-        const std::unique_ptr<RecordingThread> ended = std::move(recording_);
+        const std::unique_ptr<RunRecording> recording = std::move(recording_);
+        RecordingThread& ended = recording->thread();
         try {
-            ended->finish();
-            writingTime_ = ended->timePerTick();
-            tellOf(*ended);
+            ended.finish();
+            writingTime_ = ended.timePerTick();
+            tellOf(ended);
         } catch (const std::exception& error) {
             failure_ = QString::fromUtf8(error.what());
             window_.complain(tr("The recording has ended: %1. What was written until then is kept, "
                                 "and can be replayed.")
                                  .arg(failure_));
         }
-        const QString folder = QString::fromStdString(ended->folder().string());
-        if (format_ == RunFormat::Hdf5 && failure_.isEmpty() && ended->ticks() > 0) {
+        const QString folder = QString::fromStdString(ended.folder().string());
+        if (format_ == RunFormat::Hdf5 && failure_.isEmpty() && ended.ticks() > 0) {
             tellOfPacked();  // one at a time
             packed_ = folder;
-            packing_ = std::async(std::launch::async, packRun, ended->folder());
+            packing_ = std::async(std::launch::async, packRun, ended.folder());
         } else {
             Q_EMIT finished(folder);
         }
@@ -225,7 +217,7 @@ void RecordingControl::finishLastSeconds() {
 }
 
 void RecordingControl::saveAll() {
-    cut_ = recording_ ? QString::fromStdString(recording_->folder().string()) : QString();
+    cut_ = recording_ ? QString::fromStdString(recording_->thread().folder().string()) : QString();
     finish();
     finishLastSeconds();
     saveLastSeconds();

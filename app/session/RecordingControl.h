@@ -2,7 +2,7 @@
 
 #include "app/recording/LastSeconds.h"
 #include "app/recording/RecordingRecovery.h"
-#include "app/recording/RecordingThread.h"
+#include "app/recording/RunRecording.h"
 #include "app/session/RunControl.h"
 
 #include <future>
@@ -65,8 +65,7 @@ private:
     MainWindow& window_;
     RunControl& runs_;
     std::filesystem::path folder_;
-    std::unique_ptr<RecordingThread> recording_;
-    double after_ = 0.0;                 ///< what came until then is not of the recording [s]
+    std::unique_ptr<RunRecording> recording_;
     RunFormat format_ = RunFormat::Csv;  ///< of the recording
     QString packed_;                     ///< folder of the recording that is being packed
     std::future<void> packing_;          ///< not valid: none is

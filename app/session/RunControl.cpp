@@ -2,6 +2,7 @@
 
 #include "core/Error.h"
 #include "core/PrintableText.h"
+#include "core/scene/SettingFields.h"
 #include "core/words/SceneWords.h"
 #include "ui/panels/ControlBar.h"
 #include "ui/panels/StateBanner.h"
@@ -76,16 +77,25 @@ void RunControl::begin(LoadedScene scene, const Vector3& start, const Settings& 
 
 void RunControl::replace(LoadedScene scene, const std::optional<Vector2>& place) {
     const bool running = run_->loop().running();
-    const double halfWidth = window_.view().halfWidth();
     const Vector2 here = run_->basePosition().head<2>();
     Settings settings = run_->sensingSettings();
     settings.forcesOn = forcesMayAct();
-    end();
     const Vector3 above = waitingPlace(scene.scene, place.value_or(here));
-    begin(std::move(scene), above, settings);
+    rebuild(std::move(scene), above, settings);
+    running ? start() : pause();
+}
+
+void RunControl::rebuild(LoadedScene scene, const Vector3& start, const Settings& settings) {
+    const double halfWidth = window_.view().halfWidth();
+    end();
+    begin(std::move(scene), start, settings);
     window_.view().setHalfWidth(halfWidth);
     Q_EMIT rebuilt();
-    running ? start() : pause();
+}
+
+void RunControl::place(LoadedScene scene, const Vector3& start, const Settings& settings) {
+    rebuild(std::move(scene), start, settings);
+    this->start();
 }
 
 void RunControl::adoptModel(const LoadedScene& fitted) {
@@ -133,6 +143,7 @@ void RunControl::turn(const std::function<void(Settings&)>& knobs) {
     knobs(settings);
     QString refusal;
     try {
+        checkButtons(settings);
         run_->setSettings(settings);
     } catch (const Error& error) {
         refusal = QString::fromUtf8(error.what());
@@ -185,6 +196,11 @@ void RunControl::showLive() {
 void RunControl::refuseTip(const QString& why) {
     tipRefusal_ = why;
     window_.refuseTip(why);
+}
+
+void RunControl::fix(const QString& why) {
+    fixedBy_ = why;
+    window_.fix(why);
 }
 
 void RunControl::showKnobs() {

@@ -37,6 +37,9 @@ public:
     /// The loop begins again above the same place, or another one, with the same knobs, on the
     /// scene changed. There is a run. @param place world [m]
     void replace(LoadedScene scene, const std::optional<Vector2>& place = std::nullopt);
+    /// The loop begins anew on a scene, with the base at a place and with these knobs; device and
+    /// view stay. There is a run. @param start world [m]
+    void place(LoadedScene scene, const Vector3& start, const Settings& settings);
     /// The run goes on with the model that was found for it. See LiveRun::mayAdoptModel()
     void adoptModel(const LoadedScene& fitted);
     /// Ends the run, if there is one.
@@ -67,6 +70,11 @@ public:
     void refuseTip(const QString& why);
     [[nodiscard]] const QString& tipRefusal() const { return tipRefusal_; }
 
+    /// Nobody but who fixed them changes scene and knobs meanwhile. @param why for tool tips;
+    /// empty: they are the user's again
+    void fix(const QString& why);
+    [[nodiscard]] const QString& fixedBy() const { return fixedBy_; }
+
 Q_SIGNALS:
     /// The run is about to go. Its loop rests, and all of its ticks are fetched.
     void ending();
@@ -81,6 +89,7 @@ Q_SIGNALS:
 
 private:
     void begin(LoadedScene scene, const Vector3& start, const Settings& settings);
+    void rebuild(LoadedScene scene, const Vector3& start, const Settings& settings);
     [[nodiscard]] bool forcesMayAct();
     /// All that must be done before the run, or its scene, goes.
     void leave();
@@ -91,6 +100,7 @@ private:
     std::optional<Snapshot> recorded_;      ///< none: the loop's ticks are shown
     std::deque<TickSample> recordedTicks_;  ///< the last seconds up to it
     QString tipRefusal_;
+    QString fixedBy_;
 };
 
 }  // namespace asperity

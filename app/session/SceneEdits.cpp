@@ -54,7 +54,7 @@ SceneEdits::SceneEdits(MainWindow& window, RunControl& runs)
 
 /// A scene that did not come from here has no history.
 void SceneEdits::begun() {
-    if (!using_) {
+    if (!using_ && runs_.fixedBy().isEmpty()) {
         giveUp();
         origin_ = ++origins_;
         history_.clear();
@@ -82,6 +82,13 @@ const SceneDescription& SceneEdits::goalOf(const Target& target) const {
     return target.index == history_.index() ? present() : history_.after(target.index).description;
 }
 
+bool SceneEdits::isFixed() {
+    if (!runs_.fixedBy().isEmpty()) {
+        window_.tell(runs_.fixedBy());
+    }
+    return !runs_.fixedBy().isEmpty();
+}
+
 bool SceneEdits::isOpening() {
     if (opening_) {
         window_.tell(
@@ -104,7 +111,7 @@ bool SceneEdits::allows(const SceneDescription& scene) {
 
 void SceneEdits::change(const QString& name, const SceneDescription& next, const QString& number) {
     const SceneDescription* const now = wanted();
-    if (now == nullptr || next == *now || isOpening()) {
+    if (now == nullptr || next == *now || isFixed() || isOpening()) {
         Q_EMIT changed();
         return;
     }
@@ -212,6 +219,10 @@ void SceneEdits::keep(const Target& target, const SceneDescription& before,
 }
 
 void SceneEdits::open(Opening opening) {
+    if (isFixed()) {
+        opening.canceled();
+        return;
+    }
     target_.reset();
     opening_ = std::move(opening);
     work_.start(tr("Loading %1 …").arg(opening_->name), opening_->load);
@@ -311,6 +322,9 @@ void SceneEdits::redo() {
 }
 
 QString SceneEdits::undoName() const {
+    if (!runs_.fixedBy().isEmpty()) {
+        return {};
+    }
     if (opening_) {
         return tr("Open %1").arg(opening_->name);
     }
@@ -323,7 +337,8 @@ QString SceneEdits::undoName() const {
 
 QString SceneEdits::redoName() const {
     const Target now = target();
-    return now.steps.empty() && !opening_ && now.index < history_.count()
+    return now.steps.empty() && !opening_ && runs_.fixedBy().isEmpty() &&
+                   now.index < history_.count()
                ? history_.nameOf(now.index)
                : QString();
 }

@@ -82,6 +82,7 @@ private:
     [[nodiscard]] const SceneDescription& goalOf(const Target& target) const;
     [[nodiscard]] const SceneDescription& present() const;
     /// Whether nothing can be changed now; says so.
+    [[nodiscard]] bool isFixed();
     [[nodiscard]] bool isOpening();
     /// Whether there can be such a scene; says why not.
     [[nodiscard]] bool allows(const SceneDescription& scene);

@@ -34,6 +34,7 @@ Session::Session(MainWindow& window)
     , fidelity_(window, runs_, edits_)
     , paths_(window, runs_, devices_)
     , engaging_(window, runs_, devices_, edits_)
+    , studies_(window, runs_, devices_, edits_)
     , haptics_(window, runs_, edits_)
     , views_(window, runs_)
     , measuring_(window, runs_, edits_)
@@ -51,6 +52,7 @@ Session::Session(MainWindow& window)
         views_.take(sample);
         measuring_.take(sample);
         recordings_.take(sample);
+        studies_.take(sample);
     });
     qApp->installEventFilter(this);
     frames_.setTimerType(Qt::PreciseTimer);
@@ -98,6 +100,7 @@ void Session::advance() {
     if (run() != nullptr) {
         devices_.advance(elapsed);
         engaging_.advance();
+        studies_.advance();
         runs_.fetch();
         recordings_.advance();
         fits_.advance();

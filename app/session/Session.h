@@ -26,6 +26,7 @@
 #include "app/session/SceneEdits.h"
 #include "app/session/ScenePanelControl.h"
 #include "app/session/SessionControl.h"
+#include "app/session/StudyControl.h"
 #include "app/session/ViewControl.h"
 
 #include <QTimer>
@@ -62,6 +63,7 @@ public:
     [[nodiscard]] PlaybackControl& playback() { return playback_; }
     [[nodiscard]] ComparisonControl& comparisons() { return comparisons_; }
     [[nodiscard]] MeasureControl& measuring() { return measuring_; }
+    [[nodiscard]] StudyControl& studies() { return studies_; }
     [[nodiscard]] const ViewControl& views() const { return views_; }
 
     bool eventFilter(QObject* watched, QEvent* event) override;
@@ -86,6 +88,7 @@ private:
     FidelityControl fidelity_;
     PathControl paths_;
     EngageControl engaging_;
+    StudyControl studies_;
     HapticControl haptics_;
     ViewControl views_;
     MeasureControl measuring_;

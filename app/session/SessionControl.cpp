@@ -166,7 +166,7 @@ void SessionControl::restore(const std::filesystem::path& file, const QVariantMa
 }
 
 void SessionControl::keep() {
-    if (writer_ == nullptr || runs_.run() == nullptr || rests_) {
+    if (writer_ == nullptr || runs_.run() == nullptr || rests_ || !runs_.fixedBy().isEmpty()) {
         return;
     }
     std::string now = text();

@@ -31,6 +31,15 @@ double handleMotion(const std::vector<TrialMoment>& moments) {
 
 }  // namespace
 
+TrialMoment momentOf(const TickSample& sample, double time, const Vector3& tip) {
+    return {.time = time,
+            .tip = tip,
+            .shown = sample.output.model.tip,
+            .device = sample.input.device.position,
+            .force = sample.output.estimate.force,
+            .deviceForce = sample.output.deviceForce};
+}
+
 void evaluate(DoneTrial& trial) {
     if (trial.moments.empty()) {
         throw Error("a trial without a moment has no result");

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/experiment/TrialPlan.h"
+#include "core/haptics/VirtualRun.h"
 #include "core/scene/TickOutput.h"
 
 #include <string>
@@ -8,7 +9,8 @@
 
 namespace asperity {
 
-/// A moment of a trial, a hundred times a second and at its end.
+/// A moment of a trial: of the operator model a hundred times a second, of a person each frame of
+/// the window; and its end.
 struct TrialMoment {
     double time = 0.0;                      ///< since the trial began [s]
     Vector3 tip = Vector3::Zero();          ///< apex; of a simulated instrument the true one [m]
@@ -44,6 +46,11 @@ struct DoneTrial {
     TrialRecord record;
     std::vector<TrialMoment> moments;
 };
+
+/// The moment of a tick; the largest force is the caller's to say.
+/// @param time since the trial began [s]
+/// @param tip  where it is, see TrialMoment [m]
+[[nodiscard]] TrialMoment momentOf(const TickSample& sample, double time, const Vector3& tip);
 
 /// Fills in what the moments say: error, time, largest force, motion of the handle. The last moment
 /// is the end.

@@ -45,13 +45,8 @@ public:
     void take(const TickSample& sample, const Vector3& tip, double time, bool isLast) {
         largest_ = std::max(largest_, sample.output.estimate.force.norm());
         if (ticks_++ % every_ == 0 || isLast) {
-            moments_.push_back({.time = time,
-                                .tip = tip,
-                                .shown = sample.output.model.tip,
-                                .device = sample.input.device.position,
-                                .force = sample.output.estimate.force,
-                                .deviceForce = sample.output.deviceForce,
-                                .largestForce = std::exchange(largest_, 0.0)});
+            moments_.push_back(momentOf(sample, time, tip));
+            moments_.back().largestForce = std::exchange(largest_, 0.0);
         }
     }
 
@@ -153,15 +148,6 @@ private:
 };
 
 }  // namespace
-
-TrialPlaces placesOf(const Study& study, const Scene& scene, const PlannedTrial& trial) {
-    const Vector2 middle = 0.5 * Vector2(scene.surface.sizeX(), scene.surface.sizeY());
-    const auto above = [&](const Vector2& place, double height) {
-        return Vector3(place.x(), place.y(), touchHeight(scene, place.x(), place.y()) + height);
-    };
-    return {.start = above(middle, study.startHeight),
-            .target = above(middle + study.targets.at(trial.target), trial.height)};
-}
 
 Settings trialSettings(const Study& study, const Scene& scene, const BenchSetup& bench,
                        const Vector3& target) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/experiment/Operator.h"
+#include "core/experiment/TrialPlaces.h"
 #include "core/experiment/TrialRecord.h"
 #include "core/haptics/VirtualRun.h"
 #include "core/scene/Scene.h"
@@ -16,15 +17,6 @@ struct TrialSetup {
     OperatorTraits person;
     BenchSetup bench;
 };
-
-/// Where the tip begins, and where it shall be [m].
-struct TrialPlaces {
-    Vector3 start;
-    Vector3 target;
-};
-
-[[nodiscard]] TrialPlaces placesOf(const Study& study, const Scene& scene,
-                                   const PlannedTrial& trial);
 
 /// The knobs of a trial: as a device with motors gets them, or without a coupling as the study
 /// has them. @throw CouplingRefused where none hold

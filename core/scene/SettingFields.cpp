@@ -29,6 +29,14 @@ void checkTogether(const Settings& settings) {
 
 }  // namespace
 
+void checkButtons(const Settings& settings) {
+    const int button = settings.trialButton;
+    require(button == kNoButton || button != settings.governor.deadManButton, "trial_button",
+            "must be another one than dead_man_button");
+    require(button == kNoButton || button != settings.clutchButton, "trial_button",
+            "must be another one than clutch_button");
+}
+
 void setSetting(Settings& settings, std::string_view column, double value) {
     listSettings(settings, [&](const SettingField& field, auto& knob) {
         if (field.column == column) {
@@ -59,6 +67,7 @@ void checkSettings(const Settings& settings) {
                     std::string("must ") + field.limits.words);
         }
     });
+    checkButtons(settings);
     checkTogether(settings);
 }
 

@@ -211,6 +211,10 @@ void listSettings(Knobs& settings, const Visitor& field) {
            .words = {SettingGroup::Clutch, "Clutch button",
                      "Button that disconnects the device from the tip while held, from 0"}},
           settings.clutchButton);
+    field({.column = "trial_button",
+           .words = {SettingGroup::Clutch, "Trial button",
+                     "Button that begins and ends a trial of a study, from 0"}},
+          settings.trialButton);
     listDevice(settings, field);
     listGuide(settings.guide, field);
 }
@@ -220,6 +224,9 @@ void setSetting(Settings& settings, std::string_view column, double value);
 
 /// The knobs that a scene says, the others as they are by default: those of a run or a device.
 [[nodiscard]] Settings ofScene(Settings settings);
+
+/// Refuses a button of the device that shall do two things. @throw Error naming its key
+void checkButtons(const Settings& settings);
 
 /// Refuses knobs that no scene may have. @throw Error naming the key of the first one
 void checkSettings(const Settings& settings);

@@ -34,6 +34,7 @@ struct Settings {
     Workspace workspace;           ///< of the device
     bool clutched = false;         ///< the device moves, what it commands stays
     int clutchButton = kNoButton;  ///< that does so while it is held
+    int trialButton = kNoButton;   ///< that begins and ends a trial of a study
     VirtualFixture guide;          ///< lengths of the world
     bool forcesOn = true;          ///< false: the operator feels nothing
     std::uint32_t rearms = 0;      ///< how often the operator has reset a fault

@@ -105,6 +105,7 @@ TEST_P(Themes, CurvesAreToldApartAndFromThePaper) {
     }
     EXPECT_GE(difference(colors.force, colors.backdrop), 40.0);
     EXPECT_GE(difference(colors.guide, colors.backdrop), 40.0);
+    EXPECT_GE(difference(colors.target, colors.backdrop), 40.0);
     EXPECT_GE(difference(colors.side, colors.backdrop), 15.0) << "the block stands out";
 }
 

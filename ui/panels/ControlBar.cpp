@@ -144,7 +144,6 @@ void ControlBar::addKnobs() {
 void ControlBar::addKnob(const SettingField& field) {
     auto* box = new GainSpinBox(field.knob.low, field.knob.high, this);
     box->setObjectName(QString::fromUtf8(field.knob.name));
-    box->setProperty(kTip, coreWords(field.words.toolTip));
     box->setToolTip(coreWords(field.words.toolTip));
     box->setFixedSize(theme::scaled(kKnobWidth), theme::scaled(kControlHeight));
     guardFromWheel(*box);
@@ -211,19 +210,39 @@ void ControlBar::setKnobs(const Settings& settings) {
     });
 }
 
+void ControlBar::refuse(QWidget& control, const QString& reason) {
+    if (!control.property(kTip).isValid()) {
+        control.setProperty(kTip, control.toolTip());
+    }
+    control.setEnabled(reason.isEmpty());
+    control.setToolTip(reason.isEmpty() ? control.property(kTip).toString() : reason);
+}
+
 void ControlBar::refuseKnob(const std::string& column, const QString& reason) {
-    GainSpinBox& box = *knobs_.at(column);
-    box.setEnabled(reason.isEmpty());
-    box.setToolTip(reason.isEmpty() ? box.property(kTip).toString() : reason);
+    knobRefusals_[column] = reason;
+    showRefusals();
 }
 
 void ControlBar::refuseTip(const QString& reason) {
+    tipRefusal_ = reason;
+    showRefusals();
+}
+
+void ControlBar::fix(const QString& reason) {
+    fixedBy_ = reason;
+    showRefusals();
+}
+
+void ControlBar::showRefusals() {
     for (QWidget* const widget : std::initializer_list<QWidget*>{device_, path_, pathFile_}) {
-        if (!widget->property(kTip).isValid()) {
-            widget->setProperty(kTip, widget->toolTip());
-        }
-        widget->setEnabled(reason.isEmpty());
-        widget->setToolTip(reason.isEmpty() ? widget->property(kTip).toString() : reason);
+        refuse(*widget, fixedBy_.isEmpty() ? tipRefusal_ : fixedBy_);
+    }
+    for (const auto& [column, box] : knobs_) {
+        const auto own = knobRefusals_.find(column);
+        refuse(*box, fixedBy_.isEmpty() && own != knobRefusals_.end() ? own->second : fixedBy_);
+    }
+    for (QWidget* const widget : std::initializer_list<QWidget*>{startPause_, material_, record_}) {
+        refuse(*widget, fixedBy_);
     }
 }
 

@@ -42,6 +42,8 @@ public:
     void refuseKnob(const std::string& column, const QString& reason);
     /// Disables what moves the tip: device and path. @param reason likewise
     void refuseTip(const QString& reason);
+    /// Disables all but the forces' button. @param reason likewise
+    void fix(const QString& reason);
     void setRecording(bool recording);
 
 Q_SIGNALS:
@@ -56,6 +58,8 @@ Q_SIGNALS:
     void recordingChosen(bool recording);
 
 private:
+    void refuse(QWidget& control, const QString& reason);
+    void showRefusals();
     QPushButton* addButton(const char* objectName, const QString& widest);
     ChoiceBox* addCombo(const char* objectName, const QString& caption);
     void addKnobs();
@@ -71,6 +75,9 @@ private:
     QToolButton* pathFile_;
     std::map<std::string, GainSpinBox*> knobs_;  ///< by column
     QPushButton* record_;
+    QString fixedBy_;  ///< empty: what follows counts
+    QString tipRefusal_;
+    std::map<std::string, QString> knobRefusals_;  ///< by column
 };
 
 }  // namespace asperity

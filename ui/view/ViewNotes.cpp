@@ -37,6 +37,9 @@ std::vector<std::string> viewNotes(const ViewNoteFacts& facts) {
     if (facts.missesTrueTip) {
         notes.push_back(filled(QObject::tr("true tip: the instrument does not know it"), {}));
     }
+    if (facts.hidesDeformation) {
+        notes.push_back(filled(QObject::tr("deformation is not drawn"), {}));
+    }
     if (facts.showsLever) {
         notes.push_back(filled(QObject::tr("lever not to scale"), {}));
     }

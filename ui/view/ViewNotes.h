@@ -9,8 +9,9 @@ namespace asperity {
 struct ViewNoteFacts {
     double heightScale = 1.0;
     bool hasPerspective = false;
-    bool isFromBelow = false;    ///< the underside of the surface is seen
-    bool missesTrueTip = false;  ///< its ghost is asked for, and the instrument does not know it
+    bool isFromBelow = false;       ///< the underside of the surface is seen
+    bool missesTrueTip = false;     ///< its ghost is asked for, and the instrument does not know it
+    bool hidesDeformation = false;  ///< the surface is drawn at rest
     bool showsLever = false;
     double tipRadius = 0.0;  ///< [m]
     double pixel = 0.0;      ///< of the scan [m]

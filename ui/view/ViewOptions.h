@@ -24,6 +24,7 @@ struct ViewOptions {
     bool scaleBars = true;
     bool grid = true;
     bool labels = true;         ///< values, names and notes: without them pictures are exported
+    bool deformation = true;    ///< the surface moves under the tip; else it is drawn at rest
     bool section = false;       ///< the half before the tip is cut away
     bool commandedTip = false;  ///< ghost of the tip where it would be without forces
     bool trueTip = false;       ///< ghost of the tip where a simulated instrument has it

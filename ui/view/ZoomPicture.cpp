@@ -24,6 +24,7 @@ constexpr double kMaxPatchReach = 0.85;
 constexpr double kSlack = 0.35;        // how far the tip goes from the middle
 constexpr double kSlackInDrag = 0.85;  // the picture stays still under the pointer
 constexpr double kGuideReach = 0.4;
+constexpr double kTargetArm = 0.16;
 constexpr double kOverlap = 0.015;  // of patch and terrain
 
 constexpr double kDentStep = 1.5;    // a dent below the picture lowers it by so many times that
@@ -34,6 +35,13 @@ constexpr double kArrowRoom = 1.1;  // in sizes of tip and arrow
 constexpr double kStray = 0.25;  // of the tip from the middle of the patch, in its half widths
 
 constexpr int kPatchSamples = 65;
+
+/// The tip at the same place, so far off that nothing touches and nothing pulls.
+TipState atRest(TipState state) {
+    constexpr double kFarOff = -1.0;  // [m]
+    state.contact = {.indentation = kFarOff};
+    return state;
+}
 
 bool isNearMiddle(const ScanWindow& patch, const Vector2& tip, double distance) {
     return std::abs(tip.x() - 0.5 * (patch.left + patch.right)) <= distance &&
@@ -52,6 +60,7 @@ ZoomPicture::ZoomPicture(vtkOpenGLRenderWindow* window)
     , guide_(through_)
     , cross_(live_)
     , markers_(live_)
+    , target_(through_)
     , ghosts_(through_)
     , labels_(through_) {
     window->SetMultiSamples(0);
@@ -89,6 +98,7 @@ void ZoomPicture::setScene(const Scene* scene) {
     shown_ = {};
     shape_.reset();
     crossHair_.reset();
+    targetPlace_.reset();
     terrain_.hide();
     cache_.invalidate();
     if (scene_ != nullptr) {
@@ -113,6 +123,7 @@ void ZoomPicture::showSample(const ViewCamera& camera, bool dragging) {
     showGhosts(camera);
     showCrossHair();
     showMarkers();
+    showTarget();
 }
 
 void ZoomPicture::showTerrain(const ViewCamera& camera, TerrainDetail detail) {
@@ -241,8 +252,10 @@ void ZoomPicture::keepInPicture(const Vector3& place, const ViewCamera& camera) 
 }
 
 void ZoomPicture::showContact(const TickSample& sample, const ViewCamera& camera) {
+    const TipState& model = sample.output.model;
     shape_ = std::make_unique<const ContactShape>(
-        *scene_, sample.output.model, terrain_.place().patch, kPatchSamples, halfSpace_.get());
+        *scene_, options_.deformation ? model : atRest(model), terrain_.place().patch,
+        kPatchSamples, options_.deformation ? halfSpace_.get() : nullptr);
     const ContactShape& shape = *shape_;
     const PatchColors colors(*scene_, shape, colors_);
     if (fitLiveColors(shape, colors)) {
@@ -332,6 +345,14 @@ void ZoomPicture::showMarkers() {
                       space());
     } else {
         markers_.hide();
+    }
+}
+
+void ZoomPicture::showTarget() {
+    if (frame_ && targetPlace_ && holds(terrain_.place().window, targetPlace_->head<2>())) {
+        target_.show(*targetPlace_, scene_->surface, kTargetArm * frame_->halfWidth(), space());
+    } else {
+        target_.hide();
     }
 }
 

@@ -15,6 +15,7 @@
 #include "ui/view/StaticLayer.h"
 #include "ui/view/SurfaceColors.h"
 #include "ui/view/SurfaceReading.h"
+#include "ui/view/TargetLayer.h"
 #include "ui/view/TerrainLayer.h"
 #include "ui/view/TipGear.h"
 #include "ui/view/TipGhosts.h"
@@ -107,6 +108,8 @@ public:
     }
     /// Nothing is behind what is drawn: black and clear, see drawnImage().
     void setTransparent();
+    /// Where the tip's apex shall be, from the next sample on [m]; none: nowhere.
+    void setTarget(const std::optional<Vector3>& target) { targetPlace_ = target; }
     /// What is written in a corner of the picture; empty: nothing.
     void setCaption(std::string caption) { caption_ = std::move(caption); }
     /// Size and colors have room for all that was shown of the scene, and stay so. There is a
@@ -144,6 +147,7 @@ private:
     void showGhosts(const ViewCamera& camera);
     void showCrossHair();
     void showMarkers();
+    void showTarget();
     [[nodiscard]] std::string tipAbove(double height, double pixelRatio) const;
 
     const Scene* scene_ = nullptr;
@@ -159,6 +163,7 @@ private:
     std::unique_ptr<const ContactShape> shape_;  ///< as it is shown; null: none is
     std::optional<Vector2> crossHair_;           ///< on the surface at rest [m]
     QString reading_;                            ///< of the cross-hair
+    std::optional<Vector3> targetPlace_;         ///< [m]
     std::string caption_;
 
     vtkNew<vtkRenderer> still_;    ///< the surface at rest
@@ -173,6 +178,7 @@ private:
     GuideLayer guide_;
     CrossHairLayer cross_;
     MarkerLayer markers_;
+    TargetLayer target_;
     TipGhosts ghosts_;  ///< after what is seen through them
     ViewLabels labels_;
 };

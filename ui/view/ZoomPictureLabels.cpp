@@ -20,6 +20,9 @@ void ZoomPicture::showLabels(const ViewCamera& camera, double height, double pix
         content.force = sample_ ? sample_->output.estimate.force.stableNorm() : 0.0;
         content.forceEnd = force_.end();
         content.names = ghosts_.names();
+        if (const auto target = target_.name()) {
+            content.names.push_back(*target);
+        }
         content.markers = markers_.names();
         content.reading = crossHair_ ? reading_.toStdString() : std::string();
         content.caption = caption_;
@@ -37,6 +40,7 @@ std::vector<std::string> ZoomPicture::notes(const ViewCamera& camera) const {
                       .hasPerspective = camera.hasPerspective(),
                       .isFromBelow = camera.out().z() < 0.0,
                       .missesTrueTip = options_.trueTip && sample_ && !trueTip_,
+                      .hidesDeformation = !options_.deformation,
                       .showsLever = gear().showsLever(),
                       .tipRadius = scene_->belief.tipRadius(),
                       .pixel = scale_.pixel,
@@ -47,7 +51,7 @@ std::string ZoomPicture::tipAbove(double height, double pixelRatio) const {
     if (shape_ == nullptr || drawnPlace(apexOf(shape_->contact())).y() < pixelRatio * height) {
         return {};
     }
-    return tipAboveNote(-shape_->contact().indentation);
+    return tipAboveNote(-sample_->output.model.contact.indentation);
 }
 
 }  // namespace asperity

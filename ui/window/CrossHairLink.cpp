@@ -21,11 +21,17 @@ void CrossHairLink::follow(View& view) {
 }
 
 void CrossHairLink::point(const std::optional<Vector2>& place) {
-    if (place != place_) {
-        place_ = place;
-        view_.showCrossHair(place);
+    const std::optional<Vector2> shown = isOn_ ? place : std::nullopt;
+    if (shown != place_) {
+        place_ = shown;
+        view_.showCrossHair(shown);
         showInOthers();
     }
+}
+
+void CrossHairLink::setOn(bool on) {
+    isOn_ = on;
+    point(place_);
 }
 
 void CrossHairLink::showInOthers() {

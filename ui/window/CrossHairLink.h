@@ -22,6 +22,9 @@ public:
     /// World x, y [m]; none: the pointer is over no view.
     [[nodiscard]] const std::optional<Vector2>& place() const { return place_; }
 
+    /// Off, no view shows any.
+    void setOn(bool on);
+
 private:
     template <class View>
     void follow(View& view);
@@ -32,6 +35,7 @@ private:
     SecondView& second_;
     OverviewMap& map_;
     std::optional<Vector2> place_;
+    bool isOn_ = true;
 };
 
 }  // namespace asperity

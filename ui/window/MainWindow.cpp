@@ -338,6 +338,17 @@ void MainWindow::refuseTip(const QString& why) {
     showHint();
 }
 
+void MainWindow::fix(const QString& why) {
+    const bool isFree = why.isEmpty();
+    controls_->fix(why);
+    setAcceptDrops(isFree);
+    crossHair_->setOn(isFree);  // nothing is looked for with the pointer
+    for (QWidget* const panel :
+         std::initializer_list<QWidget*>{scenePanel_, hapticPanel_, fidelity_, engage_}) {
+        panel->setEnabled(isFree);
+    }
+}
+
 void MainWindow::showHint() {
     QString hint = tr("Right drag: turn   ·   Ctrl + wheel: zoom");
     if (tipMoves_) {

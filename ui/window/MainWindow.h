@@ -104,6 +104,9 @@ public:
     void setEmergencyStop(bool active);
     /// What moves the tip is disabled. @param why for tool tips; empty: it can be moved
     void refuseTip(const QString& why);
+    /// What changes scene and knobs is disabled, no cross-hair goes with the pointer. @param why
+    /// for tool tips; empty: it can be changed
+    void fix(const QString& why);
     /// Nothing can be changed any more: for measurements.
     void lock();
     /// A message that must be read; the window goes on meanwhile.

@@ -20,10 +20,11 @@ namespace asperity {
 
 namespace {
 
-constexpr std::array<std::pair<const char*, bool ViewOptions::*>, 6> kSwitches = {
+constexpr std::array<std::pair<const char*, bool ViewOptions::*>, 7> kSwitches = {
     {{"axes", &ViewOptions::axes},
      {"scaleBars", &ViewOptions::scaleBars},
      {"grid", &ViewOptions::grid},
+     {"deformation", &ViewOptions::deformation},
      {"section", &ViewOptions::section},
      {"commandedTip", &ViewOptions::commandedTip},
      {"trueTip", &ViewOptions::trueTip}}};

@@ -44,6 +44,8 @@ ViewOptionsMenu::ViewOptionsMenu(QMenu& menu) : QObject(&menu), menu_(menu) {
     addSwitch(menu, tr("&Scale bars"), &ViewOptions::scaleBars,
               tr("Lengths across the view and along z"));
     addSwitch(menu, tr("&Grid"), &ViewOptions::grid, tr("Lines on the surface, along x and y"));
+    addSwitch(menu, tr("&Deformation"), &ViewOptions::deformation,
+              tr("The surface as the tip moves it; without, it is drawn at rest"));
     addSwitch(menu, tr("S&ection through the tip"), &ViewOptions::section,
               tr("Cuts away what lies before the tip, so that the dent is seen from the side"));
     addSwitch(menu, tr("Ghost: co&mmanded tip"), &ViewOptions::commandedTip,
@@ -65,6 +67,10 @@ void ViewOptionsMenu::addSwitch(QMenu& menu, const QString& text, Switch option,
         options.*option = on;
         choose(options);
     });
+}
+
+QAction& ViewOptionsMenu::action(Switch option) const {
+    return *std::ranges::find(switches_, option, &std::pair<Switch, QAction*>::first)->second;
 }
 
 void ViewOptionsMenu::addHeightScales(QMenu& menu) {

@@ -25,11 +25,14 @@ public:
     /// Shows options without asking for them.
     void setOptions(const ViewOptions& options);
 
+    using Switch = bool ViewOptions::*;
+    /// The entry of a switch.
+    [[nodiscard]] QAction& action(Switch option) const;
+
 Q_SIGNALS:
     void optionsChosen(ViewOptions options);
 
 private:
-    using Switch = bool ViewOptions::*;
     void addSwitch(QMenu& menu, const QString& text, Switch option, const QString& toolTip);
     void addHeightScales(QMenu& menu);
     void addLights(QMenu& menu);

@@ -83,6 +83,8 @@ void WindowMenus::explainAll() {
         {followPathFile, tr("Move the base along a path from a CSV file")},
         {followRecording, tr("Move the base as in a recorded run")},
         {lookAtRecording, tr("Show any moment of a recorded run, or of a bundle, in all views")},
+        {study, tr("Positioning experiments with people: tasks, trials, results")},
+        {trial, tr("The trial of the study begins, or ends where the tip is")},
         {calibrate, tr("Set the zero of the device's angles")},
         {zoomIn, tr("Show a smaller part of the scan")},
         {zoomOut, tr("Show a larger part of the scan")},
@@ -180,6 +182,11 @@ void WindowMenus::addRunMenu(QMenuBar& bar) {
     followPathFile = menu->addAction(tr("Follow a path from a fi&le…"));
     followRecording = menu->addAction(tr("Replay a &recording…"));
     lookAtRecording = menu->addAction(tr("Look at a rec&ording…"));
+    menu->addSeparator();
+    study = menu->addAction(tr("Stud&y…"));
+    trial = menu->addAction(tr("&Begin or end a trial"));
+    trial->setShortcuts({QKeySequence(Qt::Key_Return), QKeySequence(Qt::Key_Enter)});
+    trial->setAutoRepeat(false);
     for (QAction* action : {startPause, forcesOff}) {
         action->setShortcutContext(Qt::ApplicationShortcut);
     }

@@ -59,6 +59,8 @@ public:
     QAction* followPathFile;
     QAction* followRecording;
     QAction* lookAtRecording;
+    QAction* study;
+    QAction* trial;  ///< begins and ends one
 
     QAction* tipControl;   ///< checkable
     QAction* clutch;       ///< checkable

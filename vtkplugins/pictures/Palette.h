@@ -37,6 +37,7 @@ struct PaletteOf {
     Value path;       ///< the way the tip went
     Value zoom;       ///< frame of the zoomed view
     Value guide;      ///< what helps the device to hold a target
+    Value target;     ///< where the tip shall be
     Value commanded;  ///< ghost of the tip without forces
     Value trueTip;    ///< ghost of the tip where it really is
 

@@ -1,6 +1,11 @@
+#include "core/io/experiment/TrialTable.h"
+#include "tests/app/window/ShortStudy.h"
 #include "tests/app/window/WindowFixture.h"
 #include "tests/hardware/VirtualSpaceMouse.h"
+#include "ui/window/WindowMenus.h"
 
+#include <QAction>
+#include <QComboBox>
 #include <QPushButton>
 #include <QtTest>
 
@@ -44,6 +49,33 @@ TEST_F(WindowWithSpaceMouse, AnUnplugTakesTheForcesAwayUntilAPersonTakesItBack) 
     EXPECT_TRUE(eventually([this] { return far(); })) << state();
     device.send({kPressedDown});
     EXPECT_TRUE(eventually([this] { return inContact(); })) << state();
+}
+
+TEST_F(WindowWithSpaceMouse, ItsTrialButtonBeginsAndEndsTrialsAndItStaysForTheNextOne) {
+    const Report down = {3, 1, 0, 0, 0, 0, 0};
+    const Report up = {3, 0, 0, 0, 0, 0, 0};
+    openFlatScene();
+    choose("hand", "SpaceMouse");
+    device.send({kAtRest});
+    ASSERT_TRUE(eventually([this] { return far(); })) << state();
+    Study study = shortStudy();
+    study.scene.settings.trialButton = 0;
+    window.menus().study->trigger();
+    session.studies().choice().chooseStudy(writtenStudy(folder, study));
+    session.studies().choice().chooseFolder(folder.path() / "out");
+    QTest::mouseClick(child<QPushButton>("startStudy"), Qt::LeftButton);
+    auto* action = child<QPushButton>("trialAction");
+    for (const char* const next : {"Begin", "Done", "Next", "Begin", "Done", "Next", "Leave"}) {
+        ASSERT_TRUE(eventually([&] { return action->text().startsWith(next); }))
+            << action->text().toStdString() << " in place of " << next;
+        EXPECT_EQ(child<QComboBox>("hand")->currentText(), QStringLiteral("SpaceMouse"));
+        ASSERT_TRUE(eventually([this] { return state().ends_with("far"); })) << state();
+        device.send({down});
+        live(100);
+        device.send({up});
+        live(100);
+    }
+    EXPECT_EQ(readTrials(folder.path() / "out" / "trials.csv", study).size(), 2U);
 }
 
 }  // namespace

@@ -44,6 +44,7 @@ TickSample sampleOf(double time) {
                       .forceLimit = 1.7},
         .clutched = true,
         .clutchButton = 4,
+        .trialButton = 5,
         .guide = {.kind = FixtureKind::Line,
                   .point = {1e-9, 2e-9 / 3.0, -3e-9},
                   .axis = Vector3(1.0, 2.0, -3.0).normalized(),
@@ -108,6 +109,7 @@ TEST(TickLog, ColumnsKeepNamesAndOrder) {
               "instrument_connected,position_gain,force_gain,correction_hz,tip_control,forces_on,"
               "rearms,coupling_stiffness_n_m,coupling_damping_n_s_m,proxy_damping_n_s_m,"
               "max_force_n,engage_s,max_hand_speed_m_s,dead_man_button,clutched,clutch_button,"
+              "trial_button,"
               "hand_turn_x_rad,hand_turn_y_rad,hand_turn_z_rad,workspace_x_m,workspace_y_m,"
               "workspace_z_m,workspace_radius_m,workspace_free_share,edge_stiffness_n_m,"
               "edge_force_limit_n,guide,guide_x_m,guide_y_m,guide_z_m,guide_axis_x,guide_axis_y,"

@@ -192,6 +192,7 @@ TEST_F(SceneFile, ComesBackTheSameFromItsOwnText) {
     scene.settings.governor = {
         .maxForce = 10.0 / 3.0, .engageTime = 0.7, .maxDeviceSpeed = 1.1, .deadManButton = 3};
     scene.settings.clutchButton = 1;
+    scene.settings.trialButton = 2;
     scene.settings.guide = {.kind = FixtureKind::Line,
                             .point = {1e-9 / 3.0, 2e-9, -3e-9},
                             .axis = Vector3(1.0, 2.0, 3.0).normalized(),
@@ -203,6 +204,7 @@ TEST_F(SceneFile, ComesBackTheSameFromItsOwnText) {
     const SceneDescription again = readScene(write("again.toml", text));
     EXPECT_EQ(sceneText(again), text);
     EXPECT_EQ(again.settings.clutchButton, 1);
+    EXPECT_EQ(again.settings.trialButton, 2);
     EXPECT_EQ(again.settings.guide, scene.settings.guide);
     EXPECT_EQ(again.sample.channel, scene.sample.channel);
     EXPECT_EQ(again.sample.material.elastic.youngsModulus,
@@ -289,6 +291,10 @@ TEST_F(SceneFile, RefusesMistakesWithTheirPlace) {
         {std::string(sample) + "[haptics]\nmax_hand_speed_m_s = nan\n", "max_hand_speed_m_s"},
         {std::string(sample) + "[haptics]\ndead_man_button = 32\n", "0 to 31, or -1"},
         {std::string(sample) + "[haptics]\ndead_man_button = 0.5\n", "0 to 31, or -1"},
+        {std::string(sample) + "[haptics]\ntrial_button = 1\ndead_man_button = 1\n",
+         "trial_button must be another one than dead_man_button"},
+        {std::string(sample) + "[haptics]\ntrial_button = 0\nclutch_button = 0\n",
+         "trial_button must be another one than clutch_button"},
         {"[sample\nfile = 1", "line 1"},
     };
     for (const auto& [text, expected] : mistakes) {

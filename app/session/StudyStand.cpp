@@ -1,0 +1,35 @@
+#include "app/session/StudyStand.h"
+
+#include "core/haptics/DevicePath.h"
+#include "ui/view/ZoomView.h"
+#include "ui/window/MainWindow.h"
+#include "ui/window/ViewOptionsMenu.h"
+#include "ui/window/WindowMenus.h"
+
+namespace asperity {
+
+StudyStand::StudyStand(MainWindow& window, RunControl& runs)
+    : window_(window)
+    , runs_(runs)
+    , scene_(runs.run()->shared())
+    , place_(runs.run()->basePosition().head<2>())
+    , settings_(runs.run()->sensingSettings())
+    , scale_{.positionGain = runs.run()->settings().positionGain,
+             .forceGain = runs.run()->settings().forceGain}
+    , options_(window.menus().viewOptions().options())
+    , halfWidth_(window.view().halfWidth()) {}
+
+void StudyStand::restore() const {
+    runs_.place(LoadedScene(*scene_), waitingPlace(scene_->scene, place_), settings_);
+    if (runs_.run()->coupling().coupled() != nullptr) {
+        runs_.turn([this](Settings& settings) {
+            settings.positionGain = scale_.positionGain;
+            settings.forceGain = scale_.forceGain;
+        });
+    }
+    window_.menus().viewOptions().setOptions(options_);
+    window_.view().setOptions(options_);
+    window_.view().setHalfWidth(halfWidth_);
+}
+
+}  // namespace asperity
