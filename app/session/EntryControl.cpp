@@ -76,6 +76,7 @@ void EntryControl::showThoseOfTheScene() {
           &options.action(&ViewOptions::trueTip)}) {
         menus.refuse(*entry, runs_.fixedBy());
     }
+    menus.refuse(*menus.secondView, options.options().deformation ? QString() : runs_.fixedBy());
 }
 
 }  // namespace asperity

@@ -10,6 +10,7 @@
 #include "ui/panels/OverviewPanel.h"
 #include "ui/view/ZoomView.h"
 #include "ui/window/MainWindow.h"
+#include "ui/window/SecondView.h"
 #include "ui/window/ViewOptionsMenu.h"
 #include "ui/window/WindowLayout.h"
 #include "ui/window/WindowMenus.h"
@@ -92,11 +93,7 @@ void StudyControl::begin(const std::shared_ptr<OpenStudy>& study) {
     study_ = study;
     before_.emplace(window_, runs_);
     runs_.fix(tr("A study is under way: it fixes scene and knobs; leave it first"));
-    ViewOptions options = window_.menus().viewOptions().options();
-    options.deformation = study->study.aids.deformation;
-    options.trueTip = false;
-    window_.menus().viewOptions().setOptions(options);
-    window_.view().setOptions(options);
+    fixViews();
     panel_->forgetResult();
     if (study->person.isNew() && study->study.training > 0.0) {
         plan_ = *study->person.next();
@@ -111,6 +108,18 @@ void StudyControl::begin(const std::shared_ptr<OpenStudy>& study) {
     driver_ = devices_.driver();
     window_.view().setFocus();
     show();
+}
+
+/// They draw what the study allows: the second view always draws the deformation.
+void StudyControl::fixViews() {
+    ViewOptions options = window_.menus().viewOptions().options();
+    options.deformation = study_->study.aids.deformation;
+    options.trueTip = false;
+    window_.menus().viewOptions().setOptions(options);
+    window_.view().setOptions(options);
+    if (!options.deformation) {
+        window_.menus().secondView->setChecked(false);
+    }
 }
 
 void StudyControl::press() {
@@ -340,6 +349,7 @@ void StudyControl::turnView(int right, int up) {
 
 void StudyControl::showTarget(const std::optional<Vector3>& target) {
     window_.view().setTarget(target);
+    window_.second().space().setTarget(target);
     mark_.setTarget(target ? std::optional(QPointF(target->x(), target->y())) : std::nullopt);
 }
 

@@ -38,6 +38,7 @@ public:
 private:
     void open();
     void begin(const std::shared_ptr<OpenStudy>& study);
+    void fixViews();
     /// What the button does.
     void press();
     void makeReady();

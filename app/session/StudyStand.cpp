@@ -6,6 +6,8 @@
 #include "ui/window/ViewOptionsMenu.h"
 #include "ui/window/WindowMenus.h"
 
+#include <QAction>
+
 namespace asperity {
 
 StudyStand::StudyStand(MainWindow& window, RunControl& runs)
@@ -17,6 +19,7 @@ StudyStand::StudyStand(MainWindow& window, RunControl& runs)
     , scale_{.positionGain = runs.run()->settings().positionGain,
              .forceGain = runs.run()->settings().forceGain}
     , options_(window.menus().viewOptions().options())
+    , hasSecondView_(window.menus().secondView->isChecked())
     , halfWidth_(window.view().halfWidth()) {}
 
 void StudyStand::restore() const {
@@ -29,6 +32,7 @@ void StudyStand::restore() const {
     }
     window_.menus().viewOptions().setOptions(options_);
     window_.view().setOptions(options_);
+    window_.menus().secondView->setChecked(hasSecondView_);
     window_.view().setHalfWidth(halfWidth_);
 }
 

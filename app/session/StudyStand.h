@@ -25,6 +25,7 @@ private:
     Settings settings_;
     DeviceScale scale_;
     ViewOptions options_;
+    bool hasSecondView_;
     double halfWidth_;  ///< of the large view [m]
 };
 

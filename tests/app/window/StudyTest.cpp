@@ -5,6 +5,7 @@
 #include "tests/app/window/WindowFixture.h"
 #include "ui/experiment/StudyResultsDialog.h"
 #include "ui/view/ZoomView.h"
+#include "ui/window/SecondView.h"
 #include "ui/window/ViewOptionsMenu.h"
 #include "ui/window/WindowMenus.h"
 
@@ -307,12 +308,16 @@ TEST_F(WindowWithStudy, ShowsItsFiguresAndFindings) {
 TEST_F(WindowWithStudy, WithoutThePictureOfTheDeformationTheSurfaceIsDrawnAtRest) {
     Study blind = shortStudy();
     blind.aids.deformation = false;
+    openFlatScene();
+    window.menus().secondView->setChecked(true);
     start(blind);
+    EXPECT_FALSE(window.second().isVisible()) << "it draws the deformation";
     EXPECT_FALSE(window.view().options().deformation);
     EXPECT_FALSE(window.menus().viewOptions().action(&ViewOptions::deformation).isEnabled());
     QTest::mouseClick(child<QPushButton>("leaveStudy"), Qt::LeftButton);
     live(50);
     EXPECT_TRUE(window.view().options().deformation);
+    EXPECT_TRUE(window.second().isVisible());
     EXPECT_TRUE(window.menus().viewOptions().action(&ViewOptions::deformation).isEnabled());
 }
 
