@@ -155,6 +155,11 @@ void RunControl::turn(const std::function<void(Settings&)>& knobs) {
 }
 
 void RunControl::setForces(bool on) {
+    if (on && run_ && !fixedBy_.isEmpty()) {  // off they may always go
+        window_.controls().setForcesOn(run_->settings().forcesOn);
+        window_.tell(fixedBy_);
+        return;
+    }
     window_.controls().setForcesOn(on);
     const bool before = run_ && run_->settings().forcesOn;
     turn([on](Settings& settings) { settings.forcesOn = on; });

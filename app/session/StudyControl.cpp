@@ -69,10 +69,8 @@ StudyControl::StudyControl(MainWindow& window, RunControl& runs, DeviceControl& 
     connect(panel_, &TrialPanel::pauseChosen, this, &StudyControl::pause);
     connect(panel_, &TrialPanel::leaveChosen, this, &StudyControl::leave);
     connect(panel_, &TrialPanel::turnChosen, this, &StudyControl::turnView);
-    connect(panel_, &TrialPanel::resultsChosen, this, [this] {
-        results_.show([study = study_](const auto& read) { read(study->folder); });
-        show();
-    });
+    connect(panel_, &TrialPanel::resultsChosen, this,
+            [this] { results_.show([study = study_](const auto& read) { read(study->folder); }); });
     connect(&runs, &RunControl::ending, this, &StudyControl::drop);
     show();
 }
@@ -257,6 +255,9 @@ void StudyControl::advance() {
     if (phase_ == StudyPhase::Training && monotonicSeconds() >= trainingEnds_) {
         press();
     }
+    if (std::exchange(wasDrawing_, results_.isBusy()) != results_.isBusy()) {
+        show();
+    }
     showTime();
 }
 
@@ -359,7 +360,7 @@ void StudyControl::show() {
     window_.menus().refuse(*window_.menus().trial,
                            isOn ? QString() : tr("No study is under way: Run > Study"));
     if (isOn) {
-        panel_->showStage(stageWords(*study_, plan_, phase_, refusal_));
+        panel_->showStage(stageWords(*study_, plan_, phase_, refusal_, results_.isBusy()));
     }
 }
 

@@ -80,7 +80,8 @@ private:
     TrialPlaces places_;
     std::optional<WatchedTrial> trial_;
     std::unique_ptr<RunRecording> recording_;
-    QString refusal_;  ///< why the button began no trial; empty: it did
+    QString refusal_;          ///< why the button began no trial; empty: it did
+    bool wasDrawing_ = false;  ///< results, in the last frame
     bool buttonWasDown_ = false;
     bool isPressed_ = false;     ///< the device's button, since the last frame
     double trainingEnds_ = 0.0;  ///< on the clock [s]

@@ -60,7 +60,7 @@ QString placeWords(const ParticipantStudy& person, const PlannedTrial& trial) {
 }  // namespace
 
 TrialStage stageWords(const OpenStudy& study, const PlannedTrial& trial, StudyPhase phase,
-                      const QString& refusal) {
+                      const QString& refusal, bool drawing) {
     const ParticipantStudy& person = study.person;
     const QString task = taskSentence(study.study.tasks.at(trial.task).kind);
     TrialStage stage{.place = placeWords(person, trial),
@@ -69,7 +69,8 @@ TrialStage stageWords(const OpenStudy& study, const PlannedTrial& trial, StudyPh
                      .task = taskTitle(study.study, trial),
                      .canPause = phase != StudyPhase::Finished,
                      .isPaused = phase == StudyPhase::Paused,
-                     .canStrikeOut = phase == StudyPhase::Result};
+                     .canStrikeOut = phase == StudyPhase::Result && !drawing,
+                     .canShowResults = phase != StudyPhase::Trial && !drawing};
     switch (phase) {
     case StudyPhase::Training:
         stage.place = TrialPanel::tr("Participant %1  ·  training").arg(person.participant());

@@ -18,8 +18,9 @@ enum class StudyPhase {
 
 /// What the participant reads and can do. @param trial the next one, or the present one
 /// @param refusal why no trial can begin; empty: one can
+/// @param drawing results: they read the folder, which nobody changes meanwhile
 [[nodiscard]] TrialStage stageWords(const OpenStudy& study, const PlannedTrial& trial,
-                                    StudyPhase phase, const QString& refusal);
+                                    StudyPhase phase, const QString& refusal, bool drawing);
 /// What came of a trial.
 [[nodiscard]] TrialResult resultWords(const TrialRecord& record);
 

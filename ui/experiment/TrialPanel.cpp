@@ -64,7 +64,9 @@ TrialPanel::TrialPanel(QWidget* parent)
           newPush(tr("Strike out…"), "strikeOut",
                   tr("The trial does not count, for a reason that is kept, and comes again")))
     , pause_(newPush(QString(), "pauseStudy",
-                     tr("A trial that is under way ends, does not count, and comes again"))) {
+                     tr("A trial that is under way ends, does not count, and comes again")))
+    , results_(
+          newPush(tr("Results…"), "studyResults", tr("Figures and tables of all trials so far"))) {
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(8, 6, 8, 6);
     row->setSpacing(12);
@@ -152,16 +154,14 @@ QWidget* TrialPanel::newTurning() {
     grid->addWidget(captionLabel(tr("view"), part), 1, 1, Qt::AlignCenter);
     addArrow(Qt::RightArrow, "turnRight", 1, 2, 1, 0);
     addArrow(Qt::DownArrow, "turnDown", 2, 1, 0, -1);
-    auto* results =
-        newPush(tr("Results…"), "studyResults", tr("Figures and tables of all trials so far"));
     auto* leave = newPush(tr("Leave the study"), "leaveStudy",
                           tr("Ends it here and gives the window back; it can go on later"));
-    connect(results, &QPushButton::clicked, this, &TrialPanel::resultsChosen);
+    connect(results_, &QPushButton::clicked, this, &TrialPanel::resultsChosen);
     connect(leave, &QPushButton::clicked, this, &TrialPanel::leaveChosen);
     auto* buttons = new QVBoxLayout;
     buttons->setSpacing(3);
     buttons->addWidget(pause_);
-    buttons->addWidget(results);
+    buttons->addWidget(results_);
     buttons->addWidget(leave);
     grid->addLayout(buttons, 0, 3, 3, 1);
     grid->setRowStretch(3, 1);
@@ -180,6 +180,7 @@ void TrialPanel::showStage(const TrialStage& stage) {
     pause_->setEnabled(stage.canPause);
     pause_->setText(stage.isPaused ? tr("Go on") : tr("Pause"));
     strikeOut_->setEnabled(stage.canStrikeOut);
+    results_->setEnabled(stage.canShowResults);
 }
 
 void TrialPanel::showTime(const QString& time) { time_->setText(time); }

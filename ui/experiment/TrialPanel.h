@@ -22,6 +22,7 @@ struct TrialStage {
     bool canPause = false;
     bool isPaused = false;
     bool canStrikeOut = false;  ///< the trial whose result is shown
+    bool canShowResults = false;
 };
 
 /// What came of a trial, in words.
@@ -75,6 +76,7 @@ private:
     QLabel* note_;
     QPushButton* strikeOut_;
     QPushButton* pause_;
+    QPushButton* results_;
 };
 
 }  // namespace asperity

@@ -44,7 +44,7 @@ ViewOptionsMenu::ViewOptionsMenu(QMenu& menu) : QObject(&menu), menu_(menu) {
     addSwitch(menu, tr("&Scale bars"), &ViewOptions::scaleBars,
               tr("Lengths across the view and along z"));
     addSwitch(menu, tr("&Grid"), &ViewOptions::grid, tr("Lines on the surface, along x and y"));
-    addSwitch(menu, tr("&Deformation"), &ViewOptions::deformation,
+    addSwitch(menu, tr("Dent and nec&k"), &ViewOptions::deformation,
               tr("The surface as the tip moves it; without, it is drawn at rest"));
     addSwitch(menu, tr("S&ection through the tip"), &ViewOptions::section,
               tr("Cuts away what lies before the tip, so that the dent is seen from the side"));

@@ -45,6 +45,7 @@ WindowMenus::WindowMenus(QMenuBar& bar) : QObject(&bar) {
     measure_.emplace(*addMenu(bar, tr("&Measure")));
     addHelpMenu(bar);
     explainAll();
+    refuse(*trial, tr("No study is under way: Run > Study"));  // Return is everybody's
     setHistory({}, {});
 }
 
@@ -254,6 +255,9 @@ void WindowMenus::refuse(QAction& entry, const QString& reason) {
         return;
     }
     refusals_[&entry] = reason;
+    if (!entry.property(kTip).isValid()) {  // one that another menu has explained
+        explain(entry, entry.toolTip());
+    }
     entry.setEnabled(reason.isEmpty());
     entry.setToolTip(reason.isEmpty() ? entry.property(kTip).toString() : reason);
 }

@@ -95,6 +95,7 @@ protected:
         ASSERT_TRUE(isAtStart());
         pressButton();
         ASSERT_TRUE(isInTrial()) << action();
+        EXPECT_FALSE(child<QPushButton>("studyResults")->isEnabled());
         dragAcross();
         goDown();
         pressButton();
@@ -246,6 +247,21 @@ TEST_F(WindowWithStudy, ForcesThatAreSwitchedOffEndTheTrial) {
     EXPECT_EQ(trials().at(0).struckOut, "forces were switched off");
     pressButton();
     EXPECT_TRUE(session.run()->settings().forcesOn) << "of the next trial";
+}
+
+TEST_F(WindowWithStudy, WithoutForcesNobodySwitchesThemOn) {
+    openFlatScene();
+    choose("hand", "Simulated device");
+    Study numb = shortStudy();
+    numb.aids.forces = false;
+    start(numb);
+    EXPECT_FALSE(session.run()->settings().forcesOn);
+    QTest::mouseClick(child<QPushButton>("forces"), Qt::LeftButton);
+    EXPECT_FALSE(session.run()->settings().forcesOn);
+    pressButton();
+    live(300);
+    EXPECT_TRUE(isInTrial()) << "that they are off is no reason to end it";
+    EXPECT_EQ(session.run()->loop().snapshot().sample.output.deviceForce, Vector3::Zero());
 }
 
 TEST_F(WindowWithStudy, TheTimeLimitEndsATrialThatCounts) {
