@@ -49,6 +49,7 @@ RULES = {
     "core/probe": PROBE,
     "core/scene": SCENE,
     "core/deformation": f"{SCENE} core/scene",
+    "core/map": f"{SCENE} core/scene",
     "core/haptics/cycle": LOOP,
     "core/haptics/device": LOOP,
     "core/haptics/governor": LOOP,

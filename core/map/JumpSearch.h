@@ -1,0 +1,39 @@
+#pragma once
+
+#include "core/contact/laws/ForceCurve.h"
+#include "core/map/VerticalPath.h"
+
+#include <optional>
+#include <vector>
+
+namespace asperity {
+
+/// Where the tip changes between free and bonded: the base's heights on both sides of it lie within
+/// 0.1 pm, or as near as rounding lets them.
+struct FoundJump {
+    TipAtHeight before;
+    TipAtHeight after;
+    /// The contact law's own jump at this place, without the error of the search; none: several
+    /// contact points share the force, or the force does not jump.
+    std::optional<TipJump> exact;
+
+    /// Whether the force jumps.
+    [[nodiscard]] bool jumps() const noexcept;
+    [[nodiscard]] double energyLost() const noexcept;  ///< [J]
+};
+
+/// Lowers the base from a free tip until it snaps in. The law says how far that is; where the
+/// surface makes it wrong, the change itself is searched.
+/// None: the tip does not snap in.
+[[nodiscard]] std::optional<FoundJump> findSnapIn(VerticalPath& path, TipAtHeight from);
+
+/// Raises the base from a bonded tip until it is free. None: it stays bonded.
+/// @param maxStep of the base [m]
+/// @param passed gets each state on the way, the first and the last bonded one among them
+[[nodiscard]] std::optional<FoundJump>
+findPullOff(VerticalPath& path, TipAtHeight from, double maxStep, std::vector<TipAtHeight>& passed);
+
+/// How far the base must rise until the tip pulls off, by the law at its place [m].
+[[nodiscard]] double heightToPullOff(const VerticalPath& path, const TipAtHeight& from);
+
+}  // namespace asperity
