@@ -12,6 +12,7 @@
 #include "app/commands/FilmCommand.h"
 #include "app/commands/InfoCommand.h"
 #include "app/commands/LoopCommand.h"
+#include "app/commands/MapCommand.h"
 #include "app/commands/MeasureCommand.h"
 #include "app/commands/ProjectCommand.h"
 #include "app/commands/RenderCommand.h"
@@ -49,6 +50,7 @@ int run(int argc, char** argv) {
     asperity::addMeasureCommand(program);
     asperity::addContactCommand(program);
     asperity::addCurveCommand(program);
+    asperity::addMapCommand(program);
     asperity::addDecoupleCommand(program);
     asperity::addProjectCommand(program);
     asperity::addTradeOffCommand(program);

@@ -119,9 +119,10 @@ RULES = {
     "app/reports": f"{BELOW_APP} app/program app/runs",
     "app/exports": f"{BELOW_APP} app/program app/runs app/reports app/recording",
     "app/experiment": f"{BELOW_APP} app/program app/runs app/recording app/exports",
+    "app/maps": f"{BELOW_APP} app/program app/exports",
     "app/session": f"{BELOW_APP} app/program app/runs app/reports app/recording app/exports",
     "app/commands": f"{BELOW_APP} app/program app/runs app/reports/ app/recording app/exports"
-                    " app/experiment"
+                    " app/experiment app/maps"
                     " app/session",
     "app/reports/run": f"{BELOW_APP} app/program app/runs app/reports app/reports/page",
     "app": PRODUCT,  # main

@@ -10,9 +10,9 @@ namespace asperity {
 
 namespace {
 
-constexpr double kResolution = 1e-13;  // of the base's height [m]
-constexpr double kShort = 1e-3;     // of the way to the jump is left by a step, to stay before it
-constexpr double kMinNormal = 0.1;  // z of a normal that says how far to go along z
+constexpr double kNear = 2e-11;        // of the base to the jump, where the law knows the rest [m]
+constexpr double kResolution = 1e-13;  // where it does not [m]
+constexpr double kMinNormal = 0.1;     // z of a normal that says how far to go along z
 constexpr int kMaxSteps = 400;
 constexpr int kMaxHalvings = 60;
 
@@ -35,45 +35,66 @@ double wayToJump(const VerticalPath& path, const TipAtHeight& tip, Way way) {
     return along / std::max(tip.state.closest.normal.z(), kMinNormal);
 }
 
-/// The law's jump where one contact point bears the force on both sides.
-std::optional<TipJump> exactJump(const VerticalPath& path, const FoundJump& found, Way way) {
-    if (found.before.state.points > 1 || found.after.state.points > 1) {
-        return std::nullopt;
-    }
-    const TipState& state = found.before.state;
+/// The next step of the base towards a jump that is so far away. It ends at one distance from the
+/// jump, so that the last state is a smooth function of the place. Near to it, where the force
+/// bends, steps of a way that is sampled grow short by halves.
+double stepTowards(double left, double maxStep) {
+    constexpr double kSampled = 1.0 / 32.0;  // of the longest step
+    return left > kSampled * maxStep ? std::min(0.5 * left, maxStep) : left - kNear;
+}
+
+bool isOfOnePoint(const TipAtHeight& before, const TipAtHeight& after) {
+    return before.state.points == 1 && after.state.points == 1;
+}
+
+/// The contact law's jump at a place.
+std::optional<TipJump> jumpOfLaw(const VerticalPath& path, const TipState& state, Way way) {
     const ContactModel law = contactModelAt(path.instrument().system(), state);
     const double compliance = path.compliance(state);
     return way == Way::Down ? snapInOf(law, compliance) : pullOffOf(law, compliance);
 }
 
-/// Narrows the heights between which the tip changes.
-FoundJump narrowed(VerticalPath& path, TipAtHeight before, TipAtHeight after, Way way) {
+/// The heights between which the tip changes, 0.1 pm apart.
+FoundJump narrowed(VerticalPath& path, TipAtHeight before, TipAtHeight after) {
     const bool wasBonded = before.isBonded();
     for (int i = 0; i < kMaxHalvings && std::abs(after.base - before.base) > kResolution; ++i) {
         TipAtHeight middle = path.at(std::midpoint(before.base, after.base), before.memory);
         (middle.isBonded() == wasBonded ? before : after) = std::move(middle);
     }
-    FoundJump found{std::move(before), std::move(after), std::nullopt};
-    found.exact = exactJump(path, found, way);
-    return found;
+    const double base = before.base;
+    return {std::move(before), std::move(after), base, false, std::nullopt};
+}
+
+/// The jump between two heights. Right at it an equilibrium takes many steps: where the law knows
+/// the jump, there is no need to go there.
+FoundJump jumpBetween(VerticalPath& path, TipAtHeight before, TipAtHeight after, Way way) {
+    if (!isOfOnePoint(before, after)) {
+        return narrowed(path, std::move(before), std::move(after));
+    }
+    const double base = before.base + (static_cast<double>(way) * wayToJump(path, before, way));
+    std::optional<TipJump> exact = jumpOfLaw(path, before.state, way);
+    return {std::move(before), std::move(after), base, true, std::move(exact)};
 }
 
 template <class Visit>
 std::optional<FoundJump> findJump(VerticalPath& path, TipAtHeight now, Way way, double maxStep,
                                   const Visit& visit) {
+    constexpr double kThere = 1e-15;  // of the base at its distance from the jump [m]
+    constexpr int kCorrections = 6;
     const bool wasBonded = now.isBonded();
-    double push = kResolution;
+    double push = 2.0 * kNear;
+    int corrections = 0;
     for (int i = 0; i < kMaxSteps; ++i) {
         visit(now);
-        const double left = wayToJump(path, now, way);
-        double step = std::min((1.0 - kShort) * left, maxStep);
-        if (!(step > kResolution)) {
+        double step = stepTowards(wayToJump(path, now, way), maxStep);
+        corrections += step < kNear ? 1 : 0;
+        if (std::abs(step) <= kThere || corrections > kCorrections) {
             step = push;
             push *= 2.0;
         }
         TipAtHeight next = path.at(now.base + (static_cast<double>(way) * step), now.memory);
         if (next.isBonded() != wasBonded) {
-            return narrowed(path, std::move(now), std::move(next), way);
+            return jumpBetween(path, std::move(now), std::move(next), way);
         }
         now = std::move(next);
     }
@@ -82,12 +103,16 @@ std::optional<FoundJump> findJump(VerticalPath& path, TipAtHeight now, Way way, 
 
 }  // namespace
 
-bool FoundJump::jumps() const noexcept {
-    return exact || before.state.points > 1 || after.state.points > 1;
-}
-
 double FoundJump::energyLost() const noexcept {
     return exact ? exact->after.energyLost : after.state.contact.energyLost;
+}
+
+double FoundJump::forceBefore() const noexcept {
+    return exact ? exact->before.force * before.state.closest.normal.z() : before.force();
+}
+
+double FoundJump::forceAfter() const noexcept {
+    return exact ? exact->after.force * before.state.closest.normal.z() : after.force();
 }
 
 std::optional<FoundJump> findSnapIn(VerticalPath& path, TipAtHeight from) {

@@ -8,18 +8,23 @@
 
 namespace asperity {
 
-/// Where the tip changes between free and bonded: the base's heights on both sides of it lie within
-/// 0.1 pm, or as near as rounding lets them.
+/// Where the tip changes between free and bonded. On one contact point the contact law knows the
+/// jump: `before` is 20 pm away from it; else `before` and `after` are 0.1 pm apart.
 struct FoundJump {
     TipAtHeight before;
     TipAtHeight after;
-    /// The contact law's own jump at this place, without the error of the search; none: several
-    /// contact points share the force, or the force does not jump.
+    double base = 0.0;  ///< height of the base where it jumps [m]
+    bool ofOnePoint = true;
+    /// On one contact point the contact law's own jump at this place, without the error of the
+    /// search; none: the force does not jump.
     std::optional<TipJump> exact;
 
     /// Whether the force jumps.
-    [[nodiscard]] bool jumps() const noexcept;
+    [[nodiscard]] bool jumps() const noexcept { return exact || !ofOnePoint; }
     [[nodiscard]] double energyLost() const noexcept;  ///< [J]
+    /// Forces along z on both sides of it [N].
+    [[nodiscard]] double forceBefore() const noexcept;
+    [[nodiscard]] double forceAfter() const noexcept;
 };
 
 /// Lowers the base from a free tip until it snaps in. The law says how far that is; where the

@@ -3,6 +3,7 @@
 #include "core/EnumTable.h"
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 

@@ -33,22 +33,26 @@ void takeSetpoint(const TipAtHeight& tip, const VerticalPath& path, MapValues& v
     values[MapQuantity::NormalAngle] = std::atan2(std::hypot(normal.x(), normal.y()), normal.z());
 }
 
-/// Along z, just before the tip pulls off [N].
-double pullOffForce(const FoundJump& pullOff) {
-    const TipState& before = pullOff.before.state;
-    return pullOff.exact ? -pullOff.exact->before.force * before.closest.normal.z()
-                         : -before.force.z();
-}
-
 void takeRetract(const RetractCurve& curve, const VerticalPath& path, MapValues& values) {
     const double adhesion = strongestPull(path, curve);
-    if (curve.pullOff.jumps()) {
-        values[MapQuantity::PullOffForce] = pullOffForce(curve.pullOff);
+    const FoundJump& pullOff = curve.pullOff;
+    const double pull = -pullOff.forceBefore();
+    // A tip that jumps from one wall to another is no state to read a force from.
+    if (pullOff.jumps() && (pull > 0.0 || pullOff.before.state.converged)) {
+        values[MapQuantity::PullOffForce] = pull;
     }
     values[MapQuantity::AdhesionForce] = adhesion;
     values[MapQuantity::SeparationWork] = separationWork(curve);
     values[MapQuantity::ApparentModulus] =
         dmtModulus(curve.bonded, adhesion, path.instrument().system().tipRadius());
+}
+
+/// What the pull-off does not hold for. So near to it an equilibrium may take more steps than there
+/// are, which does not matter where the law knows the jump.
+ValidityFlags pullOffValidity(const MapInstrument& instrument, const FoundJump& pullOff) {
+    TipState before = pullOff.before.state;
+    before.converged |= pullOff.exact.has_value();
+    return instrument.validity(before);
 }
 
 /// The flags of the states that the quantities come from, after as much of a cycle as there is.
@@ -71,7 +75,7 @@ ValidityFlags cycle(VerticalPath& path, double setpoint, MapValues& values) {
     takeRetract(*curve, path, values);
     values[MapQuantity::DissipatedEnergy] =
         engaged->snapIn.energyLost() + curve->pullOff.energyLost();
-    flags.add(instrument.validity(curve->pullOff.before.state));
+    flags.add(pullOffValidity(instrument, curve->pullOff));
     return flags;
 }
 

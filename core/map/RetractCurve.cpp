@@ -11,8 +11,13 @@ namespace {
 
 constexpr int kSteps = 32;
 
+/// @param base its height [m] @param force along z [N]
+RetractPoint pointAt(const VerticalPath& path, double base, double force) {
+    return {.height = base + (path.complianceZ() * force), .force = force};
+}
+
 RetractPoint pointOf(const VerticalPath& path, const TipAtHeight& tip) {
-    return {.height = path.recordedHeight(tip), .force = tip.force()};
+    return pointAt(path, tip.base, tip.force());
 }
 
 /// The rest of the attraction falls with the square of the distance: steps grow.
@@ -75,20 +80,22 @@ std::optional<RetractCurve> retract(VerticalPath& path, TipAtHeight atSetpoint) 
     if (!pullOff) {
         return std::nullopt;
     }
-    RetractCurve curve{.bonded = {}, .free = {}, .pullOff = std::move(*pullOff)};
+    RetractCurve curve{.bonded = {}, .free = {}, .pullOff = std::move(*pullOff), .jumpWork = 0.0};
     double pull = 0.0;
     for (const TipAtHeight& tip : passed) {
         curve.bonded.push_back(pointOf(path, tip));
         pull = std::max(pull, -tip.force());
     }
-    curve.bonded.push_back(pointOf(path, curve.pullOff.before));
+    const FoundJump& jump = curve.pullOff;
+    const RetractPoint last = pointAt(path, jump.base, jump.forceBefore());
+    curve.bonded.push_back(last);
+    curve.jumpWork = pullingArea(last, pointAt(path, jump.base, jump.forceAfter()));
     curve.free = freeWay(path, curve.pullOff.after, pull);
     return curve;
 }
 
 double separationWork(const RetractCurve& curve) noexcept {
-    return pullingArea(curve.bonded) + pullingArea(curve.bonded.back(), curve.free.front()) +
-           freeArea(curve.free);
+    return pullingArea(curve.bonded) + curve.jumpWork + freeArea(curve.free);
 }
 
 double strongestPull(const VerticalPath& path, const RetractCurve& curve) noexcept {

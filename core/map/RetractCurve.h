@@ -18,6 +18,7 @@ struct RetractCurve {
     std::vector<RetractPoint> bonded;  ///< from the setpoint to the last state before the pull-off
     std::vector<RetractPoint> free;    ///< after it, until the force is 0.1 % of the strongest pull
     FoundJump pullOff;
+    double jumpWork = 0.0;  ///< area under the pull while the tip pulls off, the base at rest [J]
 };
 
 /// Raises the base from the setpoint in about 32 steps until the tip pulls off, and on.
