@@ -32,6 +32,7 @@ CLI::Validator gwyName() {
 
 CLI::Validator modeName() {
     std::vector<std::string> keys;
+    keys.reserve(kValues<MapMode>.size());
     for (const MapMode mode : kValues<MapMode>) {
         keys.emplace_back(keyOf(mode));
     }

@@ -33,7 +33,7 @@ ProgressLine::~ProgressLine() {
 
 std::string ProgressLine::textOf(double fraction) {
     constexpr std::chrono::seconds kSoon(5);  // before this there is no pace to rely on
-    const std::string text = work_ + " " + std::to_string(std::lround(100.0 * fraction)) + " %";
+    std::string text = work_ + " " + std::to_string(std::lround(100.0 * fraction)) + " %";
     if (first_ < 0.0) {
         first_ = fraction;
     }

@@ -72,8 +72,8 @@ FoundJump jumpBetween(VerticalPath& path, TipAtHeight before, TipAtHeight after,
         return narrowed(path, std::move(before), std::move(after));
     }
     const double base = before.base + (static_cast<double>(way) * wayToJump(path, before, way));
-    std::optional<TipJump> exact = jumpOfLaw(path, before.state, way);
-    return {std::move(before), std::move(after), base, true, std::move(exact)};
+    const std::optional<TipJump> exact = jumpOfLaw(path, before.state, way);
+    return {std::move(before), std::move(after), base, true, exact};
 }
 
 template <class Visit>

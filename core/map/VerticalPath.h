@@ -2,6 +2,8 @@
 
 #include "core/map/MapInstrument.h"
 
+#include <utility>
+
 namespace asperity {
 
 /// The tip where the base stands at one height.
@@ -24,8 +26,8 @@ public:
     static constexpr double kSpeed = 1e-6;
 
     /// @param place world x, y [m]
-    VerticalPath(const MapInstrument& instrument, const Vector2& place)
-        : instrument_(instrument), place_(place) {}
+    VerticalPath(const MapInstrument& instrument, Vector2 place)
+        : instrument_(instrument), place_(std::move(place)) {}
 
     /// How the base moves where a state is asked for, which friction depends on [m/s].
     void setVelocity(const Vector3& velocity) noexcept { velocity_ = velocity; }
