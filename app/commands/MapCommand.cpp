@@ -15,6 +15,7 @@
 #include <iostream>
 #include <memory>
 #include <optional>
+#include <vector>
 
 namespace asperity {
 
@@ -26,9 +27,14 @@ PartUse useOf(const MapOptions& options) {
 
 /// Refuses files that cannot be written, or that the user may want to keep, before long work is
 /// done for them. An unfinished map's own files may go.
-void requireTargets(const MapOptions& options, const MapFiles& files, const std::string& scan) {
+void requireTargets(const MapOptions& options, const MapFiles& files, const MapPlan& plan,
+                    const std::string& scan) {
+    std::vector<std::filesystem::path> targets{files.gwy(), files.vti(), files.exr()};
+    for (int sheet = 1; !options.noPictures && sheet <= sheetCount(plan); ++sheet) {
+        targets.push_back(files.sheet(sheet));
+    }
     std::error_code none;
-    for (const auto& file : {files.gwy(), files.vti(), files.exr()}) {
+    for (const std::filesystem::path& file : targets) {
         for (const std::string& input : {options.scene, scan}) {
             if (std::filesystem::equivalent(input, file, none)) {
                 throw Error(file.string() + ": this is an input; give another output file");
@@ -83,7 +89,7 @@ void map(const MapOptions& options) {
     const LoadedScene loaded = loadFor(options);
     const MapPlan plan = planMap(loaded.scene, options.request);
     requireMapFits(plan);
-    requireTargets(options, files, loaded.scene.description.sample.file);
+    requireTargets(options, files, plan, loaded.scene.description.sample.file);
     std::optional<VirtualDisplay> display;  // before long work is done
     if (!options.noPictures) {
         display.emplace();

@@ -40,6 +40,17 @@ SheetMap sheetMap(const MapPlan& plan, const MapPart& part, std::size_t place) {
     return map;
 }
 
+/// Places in the plan of the quantities that are drawn.
+std::vector<std::size_t> shownOf(const MapPlan& plan) {
+    std::vector<std::size_t> shown;
+    for (std::size_t i = 0; i < plan.quantities.size(); ++i) {
+        if (plan.quantities[i] != MapQuantity::Validity) {
+            shown.push_back(i);
+        }
+    }
+    return shown;
+}
+
 std::string titleOf(const MapPlan& plan) {
     return "Force map: mode " + std::string(keyOf(plan.mode)) + ", setpoint " +
            formatSi(plan.setpoint, "N") + ", " +
@@ -50,13 +61,12 @@ std::string titleOf(const MapPlan& plan) {
 
 }  // namespace
 
-int writeMapSheets(const MapFiles& files, const MapPlan& plan, const MapPart& part) {
-    std::vector<std::size_t> shown;
-    for (std::size_t i = 0; i < plan.quantities.size(); ++i) {
-        if (plan.quantities[i] != MapQuantity::Validity) {
-            shown.push_back(i);
-        }
-    }
+int sheetCount(const MapPlan& plan) {
+    return static_cast<int>((shownOf(plan).size() + kMapsPerSheet - 1) / kMapsPerSheet);
+}
+
+void writeMapSheets(const MapFiles& files, const MapPlan& plan, const MapPart& part) {
+    const std::vector<std::size_t> shown = shownOf(plan);
     int sheets = 0;
     for (std::size_t first = 0; first < shown.size(); first += kMapsPerSheet) {
         std::vector<SheetMap> maps;
@@ -65,7 +75,6 @@ int writeMapSheets(const MapFiles& files, const MapPlan& plan, const MapPart& pa
         }
         writeMapSheet(files.sheet(++sheets), titleOf(plan), maps);
     }
-    return sheets;
 }
 
 }  // namespace asperity

@@ -184,6 +184,10 @@ TEST_F(Map, DrawsSheetsOfItsQuantities) {
         EXPECT_TRUE(isThere(sheet)) << sheet;
     }
     EXPECT_FALSE(isThere("map_4.png"));
+    (void)scratch.write("other_2.png", "precious");
+    const auto refused = test::runProgram(arguments("other.gwy", "--grid 12x12"));
+    EXPECT_EQ(refused.exitCode, 1);
+    EXPECT_THAT(refused.output, HasSubstr("other_2.png: exists; --force replaces it"));
 }
 
 }  // namespace
