@@ -65,8 +65,8 @@ TEST(MapRow, OfAFlatScanIsConstant) {
 }
 
 /// Across the lever, along which nothing tells up from down: mount and friction are the same. The
-/// surface is mirrored to the bit; the tip's places on it are not, since y from the lower edge and
-/// y from the upper edge round differently, so that the last digits of a cycle differ.
+/// surface is mirrored to the bit; the last digits of a cycle are not, since y from the lower edge
+/// and y from the upper edge round differently, and so do the sums of the spline at both.
 TEST(MapRow, OfAMirroredScanIsMirrored) {
     const Scene scene = buildScene(test::plainScene(), lopsidedMap());
     const Scene mirrored = buildScene(test::plainScene(), upsideDown(lopsidedMap()));
