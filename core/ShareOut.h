@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/AllowedCores.h"
 #include "core/Progress.h"
 
 #include <algorithm>
@@ -79,7 +80,7 @@ inline void waitFor(std::future<void>& share, const CancelCheck& check) {
 /// Calls work(index, check) for 0..count - 1. Work that takes long calls `check`, a const
 /// CancelCheck&, now and then.
 /// @param progress may be null; told and asked by the calling thread alone
-/// @param most threads; 0: as many as the machine has cores
+/// @param most threads; 0: as many as the process may use cores
 /// @throw Canceled, what work throws
 template <class Work>
 void shareOut(int count, Progress* progress, const Work& work, int most = 0) {
@@ -94,7 +95,7 @@ void shareOut(int count, Progress* progress, const Work& work, int most = 0) {
             ++done;
         }
     };
-    const int wanted = most > 0 ? most : static_cast<int>(std::thread::hardware_concurrency());
+    const int wanted = most > 0 ? most : allowedCores();
     const int threads = std::clamp(wanted, 1, count);
     std::vector<std::future<void>> others;
     for (int i = 1; i < threads; ++i) {

@@ -150,6 +150,7 @@ RULES |= {f"tests/{folder}": TESTS for folder in RULES} | {
 
 # headers of others that belong to some places only
 FOREIGN = {
+    r"mpi\.h": "app/maps",
     r"(vtk|QVTK)": "vtkplugins/ ui/ bench/ tests/ tools/",
     r"Q[A-Z]": "ui/ app/exports app/session app/commands app/reports/page bench/ tests/ tools/",
     r"hidapi": "hardware/ tests/",

@@ -3,9 +3,11 @@
 #include "app/commands/MapOptions.h"
 #include "app/commands/ProgressLine.h"
 #include "app/commands/VirtualDisplay.h"
+#include "app/maps/MapJob.h"
 #include "app/maps/MapKey.h"
 #include "app/maps/MapRun.h"
 #include "app/maps/MapSheets.h"
+#include "app/program/ToldError.h"
 #include "core/Error.h"
 #include "core/FormattedText.h"
 #include "core/PrintableText.h"
@@ -15,11 +17,26 @@
 #include <iostream>
 #include <memory>
 #include <optional>
+#include <thread>
+#include <utility>
 #include <vector>
 
 namespace asperity {
 
 namespace {
+
+/// For rank 0 to say what went wrong everywhere.
+constexpr std::chrono::milliseconds kPatience(500);
+
+/// Cancels on a signal and shows nothing.
+class SilentProgress : public Progress {
+public:
+    void report(double /*fraction*/) override {}
+    [[nodiscard]] bool isCanceled() const override { return CancelOnSignal::hasArrived(); }
+
+private:
+    CancelOnSignal cancel_;
+};
 
 PartUse useOf(const MapOptions& options) {
     return options.resume ? PartUse::Resume : options.force ? PartUse::Replace : PartUse::New;
@@ -48,23 +65,41 @@ void requireTargets(const MapOptions& options, const MapFiles& files, const MapP
     }
 }
 
-LoadedScene loadFor(const MapOptions& options) {
-    ProgressLine line("loading");
-    // With all terms of the model: no map has to keep up with a tick.
-    LoadedScene loaded = loadScene(options.scene, options.overrides, &line, ModelFit::Later);
-    reportTo(&line, 1.0);
-    return loaded;
-}
-
-/// Computes what is missing. @return whether it was not canceled
-bool compute(const MapOptions& options, const Scene& scene, const MapPlan& plan, MapPart& part) {
+/// Computes what is missing, with the other processes of the job. @return whether it was not
+/// canceled
+bool compute(const MapOptions& options, const MpiJob& job, const Scene& scene, const MapPlan& plan,
+             MapPart& part) {
     try {
         ProgressLine line("mapping");
-        computeMap(scene, plan, part, options.threads, &line);
+        if (job.isAlone()) {
+            computeMap(scene, plan, part, options.threads, &line);
+        } else {
+            leadMap(job, scene, plan, part, options.threads, &line);
+        }
         return true;
     } catch (const Canceled&) {
         return false;
     }
+}
+
+/// What all ranks begin with.
+struct MapInput {
+    LoadedScene loaded;
+    MapPlan plan;
+};
+
+MapInput inputOf(const MapOptions& options, Progress& progress) {
+    // With all terms of the model: no map has to keep up with a tick.
+    LoadedScene loaded = loadScene(options.scene, options.overrides, &progress, ModelFit::Later);
+    reportTo(&progress, 1.0);
+    MapPlan plan = planMap(loaded.scene, options.request);
+    requireMapFits(plan);
+    return {std::move(loaded), std::move(plan)};
+}
+
+MapInput loadedInput(const MapOptions& options) {
+    ProgressLine line("loading");
+    return inputOf(options, line);
 }
 
 /// A canceled map is written, too, whatever the signal: what it lacks holds no data.
@@ -84,32 +119,66 @@ std::string speedText(const MapPlan& plan, int rows, double seconds) {
                      seconds > 0.0 ? curves / seconds : 0.0);
 }
 
-void map(const MapOptions& options) {
+/// A launcher kills all processes a second after it has asked them to end: too soon for files.
+[[noreturn]] void endCanceled(const MpiJob& job, const MapFiles& files, const MapPart& part) {
+    const std::string count =
+        formatted("canceled: %d of %d rows are in ", part.count(), part.rows());
+    throw Error(job.isAlone() ? count + files.gwy().string() +
+                                    ", the others hold no data; --resume goes on with the map"
+                              : count + files.part().string() + "; --resume goes on with the map");
+}
+
+/// Of rank 0, or of the only process.
+void lead(const MapOptions& options, const MpiJob& job) {
     const MapFiles files(options.out);
-    const LoadedScene loaded = loadFor(options);
-    const MapPlan plan = planMap(loaded.scene, options.request);
-    requireMapFits(plan);
+    const auto [loaded, plan] = loadedInput(options);
     requireTargets(options, files, plan, loaded.scene.description.sample.file);
     std::optional<VirtualDisplay> display;  // before long work is done
     if (!options.noPictures) {
         display.emplace();
     }
-    MapPart part(files.part(), plan, mapKey(loaded, plan), useOf(options));
+    const std::string key = mapKey(loaded, plan);
+    MapPart part(files.part(), plan, key, useOf(options));
     for (const std::string& note : notesOn(loaded)) {
         std::cerr << "note: " << printable(note) << '\n';
     }
+    job.requireSame(key, "the map");
     const int before = part.count();
     const auto begin = std::chrono::steady_clock::now();
-    const bool isWhole = compute(options, loaded.scene, plan, part);
+    const bool isWhole = compute(options, job, loaded.scene, plan, part);
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
-    writeAll(files, loaded, plan, part, !options.noPictures);
+    if (isWhole || job.isAlone()) {
+        writeAll(files, loaded, plan, part, !options.noPictures);
+    }
     if (!isWhole) {
-        throw Error(formatted("canceled: %d of %d rows are in ", part.count(), part.rows()) +
-                    files.gwy().string() +
-                    ", the others hold no data; --resume goes on with the map");
+        endCanceled(job, files, part);
     }
     part.remove();
     std::cout << speedText(plan, part.rows() - before, took.count()) << '\n';
+}
+
+/// Of the other ranks: they say nothing.
+void follow(const MapOptions& options, const MpiJob& job) {
+    SilentProgress progress;
+    const auto [loaded, plan] = inputOf(options, progress);
+    job.requireSame(mapKey(loaded, plan), "the map");
+    followMap(job, loaded.scene, plan, options.threads, &progress);
+}
+
+void map(const MapOptions& options) {
+    const MpiJob job;
+    try {
+        job.rank() == 0 ? lead(options, job) : follow(options, job);
+    } catch (...) {
+        if (job.isAlone()) {
+            throw;
+        }
+        if (job.rank() != 0) {  // what went wrong on all ranks is said by rank 0 alone
+            std::this_thread::sleep_for(kPatience);
+            std::cerr << "rank " << job.rank() << ": ";
+        }
+        job.abort(tellError(std::current_exception()));
+    }
 }
 
 }  // namespace
