@@ -12,6 +12,7 @@
 #include "app/commands/FilmCommand.h"
 #include "app/commands/InfoCommand.h"
 #include "app/commands/LoopCommand.h"
+#include "app/commands/MapCommand.h"
 #include "app/commands/MeasureCommand.h"
 #include "app/commands/ProjectCommand.h"
 #include "app/commands/RenderCommand.h"
@@ -20,6 +21,7 @@
 #include "app/commands/TradeOffCommand.h"
 #include "app/commands/WindowCommand.h"
 #include "app/program/StandardStreams.h"
+#include "app/program/ToldError.h"
 #include "core/Error.h"
 #include "core/PrintableText.h"
 #include "core/Version.h"
@@ -28,15 +30,9 @@
 #include <csignal>
 #include <exception>
 #include <iostream>
-#include <new>
 #include <sstream>
 
 namespace {
-
-// The exit codes are part of the command line's contract.
-constexpr int kFailed = 1;
-constexpr int kWrongUsage = 2;
-constexpr int kFileError = 3;
 
 int run(int argc, char** argv) {
     CLI::App program("Asperity: an augmented-reality interface for an atomic force microscope");
@@ -49,6 +45,7 @@ int run(int argc, char** argv) {
     asperity::addMeasureCommand(program);
     asperity::addContactCommand(program);
     asperity::addCurveCommand(program);
+    asperity::addMapCommand(program);
     asperity::addDecoupleCommand(program);
     asperity::addProjectCommand(program);
     asperity::addTradeOffCommand(program);
@@ -71,7 +68,7 @@ int run(int argc, char** argv) {
         const int status = program.exit(error, help, complaint);
         std::cout << help.str();
         std::cerr << asperity::printableLines(complaint.str());
-        return status == 0 ? 0 : kWrongUsage;
+        return status == 0 ? 0 : asperity::kWrongUsage;
     }
     return program.get_subcommands().empty() ? asperity::openWindow(*window) : 0;
 }
@@ -89,14 +86,7 @@ int main(int argc, char** argv) {
             throw asperity::Error("standard output could not be written");
         }
         return status;
-    } catch (const asperity::FileError& error) {
-        std::cerr << "asperity: " << error.what() << '\n';
-        return kFileError;
-    } catch (const std::bad_alloc&) {
-        std::cerr << "asperity: out of memory\n";
-        return kFailed;
-    } catch (const std::exception& error) {
-        std::cerr << "asperity: " << asperity::printable(error.what()) << '\n';
-        return kFailed;
+    } catch (...) {
+        return asperity::tellError(std::current_exception());
     }
 }

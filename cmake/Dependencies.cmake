@@ -13,6 +13,7 @@ pkg_check_modules(LIBZIP REQUIRED IMPORTED_TARGET libzip)
 pkg_check_modules(HDF5 REQUIRED IMPORTED_TARGET hdf5-serial)  # one without MPI
 find_package(pugixml 1.13 REQUIRED)
 find_package(OpenSSL REQUIRED COMPONENTS Crypto)
+find_package(MPI REQUIRED COMPONENTS CXX)  # it comes with VTK
 find_package(
   VTK 9.1 REQUIRED
   COMPONENTS CommonCore CommonDataModel CommonExecutionModel FiltersCore FiltersGeneral

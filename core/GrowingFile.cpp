@@ -27,6 +27,20 @@ GrowingFile::GrowingFile(std::filesystem::path path)
     (void)file_.lock();  // a file system without locks is good enough to write on
 }
 
+GrowingFile::GrowingFile(std::filesystem::path path, std::uint64_t kept)
+    : path_(std::move(path))
+    , file_(open(path_.c_str(), O_WRONLY | O_NOFOLLOW | O_APPEND | O_CLOEXEC)) {
+    if (!file_.isOpen()) {
+        fail(path_);
+    }
+    if (!file_.lock() && errno == EWOULDBLOCK) {
+        throw Error(path_.string() + ": another process is writing it");
+    }
+    if (ftruncate(file_.get(), static_cast<off_t>(kept)) != 0) {
+        fail(path_);
+    }
+}
+
 void GrowingFile::append(std::string_view bytes) {
     while (!bytes.empty()) {
         const ssize_t written = write(file_.get(), bytes.data(), bytes.size());

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/AllowedCores.h"
 #include "core/Progress.h"
 
 #include <algorithm>
@@ -76,12 +77,13 @@ inline void waitFor(std::future<void>& share, const CancelCheck& check) {
     share.get();
 }
 
-/// Calls work(index, check) for 0..count - 1 on as many threads as the machine has cores. Work that
-/// takes long calls `check`, a const CancelCheck&, now and then.
-/// @param progress may be null; told and asked by the calling thread alone. @throw Canceled, what
-/// work throws
+/// Calls work(index, check) for 0..count - 1. Work that takes long calls `check`, a const
+/// CancelCheck&, now and then.
+/// @param progress may be null; told and asked by the calling thread alone
+/// @param most threads; 0: as many as the process may use cores
+/// @throw Canceled, what work throws
 template <class Work>
-void shareOut(int count, Progress* progress, const Work& work) {
+void shareOut(int count, Progress* progress, const Work& work, int most = 0) {
     std::atomic<int> next = 0;
     std::atomic<int> done = 0;
     std::atomic<bool> ended = false;
@@ -93,7 +95,8 @@ void shareOut(int count, Progress* progress, const Work& work) {
             ++done;
         }
     };
-    const int threads = std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1, count);
+    const int wanted = most > 0 ? most : allowedCores();
+    const int threads = std::clamp(wanted, 1, count);
     std::vector<std::future<void>> others;
     for (int i = 1; i < threads; ++i) {
         others.push_back(std::async(std::launch::async, run, CancelCheck(nullptr, ended, nullptr)));

@@ -49,6 +49,7 @@ RULES = {
     "core/probe": PROBE,
     "core/scene": SCENE,
     "core/deformation": f"{SCENE} core/scene",
+    "core/map": f"{SCENE} core/scene",
     "core/haptics/cycle": LOOP,
     "core/haptics/device": LOOP,
     "core/haptics/governor": LOOP,
@@ -119,10 +120,11 @@ RULES = {
     "app/reports": f"{BELOW_APP} app/program app/runs",
     "app/exports": f"{BELOW_APP} app/program app/runs app/reports app/recording",
     "app/experiment": f"{BELOW_APP} app/program app/runs app/recording app/exports",
+    "app/maps": f"{BELOW_APP} app/program app/exports",
     "app/session": f"{BELOW_APP} app/program app/runs app/reports app/recording app/exports"
                    " app/experiment",
     "app/commands": f"{BELOW_APP} app/program app/runs app/reports/ app/recording app/exports"
-                    " app/experiment"
+                    " app/experiment app/maps"
                     " app/session",
     "app/reports/run": f"{BELOW_APP} app/program app/runs app/reports app/reports/page",
     "app": PRODUCT,  # main
@@ -150,6 +152,7 @@ RULES |= {f"tests/{folder}": TESTS for folder in RULES} | {
 
 # headers of others that belong to some places only
 FOREIGN = {
+    r"mpi\.h": "app/maps",
     r"(vtk|QVTK)": "vtkplugins/ ui/ bench/ tests/ tools/",
     r"Q[A-Z]": "ui/ app/exports app/session app/commands app/reports/page bench/ tests/ tools/",
     r"hidapi": "hardware/ tests/",

@@ -1,11 +1,26 @@
 #include "app/commands/ProgressLine.h"
 
+#include "core/FormattedText.h"
+
 #include <cmath>
 #include <iostream>
 #include <unistd.h>
 #include <utility>
 
 namespace asperity {
+
+std::string durationText(double seconds) {
+    const long whole = std::lround(seconds);
+    constexpr long kMinute = 60;
+    constexpr long kHour = 60 * kMinute;
+    if (whole < 2 * kMinute) {
+        return std::to_string(whole) + " s";
+    }
+    if (whole < 2 * kHour) {
+        return std::to_string((whole + kMinute / 2) / kMinute) + " min";
+    }
+    return formatted("%.1f h", seconds / kHour);
+}
 
 ProgressLine::ProgressLine(std::string work, std::chrono::seconds pause)
     : work_(std::move(work)), isTerminal_(isatty(STDERR_FILENO) == 1), pause_(pause) {}
@@ -16,19 +31,34 @@ ProgressLine::~ProgressLine() {
     }
 }
 
+std::string ProgressLine::textOf(double fraction) {
+    constexpr std::chrono::seconds kSoon(5);  // before this there is no pace to rely on
+    std::string text = work_ + " " + std::to_string(std::lround(100.0 * fraction)) + " %";
+    if (first_ < 0.0) {
+        first_ = fraction;
+    }
+    const std::chrono::duration<double> since = std::chrono::steady_clock::now() - begin_;
+    const double done = fraction - first_;
+    if (since < kSoon || !(done > 0.0) || fraction >= 1.0) {
+        return text;
+    }
+    return text + ", about " + durationText((1.0 - fraction) / done * since.count()) + " left";
+}
+
 void ProgressLine::report(double fraction) {
     const long percent = std::lround(100.0 * fraction);
     if (std::exchange(shown_, percent) == percent) {
         return;
     }
+    const std::string text = textOf(fraction);
     if (isTerminal_) {
-        std::cerr << '\r' << work_ << ' ' << percent << " %\033[K" << std::flush;
+        std::cerr << '\r' << text << "\033[K" << std::flush;
         return;
     }
     const auto now = std::chrono::steady_clock::now();
     if (now - lastLine_ >= pause_) {
         lastLine_ = now;
-        std::cerr << work_ << ' ' << percent << " %\n";
+        std::cerr << text << '\n';
     }
 }
 

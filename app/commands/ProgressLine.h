@@ -9,9 +9,13 @@
 
 namespace asperity {
 
+/// For people, to the second, the minute or a tenth of an hour: "45 s", "12 min", "3.4 h".
+[[nodiscard]] std::string durationText(double seconds);
+
 /// Shows on standard error how far long work is: on a terminal in one line, which is wiped at the
-/// end; elsewhere, as in a log, in a line now and then. SIGINT, SIGTERM and SIGHUP cancel the work.
-/// One at a time.
+/// end; elsewhere, as in a log, in a line now and then. Work that takes long shows how much longer
+/// it will take, at the pace since its beginning. SIGINT, SIGTERM and SIGHUP cancel the work. One
+/// at a time.
 class ProgressLine : public Progress {
 public:
     /// @param work a word for people: "loading" @param pause between lines of a log
@@ -24,12 +28,16 @@ public:
     [[nodiscard]] bool isCanceled() const override { return CancelOnSignal::hasArrived(); }
 
 private:
+    [[nodiscard]] std::string textOf(double fraction);
+
     CancelOnSignal cancel_;
     std::string work_;
     bool isTerminal_;
     std::chrono::seconds pause_;
-    std::chrono::steady_clock::time_point lastLine_ = std::chrono::steady_clock::now();
-    long shown_ = -1;  ///< percent
+    std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+    std::chrono::steady_clock::time_point lastLine_ = begin_;
+    double first_ = -1.0;  ///< fraction that was reported first; below 0: none
+    long shown_ = -1;      ///< percent
 };
 
 /// loadScene() that shows on the terminal how far it is. @throw as loadScene(); Canceled

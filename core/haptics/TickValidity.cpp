@@ -1,7 +1,6 @@
 #include "core/haptics/TickValidity.h"
 
-#include "core/contact/laws/LawChoice.h"
-#include "core/scene/ContactValidity.h"
+#include "core/scene/TipValidity.h"
 
 namespace asperity {
 
@@ -29,29 +28,10 @@ bool snapsSoon(const Scene& scene, const TipState& model) {
 
 ValidityFlags tickValidity(const Scene& scene, const TickOutput& out,
                            const InnovationVerdict& verdict) noexcept {
-    const Vector3& closest = out.model.closest.point;
-    ValidityFlags flags;
-    flags.set(Validity::LargeContact, isLargeContact(out.model.contactRatio, 1.0));
-    // A shape goes on beyond the window.
-    flags.set(Validity::OutsideScan,
-              !out.model.closest.insideScan || !scene.surface.contains(closest.x(), closest.y()));
-    flags.set(Validity::FilledPixel, !scene.surface.isMeasured(closest.x(), closest.y()));
-    flags.set(Validity::ClosestPointNotFound, !out.model.closest.converged);
-    flags.set(Validity::NotInEquilibrium, !out.model.converged || !out.model.contact.solved());
-    flags.set(Validity::FrictionLock, out.model.locked);
+    ValidityFlags flags =
+        tipValidity(scene, scene.belief, scene.description.sample.material, out.model);
     flags.set(Validity::ModelContradicted, verdict.modelContradicted);
     flags.set(Validity::EstimateInconsistent, verdict.estimateInconsistent);
-    const bool bonded = out.model.contact.branch == ContactBranch::Bonded;
-    flags.set(Validity::UncertainPixel,
-              bonded && scene.certainty.isUncertain(closest.x(), closest.y()));
-    flags.set(Validity::Anisotropic, bonded && out.model.anisotropic);
-    flags.set(Validity::NarrowValley, bonded && !out.model.tipFits);
-    flags.set(Validity::SeveralContactPoints, out.model.points > 1);
-    flags.set(Validity::SearchNotExhaustive, mayMissPoints(out.model.proof));
-    if (out.model.contact.contactRadius > 0.0) {
-        flags.add(contactValidity(contactModelAt(scene, out.model), out.model.contact,
-                                  scene.description.sample.material));
-    }
     flags.set(Validity::SnapInAhead, snapsSoon(scene, out.model));
     flags.set(Validity::Implausible, out.estimate.plausibility.excessFriction);
     // At rest friction has no direction, and that the geometry is singular tells nothing.

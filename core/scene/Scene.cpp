@@ -118,9 +118,13 @@ Scene sceneOn(const SceneDescription& description, Map map, Progress* progress) 
 
 }  // namespace
 
-ContactModel contactModelAt(const Scene& scene, const TipState& state) noexcept {
+ContactModel contactModelAt(const ProbeSystem& system, const TipState& state) noexcept {
     const double radius = state.effectiveRadius;
-    return radius > 0.0 ? scene.belief.contact.withTipRadius(radius) : scene.belief.contact;
+    return radius > 0.0 ? system.contact.withTipRadius(radius) : system.contact;
+}
+
+ContactModel contactModelAt(const Scene& scene, const TipState& state) noexcept {
+    return contactModelAt(scene.belief, state);
 }
 
 Scene buildScene(const SceneDescription& description, ScanMap map, Progress* progress) {

@@ -44,7 +44,10 @@ struct Scene {
     [[nodiscard]] double timeStep() const noexcept { return 1.0 / description.tickRate; }  ///< [s]
 };
 
-/// The believed contact law with the effective radius of the tip's place.
+/// The contact law of a system with the effective radius of the tip's place.
+[[nodiscard]] ContactModel contactModelAt(const ProbeSystem& system,
+                                          const TipState& state) noexcept;
+/// The believed contact law, likewise.
 [[nodiscard]] ContactModel contactModelAt(const Scene& scene, const TipState& state) noexcept;
 
 /// Levels, fills, smooths, on request erodes, and fits the map, and sets up both sides of the

@@ -31,6 +31,19 @@ TEST(GrowingFile, IsSeenToGrowWhileItIsOpen) {
     EXPECT_FALSE(isGrowing(scratch.file("table.csv")));
 }
 
+TEST(GrowingFile, GoesOnAfterWhatItKeeps) {
+    const test::ScratchFolder scratch;
+    const auto path = scratch.write("rows", "one\ntw");
+    {
+        GrowingFile file(path, 4);
+        file.append("two\n");
+        EXPECT_TRUE(isGrowing(path));
+        EXPECT_THROW(GrowingFile(path, 0), Error);
+    }
+    EXPECT_EQ(test::contentOf(path), "one\ntwo\n");
+    EXPECT_THROW(GrowingFile(scratch.file("missing"), 0), Error);
+}
+
 TEST(GrowingFile, WritesOverNothing) {
     const test::ScratchFolder scratch;
     const auto victim = scratch.write("victim", "precious");

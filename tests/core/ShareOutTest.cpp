@@ -37,6 +37,16 @@ TEST(ShareOut, DoesEachPieceOnceAndReportsAFewDozenTimes) {
     EXPECT_GE(progress.latest, 0.9);
 }
 
+TEST(ShareOut, UsesNoMoreThreadsThanItMay) {
+    const std::thread::id caller = std::this_thread::get_id();
+    shareOut(
+        50, nullptr,
+        [&](int /*index*/, const CancelCheck& /*check*/) {
+            EXPECT_EQ(std::this_thread::get_id(), caller);
+        },
+        1);
+}
+
 /// A loaded machine may start the calling thread when the others have done everything.
 TEST(ShareOut, ReportsWhatOthersDidAlone) {
     if (std::thread::hardware_concurrency() < 2) {

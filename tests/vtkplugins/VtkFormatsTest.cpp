@@ -4,6 +4,7 @@
 #include "core/Units.h"
 #include "core/io/heightmap/HeightMapFile.h"
 #include "core/io/heightmap/HeightMapWriter.h"
+#include "core/io/heightmap/vti/VtiWriter.h"
 #include "tests/support/ProgressRecorder.h"
 
 #include <vtkCell.h>
@@ -25,6 +26,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -105,6 +107,23 @@ TEST_F(VtkFormats, ImageMarksPixelsWithoutData) {
     for (vtkIdType id = 0; id < 6; ++id) {
         EXPECT_EQ(valid->GetTuple1(id), id == 4 ? 0.0 : 1.0);
     }
+}
+
+TEST_F(VtkFormats, ImagesOfOneGridAreArraysWithTheirUnits) {
+    HeightMap holes = smallMap();
+    holes.invalid = {0, 1, 0, 0, 0, 0};
+    const HeightMap forces = smallMap();
+    const std::vector<WrittenImage> images{{rowsOf(holes), {.title = "snap_in_distance"}},
+                                           {rowsOf(forces), {.title = "force", .unit = "N"}}};
+    writeVtiImages(file("map.vti"), images, nullptr);
+    vtkNew<vtkXMLImageDataReader> reader;
+    reader->SetFileName(file("map.vti").c_str());
+    reader->Update();
+    vtkImageData* image = reader->GetOutput();
+    ASSERT_EQ(image->GetPointData()->GetNumberOfArrays(), 2);
+    EXPECT_TRUE(std::isnan(image->GetPointData()->GetArray("snap_in_distance")->GetTuple1(4)));
+    EXPECT_EQ(image->GetPointData()->GetArray("force")->GetTuple1(4), forces.heights[1]);
+    EXPECT_NE(image->GetFieldData()->GetAbstractArray("unit of force"), nullptr);
 }
 
 TEST_F(VtkFormats, ImageOfNumbersWithoutAUnitHoldsNoHeights) {

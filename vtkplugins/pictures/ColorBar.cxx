@@ -47,10 +47,12 @@ std::vector<double> fittingTicks(Painter& painter, double low, double high, doub
 }  // namespace
 
 void drawColorBar(Painter& painter, const ColorBar& bar, const PixelRect& area) {
-    const SiScale scale = siScaleFor(std::max(std::abs(bar.low), std::abs(bar.high)), bar.unit);
+    const SiScale scale =
+        bar.unit.empty() ? SiScale{}
+                         : siScaleFor(std::max(std::abs(bar.low), std::abs(bar.high)), bar.unit);
     const TextStyle heading{.size = 16.0, .bold = true};
     const TextStyle plain{.size = 15.0, .align = Align::Center};
-    const std::string name = bar.quantity + " [" + scale.unit + "]";
+    const std::string name = bar.quantity + (scale.unit.empty() ? "" : " [" + scale.unit + "]");
     const double left = area.left + painter.textWidth(name, heading) + 24.0;
     const double lastLabel = 30.0;  // half a label sticks out at the right end
     const PixelRect colors{left, area.top() - kThickness, area.right() - lastLabel - left,

@@ -11,7 +11,7 @@ namespace asperity {
 /// What a color bar says.
 struct ColorBar {
     std::string quantity;  ///< "height"
-    std::string unit;      ///< SI unit of the values; shown with the fitting prefix
+    std::string unit;      ///< SI unit of the values, shown with the fitting prefix; empty: numbers
     double low = 0.0;      ///< shown range, in `unit`
     double high = 1.0;
     vtkLookupTable* table = nullptr;  ///< colors of the values

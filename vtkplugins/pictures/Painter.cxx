@@ -2,7 +2,10 @@
 
 #include <vtkBrush.h>
 #include <vtkContext2D.h>
+#include <vtkImageData.h>
+#include <vtkNew.h>
 #include <vtkPen.h>
+#include <vtkRect.h>
 #include <vtkTextProperty.h>
 
 #include <algorithm>
@@ -48,6 +51,29 @@ void Painter::disc(const PixelPoint& center, double radius, const Color& color) 
     context_->DrawEllipse(static_cast<float>(center.x * scale_),
                           static_cast<float>(center.y * scale_),
                           static_cast<float>(radius * scale_), static_cast<float>(radius * scale_));
+}
+
+// Enlarged here, pixel by pixel as it is drawn: the texture would blur the pixels into each other.
+void Painter::image(const PixelRect& rect, const RasterImage& image) {
+    const int width = std::max(1, static_cast<int>(std::lround(rect.width * scale_)));
+    const int height = std::max(1, static_cast<int>(std::lround(rect.height * scale_)));
+    vtkNew<vtkImageData> drawn;
+    drawn->SetDimensions(width, height, 1);
+    drawn->AllocateScalars(VTK_UNSIGNED_CHAR, RasterImage::kChannels);
+    for (int up = 0; up < height; ++up) {
+        const std::uint8_t* row = image.row(image.height - 1 - up * image.height / height);
+        auto* target = static_cast<unsigned char*>(drawn->GetScalarPointer(0, up, 0));
+        for (int column = 0; column < width; ++column) {
+            const std::uint8_t* pixel =
+                row +
+                static_cast<std::ptrdiff_t>(column * image.width / width) * RasterImage::kChannels;
+            target = std::copy_n(pixel, RasterImage::kChannels, target);
+        }
+    }
+    context_->DrawImage(vtkRectf(static_cast<float>(rect.left * scale_),
+                                 static_cast<float>(rect.bottom * scale_),
+                                 static_cast<float>(width), static_cast<float>(height)),
+                        drawn);
 }
 
 void Painter::useText(const TextStyle& style) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "vtkplugins/pictures/Palette.h"
+#include "vtkplugins/pictures/RasterImage.h"
 
 #include <string>
 #include <vector>
@@ -52,6 +53,9 @@ public:
     void line(const std::vector<PixelPoint>& points, const LineStyle& style);
     void fill(const PixelRect& rect, const Color& color, double opacity = 1.0);
     void disc(const PixelPoint& center, double radius, const Color& color);
+
+    /// Pixels stretched over a rectangle, each a rectangle of its own.
+    void image(const PixelRect& rect, const RasterImage& image);
 
     /// Text with its middle height at `at.y`.
     void text(const PixelPoint& at, const std::string& text, const TextStyle& style);

@@ -38,21 +38,6 @@ double justBeyond(double approach) {
            std::numeric_limits<double>::min();
 }
 
-std::optional<TipJump> snapInOf(const ContactModel& model, double compliance) {
-    const double end = model.jumpInApproach(compliance);
-    const TipJump jump{end, model.lastFar(compliance),
-                       model.equilibrium(justBeyond(end), compliance, kFar)};
-    return jump.after.jumped ? std::optional(jump) : std::nullopt;
-}
-
-std::optional<TipJump> pullOffOf(const ContactModel& model, double compliance) {
-    const double end = model.pullOffApproach(compliance);
-    const double gone = -justBeyond(-end);
-    const TipJump jump{end, model.lastBonded(compliance),
-                       model.equilibrium(gone, compliance, kBonded)};
-    return jump.after.jumped ? std::optional(jump) : std::nullopt;
-}
-
 /// Base positions from one to another [m].
 struct Way {
     double from = 0.0;
@@ -99,6 +84,21 @@ double repulsiveApproach(const ContactModel& model, double compliance, double le
 }
 
 }  // namespace
+
+std::optional<TipJump> snapInOf(const ContactModel& model, double compliance) noexcept {
+    const double end = model.jumpInApproach(compliance);
+    const TipJump jump{end, model.lastFar(compliance),
+                       model.equilibrium(justBeyond(end), compliance, kFar)};
+    return jump.after.jumped ? std::optional(jump) : std::nullopt;
+}
+
+std::optional<TipJump> pullOffOf(const ContactModel& model, double compliance) noexcept {
+    const double end = model.pullOffApproach(compliance);
+    const double gone = -justBeyond(-end);
+    const TipJump jump{end, model.lastBonded(compliance),
+                       model.equilibrium(gone, compliance, kBonded)};
+    return jump.after.jumped ? std::optional(jump) : std::nullopt;
+}
 
 ForceCurvePlan curvePlan(const ContactModel& model, double compliance) {
     requireLever(compliance);

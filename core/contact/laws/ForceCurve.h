@@ -20,6 +20,14 @@ struct TipJump {
     ContactState after;  ///< with the energy lost
 };
 
+/// The snap-in of a law on a lever; none: the force has no jump on the way in.
+/// @param compliance of the lever along the surface's normal [m/N]
+[[nodiscard]] std::optional<TipJump> snapInOf(const ContactModel& model,
+                                              double compliance) noexcept;
+/// The pull-off of a law on a lever, likewise on the way out.
+[[nodiscard]] std::optional<TipJump> pullOffOf(const ContactModel& model,
+                                               double compliance) noexcept;
+
 /// What a lever shows as its base goes to the sample and back.
 struct ForceCurve {
     std::vector<ForceCurvePoint> approach;

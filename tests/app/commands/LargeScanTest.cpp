@@ -79,6 +79,9 @@ TEST_F(LargeScan, TakesAtMostTwoAndAHalfTimesItsSize) {
     EXPECT_LE(share({"convert", "--force", "IN", out + ".tiff", "--erode", "20e-9", "--certainty",
                      out + ".gsf"}),
               2.5);
+    EXPECT_LE(share({"map", "--force", "IN", "--out", out + "_map.gwy", "--grid", "1000x1",
+                     "--no-pictures"}),
+              2.5);
 }
 
 TEST_F(LargeScan, IsLookedAtRowByRow) {

@@ -44,7 +44,7 @@ TEST(ViewOptionsMenu, ShowsOptionsWithoutAskingForThem) {
         EXPECT_FALSE(action->toolTip().isEmpty());
         checked += action->isChecked() ? 1 : 0;
     }
-    EXPECT_EQ(checked, 3) << "axes, scale bars, true tip";
+    EXPECT_EQ(checked, 4) << "axes, scale bars, dent and neck, true tip";
 }
 
 }  // namespace

@@ -68,6 +68,10 @@ private:
             std::erase_if(scale.provenance,
                           [](const Provenance& entry) { return entry.what == "scale"; });
         }
+        if (const auto unit = header_.texts.find(kExrUnitOf + channel.name);
+            unit != header_.texts.end()) {
+            scale.unit = unit->second;
+        }
         if (channel.isHalf && scale.unit == "m" && !header_.texts.contains("Gwy::ZScale")) {
             scale.notes.emplace_back("it is stored as half floats of meters, which are too coarse "
                                      "for heights below 61 um");

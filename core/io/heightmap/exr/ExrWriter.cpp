@@ -10,6 +10,8 @@
 #include <OpenEXR/ImfOutputFile.h>
 #include <OpenEXR/ImfStringAttribute.h>
 #include <algorithm>
+#include <string>
+#include <vector>
 
 // OpenEXR with one float channel Y, heights in meters, and Gwyddion's attributes. Half floats would
 // turn 20 nm into 0. Source: docs/formats.md 9.
@@ -18,18 +20,19 @@ namespace asperity {
 
 namespace {
 
-Imf::Header header(const HeightRows& map, const HeightMapMeta& meta) {
+/// What a file says of itself whatever its channels.
+Imf::Header commonHeader(const HeightRows& map, const HeightMapMeta& meta) {
     Imf::Header header(map.columns, map.rows);
     header.compression() = Imf::ZIP_COMPRESSION;
-    header.channels().insert("Y", Imf::Channel(Imf::FLOAT));
     header.insert("Gwy::XReal", Imf::DoubleAttribute(map.sizeX()));
     header.insert("Gwy::YReal", Imf::DoubleAttribute(map.sizeY()));
     header.insert("Gwy::XOffset", Imf::DoubleAttribute(meta.originX));
     header.insert("Gwy::YOffset", Imf::DoubleAttribute(meta.originY));
-    header.insert("Gwy::ZScale", Imf::DoubleAttribute(1.0));
     header.insert("Gwy::XYUnit", Imf::StringAttribute("m"));
-    header.insert("Gwy::ZUnit", Imf::StringAttribute(meta.unit));
-    header.insert("Gwy::Title", Imf::StringAttribute(meta.title));
+    return header;
+}
+
+void insertMetadata(Imf::Header& header, const HeightMapMeta& meta) {
     constexpr std::size_t kMaxName = 255;
     for (const auto& [name, value] : writtenMetadata(meta)) {
         // Some names are the format's own.
@@ -37,23 +40,79 @@ Imf::Header header(const HeightRows& map, const HeightMapMeta& meta) {
             header.insert(name, Imf::StringAttribute(value));
         }
     }
+}
+
+Imf::Header headerOfMap(const HeightRows& map, const HeightMapMeta& meta) {
+    Imf::Header header = commonHeader(map, meta);
+    header.channels().insert("Y", Imf::Channel(Imf::FLOAT));
+    header.insert("Gwy::ZScale", Imf::DoubleAttribute(1.0));
+    header.insert("Gwy::ZUnit", Imf::StringAttribute(meta.unit));
+    header.insert("Gwy::Title", Imf::StringAttribute(meta.title));
+    insertMetadata(header, meta);
     return header;
 }
+
+Imf::Header headerOfImages(std::span<const WrittenImage> images) {
+    Imf::Header header = commonHeader(images.front().rows, images.front().meta);
+    for (const WrittenImage& image : images) {
+        header.channels().insert(image.meta.title, Imf::Channel(Imf::FLOAT));
+        header.insert(kExrUnitOf + image.meta.title, Imf::StringAttribute(image.meta.unit));
+    }
+    insertMetadata(header, images.front().meta);
+    return header;
+}
+
+/// A row of a channel on its way into the file.
+class ExrLine {
+public:
+    explicit ExrLine(int columns) : values_(static_cast<std::size_t>(columns)) {}
+
+    void addTo(Imf::FrameBuffer& frame, const std::string& name) {
+        constexpr std::size_t kSameForAllRows = 0;
+        frame.insert(name, Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(values_.data()),
+                                      sizeof(float), kSameForAllRows));
+    }
+    void take(const std::vector<double>& values) {
+        std::ranges::transform(values, values_.begin(),
+                               [](double value) { return static_cast<float>(value); });
+    }
+
+private:
+    std::vector<float> values_;
+};
 
 }  // namespace
 
 void writeExr(const std::filesystem::path& target, const HeightRows& map, const HeightMapMeta& meta,
               Progress* progress) {
-    std::vector<float> line(static_cast<std::size_t>(map.columns));
-    constexpr std::size_t kSameForAllRows = 0;
+    ExrLine line(map.columns);
     Imf::FrameBuffer frame;
-    frame.insert("Y", Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(line.data()), sizeof(float),
-                                 kSameForAllRows));
-    Imf::OutputFile file(target.c_str(), header(map, meta));
+    line.addTo(frame, "Y");
+    Imf::OutputFile file(target.c_str(), headerOfMap(map, meta));
     file.setFrameBuffer(frame);
     forEachRow(map, progress, [&](int, const std::vector<double>& heights) {
-        std::ranges::transform(heights, line.begin(),
-                               [](double height) { return static_cast<float>(height); });
+        line.take(heights);
+        file.writePixels(1);
+    });
+}
+
+void writeExrImages(const std::filesystem::path& target, std::span<const WrittenImage> images,
+                    Progress* progress) {
+    const HeightRows& first = images.front().rows;
+    std::vector<ExrLine> lines(images.size(), ExrLine(first.columns));
+    Imf::FrameBuffer frame;
+    for (std::size_t i = 0; i < images.size(); ++i) {
+        lines[i].addTo(frame, images[i].meta.title);
+    }
+    Imf::OutputFile file(target.c_str(), headerOfImages(images));
+    file.setFrameBuffer(frame);
+    std::vector<double> values(static_cast<std::size_t>(first.columns));
+    forEachRow(first, progress, [&](int row, const std::vector<double>& firstValues) {
+        lines.front().take(firstValues);
+        for (std::size_t i = 1; i < images.size(); ++i) {
+            images[i].rows.readRow(row, values.data());
+            lines[i].take(values);
+        }
         file.writePixels(1);
     });
 }

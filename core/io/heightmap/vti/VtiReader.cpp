@@ -39,13 +39,16 @@ public:
 
 private:
     StoredChannel channel(const VtiArray& array, const VtiArray* mask) {
-        const bool isOurs = head_.texts.contains(kVtiUnit);
-        // Title and unit are those of the one image that Asperity writes.
+        const std::string unitOf = kVtiUnitOf + array.name;
+        const bool isOurs = head_.texts.contains(kVtiUnit) || head_.texts.contains(unitOf);
+        // Title and unit are those of the one image of a height map that Asperity writes.
         const bool isAlone = head_.arrays.size() == (mask == nullptr ? 1U : 2U);
-        const PhysicalUnit unit = isAlone ? parseUnit(text(kVtiUnit)) : PhysicalUnit{};
+        const std::string given =
+            text(isAlone && head_.texts.contains(kVtiUnit) ? kVtiUnit : unitOf);
+        const PhysicalUnit unit = parseUnit(given);
         ScanChannel channel;
         channel.name = isAlone && !text(kVtiTitle).empty() ? text(kVtiTitle) : array.name;
-        channel.unit = isAlone ? unit.base : "";
+        channel.unit = unit.base;
         channel.lateralUnit = isOurs ? "m" : "";
         channel.direction = directionFromName(channel.name);
         channel.map =
@@ -79,7 +82,7 @@ private:
                         [](double value) { return value == 0.0 ? 1.0 : 0.0; });
     }
 
-    [[nodiscard]] std::string text(const char* name) const {
+    [[nodiscard]] std::string text(const std::string& name) const {
         const auto found = head_.texts.find(name);
         return found == head_.texts.end() ? std::string() : found->second;
     }

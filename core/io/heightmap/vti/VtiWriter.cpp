@@ -5,6 +5,8 @@
 #include "core/io/heightmap/HeightMapEncoders.h"
 
 #include <fstream>
+#include <string>
+#include <vector>
 
 // VTK's XML image: a head of text, then the values as they are in memory, so that readers need no
 // copy. y is up: the bottom row goes first. Source: VTK File Formats (4.2), "XML File Formats".
@@ -57,32 +59,40 @@ std::string metadata(const HeightMapMeta& meta) {
     return lines;
 }
 
-std::string fieldData(const HeightMapMeta& meta) {
-    return "    <FieldData>\n" + textArray(kVtiTitle, meta.title) + textArray(kVtiUnit, meta.unit) +
-           "      <DataArray type=\"Float64\" Name=\"" + kVtiOrigin +
+/// @param own lines of what the file's arrays are
+std::string fieldData(const HeightMapMeta& meta, const std::string& own) {
+    return "    <FieldData>\n" + own + "      <DataArray type=\"Float64\" Name=\"" + kVtiOrigin +
            "\" NumberOfTuples=\"2\" format=\"ascii\">" + exactText(meta.originX) + " " +
            exactText(meta.originY) + "</DataArray>\n" + metadata(meta) + "    </FieldData>\n";
-}
-
-std::string appendedArray(std::string_view type, std::string_view name, std::uint64_t offset) {
-    return "        <DataArray type=\"" + std::string(type) + "\" Name=\"" + escaped(name) +
-           "\" format=\"appended\" offset=\"" + std::to_string(offset) + "\"/>\n";
 }
 
 std::uint64_t pixelsOf(const HeightRows& map) {
     return static_cast<std::uint64_t>(map.columns) * static_cast<std::uint64_t>(map.rows);
 }
 
-std::string pointData(const HeightRows& map, const HeightMapMeta& meta, bool hasMissing) {
-    const std::string name = meta.unit == "m" ? "height" : meta.title;
-    const std::uint64_t next = sizeof(std::uint64_t) + pixelsOf(map) * sizeof(double);
-    return "      <PointData Scalars=\"" + escaped(name) + "\">\n" +
-           appendedArray("Float64", name, 0) +
-           (hasMissing ? appendedArray("UInt8", kVtiValid, next) : "") + "      </PointData>\n";
+/// Values that stand after the head.
+struct AppendedArray {
+    std::string_view type;  ///< VTK's name
+    std::string name;
+    std::uint64_t valueBytes = 0;
+};
+
+/// The first array is the one that is shown.
+std::string pointData(const HeightRows& map, std::span<const AppendedArray> arrays) {
+    std::string text = "      <PointData Scalars=\"" + escaped(arrays.front().name) + "\">\n";
+    std::uint64_t offset = 0;
+    for (const AppendedArray& array : arrays) {
+        text += "        <DataArray type=\"" + std::string(array.type) + "\" Name=\"" +
+                escaped(array.name) + "\" format=\"appended\" offset=\"" + std::to_string(offset) +
+                "\"/>\n";
+        offset += sizeof(std::uint64_t) + (pixelsOf(map) * array.valueBytes);
+    }
+    return text + "      </PointData>\n";
 }
 
 /// All before the values.
-std::string head(const HeightRows& map, const HeightMapMeta& meta, bool hasMissing) {
+std::string head(const HeightRows& map, const std::string& fields,
+                 std::span<const AppendedArray> arrays) {
     const std::string extent =
         "0 " + std::to_string(map.columns - 1) + " 0 " + std::to_string(map.rows - 1) + " 0 0";
     return "<?xml version=\"1.0\"?>\n"
@@ -91,8 +101,8 @@ std::string head(const HeightRows& map, const HeightMapMeta& meta, bool hasMissi
            "  <ImageData WholeExtent=\"" +
            extent + "\" Origin=\"" + exactText(0.5 * map.pitchX) + " " +
            exactText(0.5 * map.pitchY) + " 0\" Spacing=\"" + exactText(map.pitchX) + " " +
-           exactText(map.pitchY) + " 1\" Direction=\"1 0 0 0 1 0 0 0 1\">\n" + fieldData(meta) +
-           "    <Piece Extent=\"" + extent + "\">\n" + pointData(map, meta, hasMissing) +
+           exactText(map.pitchY) + " 1\" Direction=\"1 0 0 0 1 0 0 0 1\">\n" + fields +
+           "    <Piece Extent=\"" + extent + "\">\n" + pointData(map, arrays) +
            "    </Piece>\n  </ImageData>\n  <AppendedData encoding=\"raw\">\n   _";
 }
 
@@ -114,16 +124,30 @@ void writeBlock(std::ofstream& stream, const HeightRows& map, Progress* progress
     });
 }
 
+void end(std::ofstream& stream) {
+    stream << "\n  </AppendedData>\n</VTKFile>\n";
+    finish(stream);
+}
+
+double asItIs(double height) { return height; }
+
 }  // namespace
 
 void writeVti(const std::filesystem::path& target, const HeightRows& map, const HeightMapMeta& meta,
               Progress* progress) {
     ProgressPart ranging(progress, 0.0, 0.2);
     const bool hasMissing = heightRange(map, &ranging).missing > 0;
+    std::vector<AppendedArray> arrays{
+        {"Float64", meta.unit == "m" ? "height" : meta.title, sizeof(double)}};
+    if (hasMissing) {
+        arrays.push_back({"UInt8", kVtiValid, 1});
+    }
     std::ofstream stream(target, std::ios::binary);
-    stream << head(map, meta, hasMissing);
+    stream << head(
+        map, fieldData(meta, textArray(kVtiTitle, meta.title) + textArray(kVtiUnit, meta.unit)),
+        arrays);
     ProgressPart writing(progress, 0.2, hasMissing ? 0.8 : 1.0);
-    writeBlock(stream, map, &writing, [](double height) { return height; });
+    writeBlock(stream, map, &writing, asItIs);
     if (hasMissing) {
         ProgressPart marking(progress, 0.8, 1.0);
         writeBlock(stream, map, &marking, [](double height) {
@@ -131,8 +155,26 @@ void writeVti(const std::filesystem::path& target, const HeightRows& map, const 
         });
     }
     reportTo(progress, 1.0);
-    stream << "\n  </AppendedData>\n</VTKFile>\n";
-    finish(stream);
+    end(stream);
+}
+
+void writeVtiImages(const std::filesystem::path& target, std::span<const WrittenImage> images,
+                    Progress* progress) {
+    std::vector<AppendedArray> arrays;
+    std::string units;
+    for (const WrittenImage& image : images) {
+        arrays.push_back({"Float64", image.meta.title, sizeof(double)});
+        units += textArray(kVtiUnitOf + image.meta.title, image.meta.unit);
+    }
+    std::ofstream stream(target, std::ios::binary);
+    stream << head(images.front().rows, fieldData(images.front().meta, units), arrays);
+    const auto count = static_cast<double>(images.size());
+    for (std::size_t i = 0; i < images.size(); ++i) {
+        const auto number = static_cast<double>(i);
+        ProgressPart part(progress, number / count, (number + 1.0) / count);
+        writeBlock(stream, images[i].rows, &part, asItIs);
+    }
+    end(stream);
 }
 
 }  // namespace asperity

@@ -1,0 +1,196 @@
+#include "app/commands/MapCommand.h"
+
+#include "app/commands/MapOptions.h"
+#include "app/commands/ProgressLine.h"
+#include "app/commands/VirtualDisplay.h"
+#include "app/maps/MapJob.h"
+#include "app/maps/MapKey.h"
+#include "app/maps/MapRun.h"
+#include "app/maps/MapSheets.h"
+#include "app/program/ToldError.h"
+#include "core/Error.h"
+#include "core/FormattedText.h"
+#include "core/PrintableText.h"
+#include "core/TemporaryFile.h"
+
+#include <chrono>
+#include <iostream>
+#include <memory>
+#include <optional>
+#include <thread>
+#include <utility>
+#include <vector>
+
+namespace asperity {
+
+namespace {
+
+/// For rank 0 to say what went wrong everywhere.
+constexpr std::chrono::milliseconds kPatience(500);
+
+/// Cancels on a signal and shows nothing.
+class SilentProgress : public Progress {
+public:
+    void report(double /*fraction*/) override {}
+    [[nodiscard]] bool isCanceled() const override { return CancelOnSignal::hasArrived(); }
+
+private:
+    CancelOnSignal cancel_;
+};
+
+PartUse useOf(const MapOptions& options) {
+    return options.resume ? PartUse::Resume : options.force ? PartUse::Replace : PartUse::New;
+}
+
+/// Refuses files that cannot be written, or that the user may want to keep, before long work is
+/// done for them. An unfinished map's own files may go.
+void requireTargets(const MapOptions& options, const MapFiles& files, const MapPlan& plan,
+                    const std::string& scan) {
+    std::vector<std::filesystem::path> targets{files.gwy(), files.vti(), files.exr()};
+    for (int sheet = 1; !options.noPictures && sheet <= sheetCount(plan); ++sheet) {
+        targets.push_back(files.sheet(sheet));
+    }
+    std::error_code none;
+    for (const std::filesystem::path& file : targets) {
+        for (const std::string& input : {options.scene, scan}) {
+            if (std::filesystem::equivalent(input, file, none)) {
+                throw Error(file.string() + ": this is an input; give another output file");
+            }
+        }
+        const bool isOwn = options.resume && std::filesystem::exists(files.part(), none);
+        if (std::filesystem::exists(file, none) && !options.force && !isOwn) {
+            throw Error(file.string() + ": exists; --force replaces it");
+        }
+        requireWritable(file);
+    }
+}
+
+/// Computes what is missing, with the other processes of the job. @return whether it was not
+/// canceled
+bool compute(const MapOptions& options, const MpiJob& job, const Scene& scene, const MapPlan& plan,
+             MapPart& part) {
+    try {
+        ProgressLine line("mapping");
+        if (job.isAlone()) {
+            computeMap(scene, plan, part, options.threads, &line);
+        } else {
+            leadMap(job, scene, plan, part, options.threads, &line);
+        }
+        return true;
+    } catch (const Canceled&) {
+        return false;
+    }
+}
+
+/// What all ranks begin with.
+struct MapInput {
+    LoadedScene loaded;
+    MapPlan plan;
+};
+
+MapInput inputOf(const MapOptions& options, Progress& progress) {
+    // With all terms of the model: no map has to keep up with a tick.
+    LoadedScene loaded = loadScene(options.scene, options.overrides, &progress, ModelFit::Later);
+    reportTo(&progress, 1.0);
+    MapPlan plan = planMap(loaded.scene, options.request);
+    requireMapFits(plan);
+    return {std::move(loaded), std::move(plan)};
+}
+
+MapInput loadedInput(const MapOptions& options) {
+    ProgressLine line("loading");
+    return inputOf(options, line);
+}
+
+/// A canceled map is written, too, whatever the signal: what it lacks holds no data.
+void writeAll(const MapFiles& files, const LoadedScene& loaded, const MapPlan& plan,
+              const MapPart& part, bool withPictures) {
+    const CancelOnSignal deaf;
+    if (withPictures) {
+        writeMapSheets(files, plan, part);
+    }
+    writeMapFiles(files, loaded, plan, part, nullptr);
+}
+
+std::string speedText(const MapPlan& plan, int rows, double seconds) {
+    const double curves = static_cast<double>(rows) * plan.grid.columns;
+    return formatted("%d x %d pixels; %.0f of them computed in %.3g s: %.4g a second",
+                     plan.grid.columns, plan.grid.rows, curves, seconds,
+                     seconds > 0.0 ? curves / seconds : 0.0);
+}
+
+/// A launcher kills all processes a second after it has asked them to end: too soon for files.
+[[noreturn]] void endCanceled(const MpiJob& job, const MapFiles& files, const MapPart& part) {
+    const std::string count =
+        formatted("canceled: %d of %d rows are in ", part.count(), part.rows());
+    throw Error(job.isAlone() ? count + files.gwy().string() +
+                                    ", the others hold no data; --resume goes on with the map"
+                              : count + files.part().string() + "; --resume goes on with the map");
+}
+
+/// Of rank 0, or of the only process.
+void lead(const MapOptions& options, const MpiJob& job) {
+    const MapFiles files(options.out);
+    const auto [loaded, plan] = loadedInput(options);
+    requireTargets(options, files, plan, loaded.scene.description.sample.file);
+    std::optional<VirtualDisplay> display;  // before long work is done
+    if (!options.noPictures) {
+        display.emplace();
+    }
+    const std::string key = mapKey(loaded, plan);
+    MapPart part(files.part(), plan, key, useOf(options));
+    for (const std::string& note : notesOn(loaded)) {
+        std::cerr << "note: " << printable(note) << '\n';
+    }
+    job.requireSame(key, "the map");
+    const int before = part.count();
+    const auto begin = std::chrono::steady_clock::now();
+    const bool isWhole = compute(options, job, loaded.scene, plan, part);
+    const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
+    if (isWhole || job.isAlone()) {
+        writeAll(files, loaded, plan, part, !options.noPictures);
+    }
+    if (!isWhole) {
+        endCanceled(job, files, part);
+    }
+    part.remove();
+    std::cout << speedText(plan, part.rows() - before, took.count()) << '\n';
+}
+
+/// Of the other ranks: they say nothing.
+void follow(const MapOptions& options, const MpiJob& job) {
+    SilentProgress progress;
+    const auto [loaded, plan] = inputOf(options, progress);
+    job.requireSame(mapKey(loaded, plan), "the map");
+    followMap(job, loaded.scene, plan, options.threads, &progress);
+}
+
+void map(const MapOptions& options) {
+    const MpiJob job;
+    try {
+        job.rank() == 0 ? lead(options, job) : follow(options, job);
+    } catch (...) {
+        if (job.isAlone()) {
+            throw;
+        }
+        if (job.rank() != 0) {  // what went wrong on all ranks is said by rank 0 alone
+            std::this_thread::sleep_for(kPatience);
+            std::cerr << "rank " << job.rank() << ": ";
+        }
+        job.abort(tellError(std::current_exception()));
+    }
+}
+
+}  // namespace
+
+void addMapCommand(CLI::App& program) {
+    CLI::App* command = program.add_subcommand(
+        "map",
+        "Map adhesion, stiffness, deformation and friction over a scan: a force curve at each "
+        "pixel, or a raster at constant force");
+    const auto options = std::make_shared<MapOptions>();
+    addMapOptions(*command, *options);
+    command->callback([options] { map(*options); });
+}
+
+}  // namespace asperity

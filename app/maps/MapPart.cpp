@@ -1,0 +1,159 @@
+#include "app/maps/MapPart.h"
+
+#include "core/Error.h"
+#include "core/io/ByteReader.h"
+
+#include <algorithm>
+#include <bit>
+#include <fcntl.h>
+#include <limits>
+#include <span>
+#include <string_view>
+
+// A line of text, then records: the row's number (uint32), a check of the values (uint64), the
+// values (double) of one quantity after the other; numbers in the byte order of the machine, which
+// the check would not survive on another.
+
+namespace asperity {
+
+namespace {
+
+constexpr std::uint64_t kRecordHead = sizeof(std::uint32_t) + sizeof(std::uint64_t);
+
+/// FNV-1a: tells a record that a power cut left half written.
+std::uint64_t checkOf(std::uint32_t row, std::string_view values) {
+    constexpr std::uint64_t kStart = 14695981039346656037U;
+    constexpr std::uint64_t kPrime = 1099511628211U;
+    std::uint64_t check = (kStart ^ row) * kPrime;
+    for (const char byte : values) {
+        check = (check ^ static_cast<unsigned char>(byte)) * kPrime;
+    }
+    return check;
+}
+
+std::string_view bytesOf(std::span<const double> values) {
+    return {reinterpret_cast<const char*>(values.data()), values.size_bytes()};
+}
+
+template <class Number>
+void append(std::string& bytes, Number number) {
+    const auto raw = std::bit_cast<std::array<char, sizeof(Number)>>(number);
+    bytes.append(raw.data(), raw.size());
+}
+
+/// Whether all of it was read.
+bool readAt(int file, std::uint64_t place, std::span<char> bytes) {
+    while (!bytes.empty()) {
+        const ssize_t got = ::pread(file, bytes.data(), bytes.size(), static_cast<off_t>(place));
+        if (got <= 0) {
+            return false;
+        }
+        bytes = bytes.subspan(static_cast<std::size_t>(got));
+        place += static_cast<std::uint64_t>(got);
+    }
+    return true;
+}
+
+FileDescriptor opened(const std::filesystem::path& path) {
+    return FileDescriptor(::open(path.c_str(), O_RDONLY | O_NOFOLLOW | O_CLOEXEC));
+}
+
+}  // namespace
+
+MapPart::MapPart(std::filesystem::path path, const MapPlan& plan, const std::string& key,
+                 PartUse use)
+    : path_(std::move(path))
+    , columns_(static_cast<std::size_t>(plan.grid.columns))
+    , quantities_(plan.quantities.size())
+    , places_(static_cast<std::size_t>(plan.grid.rows), kNone) {
+    open("asperity map part 1 " + key + "\n", use);
+    reading_ = opened(path_);
+}
+
+void MapPart::open(const std::string& head, PartUse use) {
+    std::error_code ignored;
+    const bool isThere = std::filesystem::exists(path_, ignored);
+    if (isThere && use == PartUse::New) {
+        throw Error(path_.string() + ": holds rows of an unfinished map; --resume goes on with it, "
+                                     "--force begins anew");
+    }
+    if (isThere && use == PartUse::Resume) {
+        size_ = takeRecords(head);
+        file_.emplace(path_, size_);
+    } else {
+        std::filesystem::remove(path_, ignored);
+        file_.emplace(path_);
+    }
+    if (size_ == 0) {
+        file_->append(head);
+        size_ = head.size();
+    }
+}
+
+std::uint64_t MapPart::takeRecords(const std::string& head) {
+    const FileDescriptor file = opened(path_);
+    std::string found(head.size(), '\0');
+    if (!readAt(file.get(), 0, found)) {
+        return 0;  // the program was killed before it had written this much
+    }
+    if (found != head) {
+        throw Error(path_.string() + ": holds rows of another map: scene, scan, options or version "
+                                     "of the program differ");
+    }
+    std::uint64_t place = head.size();
+    std::string record(recordBytes(), '\0');
+    while (readAt(file.get(), place, record)) {
+        std::uint32_t row = 0;
+        std::uint64_t check = 0;
+        std::copy_n(record.data(), sizeof row, reinterpret_cast<char*>(&row));
+        std::copy_n(record.data() + sizeof row, sizeof check, reinterpret_cast<char*>(&check));
+        const auto values = std::string_view(record).substr(kRecordHead);
+        if (row >= places_.size() || check != checkOf(row, values)) {
+            break;
+        }
+        places_[row] = place + kRecordHead;
+        place += recordBytes();
+    }
+    return place;
+}
+
+std::uint64_t MapPart::recordBytes() const {
+    return kRecordHead + (sizeof(double) * columns_ * quantities_);
+}
+
+int MapPart::count() const {
+    return static_cast<int>(places_.size()) - static_cast<int>(std::ranges::count(places_, kNone));
+}
+
+void MapPart::keep(int row, const std::vector<double>& values) {
+    const auto number = static_cast<std::uint32_t>(row);
+    const std::string_view bytes = bytesOf(values);
+    std::string record;
+    record.reserve(recordBytes());
+    append(record, number);
+    append(record, checkOf(number, bytes));
+    record += bytes;
+    const std::scoped_lock lock(mutex_);
+    file_->append(record);
+    places_[index(row)] = size_ + kRecordHead;
+    size_ += record.size();
+}
+
+void MapPart::read(int row, std::size_t quantity, double* values) const {
+    if (!has(row)) {
+        std::fill_n(values, columns_, std::numeric_limits<double>::quiet_NaN());
+        return;
+    }
+    const std::uint64_t bytes = sizeof(double) * columns_;
+    if (!readAt(reading_.get(), places_[index(row)] + (quantity * bytes),
+                {reinterpret_cast<char*>(values), bytes})) {
+        throw Error(path_.string() + ": cannot be read again");
+    }
+}
+
+void MapPart::remove() const {
+    std::error_code ignored;
+    std::filesystem::remove(path_, ignored);
+}
+
+}  // namespace asperity

@@ -1,0 +1,80 @@
+#include "app/maps/MapSheets.h"
+
+#include "core/SiFormat.h"
+#include "vtkplugins/pictures/MapSheet.h"
+
+#include <algorithm>
+#include <span>
+
+namespace asperity {
+
+namespace {
+
+constexpr int kMaxPixels = 1024;  // along a side, as drawn
+constexpr std::size_t kMapsPerSheet = 6;
+
+/// Every how many pixels one is drawn.
+int strideOf(const MapGrid& grid) {
+    return (std::max(grid.columns, grid.rows) + kMaxPixels - 1) / kMaxPixels;
+}
+
+/// @param place of the quantity in the plan
+SheetMap sheetMap(const MapPlan& plan, const MapPart& part, std::size_t place) {
+    const int stride = strideOf(plan.grid);
+    const MapQuantityRow& quantity = *rowOf(plan.quantities[place]);
+    SheetMap map{.quantity = quantity.name,
+                 .unit = quantity.unit,
+                 .columns = (plan.grid.columns + stride - 1) / stride,
+                 .rows = (plan.grid.rows + stride - 1) / stride,
+                 .aspect = (plan.region.right - plan.region.left) /
+                           (plan.region.top - plan.region.bottom),
+                 .values = {}};
+    std::vector<double> values(static_cast<std::size_t>(plan.grid.columns));
+    for (int drawn = 0; drawn < plan.grid.rows; drawn += stride) {
+        part.read(drawn, place, values.data());
+        for (std::size_t column = 0; column < values.size();
+             column += static_cast<std::size_t>(stride)) {
+            map.values.push_back(values[column]);
+        }
+    }
+    return map;
+}
+
+/// Places in the plan of the quantities that are drawn.
+std::vector<std::size_t> shownOf(const MapPlan& plan) {
+    std::vector<std::size_t> shown;
+    for (std::size_t i = 0; i < plan.quantities.size(); ++i) {
+        if (plan.quantities[i] != MapQuantity::Validity) {
+            shown.push_back(i);
+        }
+    }
+    return shown;
+}
+
+std::string titleOf(const MapPlan& plan) {
+    return "Force map: mode " + std::string(keyOf(plan.mode)) + ", setpoint " +
+           formatSi(plan.setpoint, "N") + ", " +
+           formatSi(plan.region.right - plan.region.left, "m") + " x " +
+           formatSi(plan.region.top - plan.region.bottom, "m") + ", " +
+           (plan.truth ? "true instrument" : "believed model");
+}
+
+}  // namespace
+
+int sheetCount(const MapPlan& plan) {
+    return static_cast<int>((shownOf(plan).size() + kMapsPerSheet - 1) / kMapsPerSheet);
+}
+
+void writeMapSheets(const MapFiles& files, const MapPlan& plan, const MapPart& part) {
+    const std::vector<std::size_t> shown = shownOf(plan);
+    int sheets = 0;
+    for (std::size_t first = 0; first < shown.size(); first += kMapsPerSheet) {
+        std::vector<SheetMap> maps;
+        for (std::size_t i = first; i < std::min(first + kMapsPerSheet, shown.size()); ++i) {
+            maps.push_back(sheetMap(plan, part, shown[i]));
+        }
+        writeMapSheet(files.sheet(++sheets), titleOf(plan), maps);
+    }
+}
+
+}  // namespace asperity

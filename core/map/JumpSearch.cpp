@@ -1,0 +1,135 @@
+#include "core/map/JumpSearch.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <utility>
+
+namespace asperity {
+
+namespace {
+
+constexpr double kNear = 2e-11;        // of the base to the jump, where the law knows the rest [m]
+constexpr double kResolution = 1e-13;  // where it does not [m]
+constexpr double kMinNormal = 0.1;     // z of a normal that says how far to go along z
+constexpr int kMaxSteps = 400;
+constexpr int kMaxHalvings = 60;
+
+enum class Way : std::int8_t { Down = -1, Up = 1 };
+
+/// Of the undeflected tip towards the surface, along the normal [m].
+double approachOf(const VerticalPath& path, const TipAtHeight& tip) {
+    const ContactState& contact = tip.state.contact;
+    return contact.indentation + (path.compliance(tip.state) * contact.force);
+}
+
+/// How far the base has to go until the tip jumps, as the law has it here [m]; at or below 0: it
+/// should have jumped.
+double wayToJump(const VerticalPath& path, const TipAtHeight& tip, Way way) {
+    const ContactModel law = contactModelAt(path.instrument().system(), tip.state);
+    const double compliance = path.compliance(tip.state);
+    const double approach = approachOf(path, tip);
+    const double along = way == Way::Down ? law.jumpInApproach(compliance) - approach
+                                          : approach - law.pullOffApproach(compliance);
+    return along / std::max(tip.state.closest.normal.z(), kMinNormal);
+}
+
+/// The next step of the base towards a jump that is so far away. It ends at one distance from the
+/// jump, so that the last state is a smooth function of the place. Near to it, where the force
+/// bends, steps of a way that is sampled grow short by halves.
+double stepTowards(double left, double maxStep) {
+    constexpr double kSampled = 1.0 / 32.0;  // of the longest step
+    return left > kSampled * maxStep ? std::min(0.5 * left, maxStep) : left - kNear;
+}
+
+bool isOfOnePoint(const TipAtHeight& before, const TipAtHeight& after) {
+    return before.state.points == 1 && after.state.points == 1;
+}
+
+/// The contact law's jump at a place.
+std::optional<TipJump> jumpOfLaw(const VerticalPath& path, const TipState& state, Way way) {
+    const ContactModel law = contactModelAt(path.instrument().system(), state);
+    const double compliance = path.compliance(state);
+    return way == Way::Down ? snapInOf(law, compliance) : pullOffOf(law, compliance);
+}
+
+/// The heights between which the tip changes, 0.1 pm apart.
+FoundJump narrowed(VerticalPath& path, TipAtHeight before, TipAtHeight after) {
+    const bool wasBonded = before.isBonded();
+    for (int i = 0; i < kMaxHalvings && std::abs(after.base - before.base) > kResolution; ++i) {
+        TipAtHeight middle = path.at(std::midpoint(before.base, after.base), before.memory);
+        (middle.isBonded() == wasBonded ? before : after) = std::move(middle);
+    }
+    const double base = before.base;
+    return {std::move(before), std::move(after), base, false, std::nullopt};
+}
+
+/// The jump between two heights. Right at it an equilibrium takes many steps: where the law knows
+/// the jump, there is no need to go there.
+FoundJump jumpBetween(VerticalPath& path, TipAtHeight before, TipAtHeight after, Way way) {
+    if (!isOfOnePoint(before, after)) {
+        return narrowed(path, std::move(before), std::move(after));
+    }
+    const double base = before.base + (static_cast<double>(way) * wayToJump(path, before, way));
+    const std::optional<TipJump> exact = jumpOfLaw(path, before.state, way);
+    return {std::move(before), std::move(after), base, true, exact};
+}
+
+template <class Visit>
+std::optional<FoundJump> findJump(VerticalPath& path, TipAtHeight now, Way way, double maxStep,
+                                  const Visit& visit) {
+    constexpr double kThere = 1e-15;  // of the base at its distance from the jump [m]
+    constexpr int kCorrections = 6;
+    const bool wasBonded = now.isBonded();
+    double push = 2.0 * kNear;
+    int corrections = 0;
+    for (int i = 0; i < kMaxSteps; ++i) {
+        visit(now);
+        double step = stepTowards(wayToJump(path, now, way), maxStep);
+        corrections += step < kNear ? 1 : 0;
+        if (std::abs(step) <= kThere || corrections > kCorrections) {
+            step = push;
+            push *= 2.0;
+        }
+        TipAtHeight next = path.at(now.base + (static_cast<double>(way) * step), now.memory);
+        if (next.isBonded() != wasBonded) {
+            return jumpBetween(path, std::move(now), std::move(next), way);
+        }
+        now = std::move(next);
+    }
+    return std::nullopt;
+}
+
+}  // namespace
+
+double FoundJump::energyLost() const noexcept {
+    return exact ? exact->after.energyLost : after.state.contact.energyLost;
+}
+
+double FoundJump::forceBefore() const noexcept {
+    return exact ? exact->before.force * before.state.closest.normal.z() : before.force();
+}
+
+double FoundJump::forceAfter() const noexcept {
+    return exact ? exact->after.force * before.state.closest.normal.z() : after.force();
+}
+
+std::optional<FoundJump> findSnapIn(VerticalPath& path, TipAtHeight from) {
+    path.goDown();
+    return findJump(path, std::move(from), Way::Down, std::numeric_limits<double>::infinity(),
+                    [](const TipAtHeight&) {});
+}
+
+std::optional<FoundJump> findPullOff(VerticalPath& path, TipAtHeight from, double maxStep,
+                                     std::vector<TipAtHeight>& passed) {
+    path.goUp();
+    return findJump(path, std::move(from), Way::Up, maxStep,
+                    [&](const TipAtHeight& tip) { passed.push_back(tip); });
+}
+
+double heightToPullOff(const VerticalPath& path, const TipAtHeight& from) {
+    return wayToJump(path, from, Way::Up);
+}
+
+}  // namespace asperity

@@ -1,0 +1,44 @@
+#pragma once
+
+#include "core/contact/laws/ForceCurve.h"
+#include "core/map/VerticalPath.h"
+
+#include <optional>
+#include <vector>
+
+namespace asperity {
+
+/// Where the tip changes between free and bonded. On one contact point the contact law knows the
+/// jump: `before` is 20 pm away from it; else `before` and `after` are 0.1 pm apart.
+struct FoundJump {
+    TipAtHeight before;
+    TipAtHeight after;
+    double base = 0.0;  ///< height of the base where it jumps [m]
+    bool ofOnePoint = true;
+    /// On one contact point the contact law's own jump at this place, without the error of the
+    /// search; none: the force does not jump.
+    std::optional<TipJump> exact;
+
+    /// Whether the force jumps.
+    [[nodiscard]] bool jumps() const noexcept { return exact || !ofOnePoint; }
+    [[nodiscard]] double energyLost() const noexcept;  ///< [J]
+    /// Forces along z on both sides of it [N].
+    [[nodiscard]] double forceBefore() const noexcept;
+    [[nodiscard]] double forceAfter() const noexcept;
+};
+
+/// Lowers the base from a free tip until it snaps in. The law says how far that is; where the
+/// surface makes it wrong, the change itself is searched.
+/// None: the tip does not snap in.
+[[nodiscard]] std::optional<FoundJump> findSnapIn(VerticalPath& path, TipAtHeight from);
+
+/// Raises the base from a bonded tip until it is free. None: it stays bonded.
+/// @param maxStep of the base [m]
+/// @param passed gets each state on the way, the first and the last bonded one among them
+[[nodiscard]] std::optional<FoundJump>
+findPullOff(VerticalPath& path, TipAtHeight from, double maxStep, std::vector<TipAtHeight>& passed);
+
+/// How far the base must rise until the tip pulls off, by the law at its place [m].
+[[nodiscard]] double heightToPullOff(const VerticalPath& path, const TipAtHeight& from);
+
+}  // namespace asperity

@@ -1,0 +1,62 @@
+#pragma once
+
+#include "core/Vector.h"
+#include "core/map/MapQuantity.h"
+#include "core/scene/Scene.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace asperity {
+
+/// A part of the scan, world frame [m].
+struct MapRegion {
+    double left = 0.0;
+    double bottom = 0.0;
+    double right = 0.0;
+    double top = 0.0;
+
+    bool operator==(const MapRegion&) const = default;
+};
+
+/// Pixels of a map.
+struct MapGrid {
+    int columns = 0;
+    int rows = 0;
+
+    bool operator==(const MapGrid&) const = default;
+};
+
+/// What a map is asked for; empty: planMap() decides.
+struct MapRequest {
+    MapMode mode = MapMode::Approach;
+    std::optional<MapGrid> grid = {};          ///< none: the scan's pixels in the region
+    std::optional<MapRegion> region = {};      ///< none: the whole scan
+    std::optional<double> setpoint = {};       ///< [N]; none: the scene's
+    std::vector<std::string> quantities = {};  ///< keys; none: all of the mode
+    bool truth = false;  ///< of the simulated true instrument, in place of the believed model
+};
+
+/// A map to be computed, complete.
+struct MapPlan {
+    MapMode mode = MapMode::Approach;
+    MapGrid grid;
+    MapRegion region;
+    double setpoint = 0.0;                ///< force along z [N]
+    std::vector<MapQuantity> quantities;  ///< in the order of their table
+    bool truth = false;
+
+    [[nodiscard]] double pitchX() const { return (region.right - region.left) / grid.columns; }
+    [[nodiscard]] double pitchY() const { return (region.top - region.bottom) / grid.rows; }
+    /// The middle of a pixel, row 0 at the top, world [m].
+    [[nodiscard]] Vector2 place(int row, int column) const;
+};
+
+/// The plan of a request on a scene.
+/// @throw Error in one sentence where a quantity is none of the mode, the grid has no pixel or more
+/// than 65536 along a side, the region lies outside the scan or is empty, or the setpoint is out of
+/// range
+[[nodiscard]] MapPlan planMap(const Scene& scene, const MapRequest& request);
+
+}  // namespace asperity

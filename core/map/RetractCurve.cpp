@@ -1,0 +1,116 @@
+#include "core/map/RetractCurve.h"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+#include <utility>
+
+namespace asperity {
+
+namespace {
+
+constexpr int kSteps = 32;
+
+/// @param base its height [m] @param force along z [N]
+RetractPoint pointAt(const VerticalPath& path, double base, double force) {
+    return {.height = base + (path.complianceZ() * force), .force = force};
+}
+
+RetractPoint pointOf(const VerticalPath& path, const TipAtHeight& tip) {
+    return pointAt(path, tip.base, tip.force());
+}
+
+/// The rest of the attraction falls with the square of the distance: steps grow.
+std::vector<RetractPoint> freeWay(VerticalPath& path, const TipAtHeight& first, double pull) {
+    constexpr double kFirstStep = 0.02;  // of the tip's radius
+    constexpr double kGrowth = 1.4;
+    constexpr double kEnd = 1e-3;  // of the pull
+    constexpr int kMaxPoints = 24;
+    std::vector<RetractPoint> points{pointOf(path, first)};
+    double step = kFirstStep * path.instrument().system().tipRadius();
+    TipAtHeight tip = first;
+    while (points.back().force < -kEnd * pull && points.size() < kMaxPoints) {
+        tip = path.at(tip.base + step, tip.memory);
+        points.push_back(pointOf(path, tip));
+        step *= kGrowth;
+    }
+    return points;
+}
+
+/// Between two points of the curve, where it pulls; the force as a straight line [J].
+double pullingArea(const RetractPoint& from, const RetractPoint& to) {
+    const double pull = std::max(0.0, -from.force);
+    const double next = std::max(0.0, -to.force);
+    const double swing = std::abs(to.force - from.force);
+    const bool crosses = (from.force > 0.0) != (to.force > 0.0);
+    const double share = crosses && swing > 0.0 ? std::max(pull, next) / swing : 1.0;
+    return 0.5 * (pull + next) * share * (to.height - from.height);
+}
+
+/// Of bonded states [J].
+double pullingArea(std::span<const RetractPoint> points) {
+    double area = 0.0;
+    for (std::size_t i = 1; i < points.size(); ++i) {
+        area += pullingArea(points[i - 1], points[i]);
+    }
+    return area;
+}
+
+/// Of a free tip, to infinity: exact for a pull that falls with the square of the distance [J].
+double freeArea(std::span<const RetractPoint> points) {
+    double area = 0.0;
+    double rest = 0.0;
+    for (std::size_t i = 1; i < points.size(); ++i) {
+        const double near = std::max(0.0, -points[i - 1].force);
+        const double far = std::max(0.0, -points[i].force);
+        const double step = points[i].height - points[i - 1].height;
+        const double mean = std::sqrt(near * far);
+        area += mean * step;
+        rest = near > mean ? far * step / (1.0 - (mean / near)) : 0.0;
+    }
+    return area + rest;
+}
+
+}  // namespace
+
+std::optional<RetractCurve> retract(VerticalPath& path, TipAtHeight atSetpoint) {
+    const double step = heightToPullOff(path, atSetpoint) / kSteps;
+    std::vector<TipAtHeight> passed;
+    std::optional<FoundJump> pullOff = findPullOff(path, std::move(atSetpoint), step, passed);
+    if (!pullOff) {
+        return std::nullopt;
+    }
+    RetractCurve curve{.bonded = {}, .free = {}, .pullOff = std::move(*pullOff), .jumpWork = 0.0};
+    double pull = 0.0;
+    for (const TipAtHeight& tip : passed) {
+        curve.bonded.push_back(pointOf(path, tip));
+        pull = std::max(pull, -tip.force());
+    }
+    const FoundJump& jump = curve.pullOff;
+    const RetractPoint last = pointAt(path, jump.base, jump.forceBefore());
+    curve.bonded.push_back(last);
+    curve.jumpWork = pullingArea(last, pointAt(path, jump.base, jump.forceAfter()));
+    curve.free = freeWay(path, curve.pullOff.after, pull);
+    return curve;
+}
+
+double separationWork(const RetractCurve& curve) noexcept {
+    return pullingArea(curve.bonded) + curve.jumpWork + freeArea(curve.free);
+}
+
+double strongestPull(const VerticalPath& path, const RetractCurve& curve) noexcept {
+    double pull = 0.0;
+    for (const RetractPoint& point : curve.bonded) {
+        pull = std::max(pull, -point.force);
+    }
+    if (curve.pullOff.exact) {
+        // Under a lever this soft the tip pulls off where it pulls hardest.
+        const TipState& state = curve.pullOff.before.state;
+        const ContactState strongest =
+            contactModelAt(path.instrument().system(), state).lastBonded(kMaxCompliance);
+        pull = std::max(pull, -strongest.force * state.closest.normal.z());
+    }
+    return pull;
+}
+
+}  // namespace asperity

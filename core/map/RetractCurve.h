@@ -1,0 +1,37 @@
+#pragma once
+
+#include "core/map/JumpSearch.h"
+
+#include <optional>
+#include <vector>
+
+namespace asperity {
+
+/// A point of a retract as the instrument records it.
+struct RetractPoint {
+    double height = 0.0;  ///< of the tip, from base and deflection along z [m]
+    double force = 0.0;   ///< along z [N]
+};
+
+/// The way of the tip from the setpoint until it is free.
+struct RetractCurve {
+    std::vector<RetractPoint> bonded;  ///< from the setpoint to the last state before the pull-off
+    std::vector<RetractPoint> free;    ///< after it, until the force is 0.1 % of the strongest pull
+    FoundJump pullOff;
+    double jumpWork = 0.0;  ///< area under the pull while the tip pulls off, the base at rest [J]
+};
+
+/// Raises the base from the setpoint in about 32 steps until the tip pulls off, and on.
+/// None: it stays bonded.
+[[nodiscard]] std::optional<RetractCurve> retract(VerticalPath& path, TipAtHeight atSetpoint);
+
+/// Area between the retract and zero force, where it pulls, over the height of the tip [J]. The
+/// deflection of an elastic lever adds none: over the base's height it is the same. Trapezoids; of
+/// the free tip, whose attraction falls with the square of the distance, all of it to infinity.
+[[nodiscard]] double separationWork(const RetractCurve& curve) noexcept;
+
+/// Along z, the strongest pull on the way [N]; 0 where it never pulls. On one contact point it is
+/// the law's own, without the error of the steps.
+[[nodiscard]] double strongestPull(const VerticalPath& path, const RetractCurve& curve) noexcept;
+
+}  // namespace asperity

@@ -1,0 +1,33 @@
+#include "core/scene/TipValidity.h"
+
+#include "core/contact/laws/LawChoice.h"
+#include "core/scene/ContactValidity.h"
+
+namespace asperity {
+
+ValidityFlags tipValidity(const Scene& scene, const ProbeSystem& system,
+                          const SampleMaterial& material, const TipState& state) noexcept {
+    const Vector3& closest = state.closest.point;
+    ValidityFlags flags;
+    flags.set(Validity::LargeContact, isLargeContact(state.contactRatio, 1.0));
+    // A shape goes on beyond the window.
+    flags.set(Validity::OutsideScan,
+              !state.closest.insideScan || !scene.surface.contains(closest.x(), closest.y()));
+    flags.set(Validity::FilledPixel, !scene.surface.isMeasured(closest.x(), closest.y()));
+    flags.set(Validity::ClosestPointNotFound, !state.closest.converged);
+    flags.set(Validity::NotInEquilibrium, !state.converged || !state.contact.solved());
+    flags.set(Validity::FrictionLock, state.locked);
+    const bool bonded = state.contact.branch == ContactBranch::Bonded;
+    flags.set(Validity::UncertainPixel,
+              bonded && scene.certainty.isUncertain(closest.x(), closest.y()));
+    flags.set(Validity::Anisotropic, bonded && state.anisotropic);
+    flags.set(Validity::NarrowValley, bonded && !state.tipFits);
+    flags.set(Validity::SeveralContactPoints, state.points > 1);
+    flags.set(Validity::SearchNotExhaustive, mayMissPoints(state.proof));
+    if (state.contact.contactRadius > 0.0) {
+        flags.add(contactValidity(contactModelAt(system, state), state.contact, material));
+    }
+    return flags;
+}
+
+}  // namespace asperity

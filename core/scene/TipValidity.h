@@ -1,0 +1,16 @@
+#pragma once
+
+#include "core/scene/Scene.h"
+#include "core/scene/Validity.h"
+
+namespace asperity {
+
+/// What the state of a tip on the scan does not hold for, by itself: nothing that takes signals or
+/// an estimate. No allocation.
+/// @param system that the state is of: what is believed, or what is true
+/// @param material of that system
+[[nodiscard]] ValidityFlags tipValidity(const Scene& scene, const ProbeSystem& system,
+                                        const SampleMaterial& material,
+                                        const TipState& state) noexcept;
+
+}  // namespace asperity

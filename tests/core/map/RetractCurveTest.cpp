@@ -1,0 +1,52 @@
+#include "core/map/RetractCurve.h"
+
+#include "core/Units.h"
+#include "core/map/Engagement.h"
+#include "tests/support/TestScenes.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace asperity {
+namespace {
+
+constexpr double kSetpoint = 5e-9;
+
+/// The same area of the law's own curve in small steps.
+double areaOfLaw(const Scene& scene) {
+    const double compliance = scene.belief.cantilever.compliance()(2, 2);
+    const ForceCurve curve = forceCurve(scene.belief.contact, compliance,
+                                        {.farthest = -200e-9, .deepest = 3e-9, .points = 400000});
+    double area = 0.0;
+    for (std::size_t i = 1; i < curve.retract.size(); ++i) {
+        const ContactState& from = curve.retract[i - 1].state;
+        const ContactState& to = curve.retract[i].state;
+        area += 0.5 * (std::max(0.0, -from.force) + std::max(0.0, -to.force)) *
+                (from.indentation - to.indentation);
+    }
+    return area;
+}
+
+void expectAreaOfLaw(const SceneDescription& description) {
+    const Scene scene = buildScene(description, test::flatMap());
+    const MapInstrument instrument(scene, false);
+    VerticalPath path(instrument, Vector2(61.0_nm, 67.0_nm));
+    const auto engaged = engage(path, kSetpoint);
+    ASSERT_TRUE(engaged);
+    const auto curve = retract(path, engaged->atSetpoint);
+    ASSERT_TRUE(curve);
+    const double expected = areaOfLaw(scene);
+    EXPECT_NEAR(separationWork(*curve), expected, 2e-3 * expected);
+}
+
+TEST(RetractCurve, HasTheAreaOfTheLaw) { expectAreaOfLaw(test::plainScene()); }
+
+TEST(RetractCurve, HasTheAreaOfTheLawOnASoftLever) {
+    SceneDescription description = test::plainScene();
+    description.probe.thickness = thicknessForStiffness(description.probe, 0.2);
+    expectAreaOfLaw(description);
+}
+
+}  // namespace
+}  // namespace asperity

@@ -1,0 +1,62 @@
+#include "vtkplugins/pictures/MapSheet.h"
+
+#include "core/Error.h"
+#include "tests/vtkplugins/NeedsDisplay.h"
+#include "tests/vtkplugins/PictureFixture.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <limits>
+#include <vector>
+
+namespace asperity {
+
+namespace {
+
+constexpr double kNoData = std::numeric_limits<double>::quiet_NaN();
+
+class MapSheets : public test::Pictures {};
+
+/// Low values on the left, high ones on the right, none in the lower right pixel.
+SheetMap halves() {
+    return {.quantity = "pull-off force",
+            .unit = "N",
+            .columns = 2,
+            .rows = 2,
+            .aspect = 1.0,
+            .values = {1e-9, 3e-9, 1e-9, kNoData}};
+}
+
+int countOf(const test::Image& image, int red, int green, int blue) {
+    return image.count([&](const auto& rgb) {
+        return std::abs(rgb[0] - red) < 3 && std::abs(rgb[1] - green) < 3 &&
+               std::abs(rgb[2] - blue) < 3;
+    });
+}
+
+}  // namespace
+
+TEST_F(MapSheets, ShowPixelsInTheirColorsAndPlaces) {
+    ASPERITY_NEEDS_DISPLAY();
+    const std::filesystem::path path = folder / "sheet.png";
+    writeMapSheet(path, "A map", std::vector{halves()});
+    const test::Image image(path);
+    const auto low = image.at(160, 200);
+    const auto high = image.at(400, 420);
+    EXPECT_LT(low[0] + low[1] + low[2], high[0] + high[1] + high[2]);
+    EXPECT_NEAR(image.at(400, 200)[0], 190, 2) << "no data is gray";
+    const int gray = countOf(image, 190, 190, 190);
+    EXPECT_NEAR(gray, countOf(image, high[0], high[1], high[2]), 0.05 * gray);
+}
+
+TEST_F(MapSheets, RefuseWhatIsNoMap) {
+    SheetMap uneven = halves();
+    uneven.values.pop_back();
+    EXPECT_THROW(writeMapSheet(folder / "sheet.png", "", std::vector{uneven}), Error);
+    EXPECT_THROW(writeMapSheet(folder / "sheet.png", "", {}), Error);
+    EXPECT_THROW(writeMapSheet(folder / "sheet.png", "", std::vector(7, halves())), Error);
+}
+
+}  // namespace asperity

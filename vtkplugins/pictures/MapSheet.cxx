@@ -1,0 +1,144 @@
+#include "vtkplugins/pictures/MapSheet.h"
+
+#include "core/Error.h"
+#include "vtkplugins/pictures/ColorBar.h"
+#include "vtkplugins/pictures/OffscreenPicture.h"
+
+#include <vtkLookupTable.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace asperity {
+
+namespace {
+
+constexpr std::size_t kMaxMaps = 6;
+constexpr int kMapsPerRow = 3;
+constexpr int kWidth = 560;   // of a map with its bar [pixel]
+constexpr int kHeight = 560;  // likewise
+constexpr int kTitle = 56;
+constexpr double kEdge = 20.0;
+constexpr double kBar = 52.0;
+
+struct ValueRange {
+    double low = 0.0;
+    double high = 1.0;
+};
+
+/// Of the values that are there, without the outermost ones; never empty.
+ValueRange rangeOf(const std::vector<double>& values) {
+    constexpr double kOuter = 0.01;
+    std::vector<double> known;
+    std::ranges::copy_if(values, std::back_inserter(known),
+                         [](double value) { return std::isfinite(value); });
+    if (known.empty()) {
+        return {};
+    }
+    std::ranges::sort(known);
+    const auto last = static_cast<double>(known.size() - 1);
+    ValueRange range{known[static_cast<std::size_t>(std::floor(kOuter * last))],
+                     known[static_cast<std::size_t>(std::ceil((1.0 - kOuter) * last))]};
+    const double least = 1e-6 * std::max(std::abs(range.low), std::abs(range.high));
+    if (range.high - range.low <= least) {
+        const double around = least > 0.0 ? least : 1.0;
+        range = {range.low - around, range.high + around};
+    }
+    return range;
+}
+
+/// A map in its place on the sheet.
+class SheetPainter {
+public:
+    SheetPainter(const SheetMap& map, const PixelRect& area)
+        : map_(map)
+        , area_(area)
+        , range_(rangeOf(map.values))
+        , colors_(heightTable(range_.low, range_.high)) {}
+
+    void paint(Painter& painter) const {
+        painter.image(place(), image());
+        drawColorBar(painter,
+                     {.quantity = map_.quantity,
+                      .unit = map_.unit,
+                      .low = range_.low,
+                      .high = range_.high,
+                      .table = colors_},
+                     {area_.left + kEdge, area_.bottom, area_.width - 2.0 * kEdge, kBar});
+    }
+
+private:
+    /// As large as its part of the sheet lets it be, in its own shape.
+    [[nodiscard]] PixelRect place() const {
+        const PixelRect room{area_.left + kEdge, area_.bottom + kBar + kEdge,
+                             area_.width - 2.0 * kEdge, area_.height - kBar - 2.0 * kEdge};
+        const double width = std::min(room.width, room.height * map_.aspect);
+        const double height = width / map_.aspect;
+        return {room.left + 0.5 * (room.width - width), room.bottom + room.height - height, width,
+                height};
+    }
+
+    [[nodiscard]] RasterImage image() const {
+        constexpr std::uint8_t kOpaque = 255;
+        RasterImage image{.width = map_.columns, .height = map_.rows, .pixels = {}};
+        for (const double value : map_.values) {
+            const Color color = colorOf(value);
+            image.pixels.insert(image.pixels.end(), {color.red, color.green, color.blue, kOpaque});
+        }
+        return image;
+    }
+
+    [[nodiscard]] Color colorOf(double value) const {
+        constexpr Color kNoData{190, 190, 190};
+        if (!std::isfinite(value)) {
+            return kNoData;
+        }
+        const unsigned char* rgb = colors_->MapValue(value);
+        return {rgb[0], rgb[1], rgb[2]};
+    }
+
+    const SheetMap& map_;
+    PixelRect area_;
+    ValueRange range_;
+    vtkSmartPointer<vtkLookupTable> colors_;
+};
+
+void check(std::span<const SheetMap> maps) {
+    if (maps.empty() || maps.size() > kMaxMaps) {
+        throw Error("A sheet holds one to six maps.");
+    }
+    for (const SheetMap& map : maps) {
+        const auto pixels =
+            static_cast<std::size_t>(map.columns) * static_cast<std::size_t>(map.rows);
+        if (map.columns < 1 || map.rows < 1 || map.values.size() != pixels || !(map.aspect > 0.0)) {
+            throw Error("The map \"" + map.quantity +
+                        "\" cannot be drawn: it needs one value for each pixel.");
+        }
+    }
+}
+
+}  // namespace
+
+void writeMapSheet(const std::filesystem::path& path, const std::string& title,
+                   std::span<const SheetMap> maps) {
+    check(maps);
+    const int count = static_cast<int>(maps.size());
+    const int rows = (count + kMapsPerRow - 1) / kMapsPerRow;
+    const PictureSize size{.width = kWidth * std::min(count, kMapsPerRow),
+                           .height = kTitle + kHeight * rows};
+    OffscreenPicture picture(size);
+    picture.paint([&](Painter& painter) {
+        painter.paragraph(
+            {kEdge, size.height - kTitle + 4.0, size.width - 2.0 * kEdge, kTitle - 20.0}, title,
+            {.size = 18.0, .bold = true});
+        for (int i = 0; i < count; ++i) {
+            const PixelRect area{static_cast<double>(kWidth * (i % kMapsPerRow)),
+                                 static_cast<double>(kHeight * (rows - 1 - i / kMapsPerRow)),
+                                 kWidth, kHeight};
+            SheetPainter(maps[static_cast<std::size_t>(i)], area).paint(painter);
+        }
+    });
+    picture.writePng(path);
+}
+
+}  // namespace asperity

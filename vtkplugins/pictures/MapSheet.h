@@ -1,0 +1,30 @@
+#pragma once
+
+#include "vtkplugins/pictures/PictureSize.h"
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace asperity {
+
+/// One map of a sheet, seen from above.
+struct SheetMap {
+    std::string quantity;  ///< "pull-off force"
+    std::string unit;      ///< SI unit of the values; empty: numbers
+    int columns = 0;
+    int rows = 0;
+    double aspect = 1.0;         ///< width over height of the mapped area
+    std::vector<double> values;  ///< row by row, the top row first; NaN: no data
+};
+
+/// Draws up to six maps side by side, each with its color bar. Colors span 98 % of a map's values,
+/// from the 1st to the 99th percentile; pixels without data are gray. The same maps give the same
+/// bytes.
+/// @throw Error when there is no map or a map has another number of values than rows times columns,
+///        no display answers, or the file cannot be written
+void writeMapSheet(const std::filesystem::path& path, const std::string& title,
+                   std::span<const SheetMap> maps);
+
+}  // namespace asperity
