@@ -75,7 +75,7 @@ void ExperimentFolder::take(FolderUse use) {
 }
 
 void ExperimentFolder::requireSameStudy() const {
-    if (comparable(readStudy(path() / kStudy)) != comparable(study_)) {
+    if (!holdsStudy(path(), study_)) {
         throw Error((path() / kStudy).string() +
                     ": is another study; --resume goes on with the same one only");
     }
@@ -118,38 +118,61 @@ void ExperimentFolder::keep(const DoneTrial& trial) {
     const std::lock_guard lock(mutex_);
     std::filesystem::remove_all(placeOf(trial.record.plan));
     std::filesystem::rename(stagingOf(trial.record.plan), placeOf(trial.record.plan));
-    trials_.insert(std::ranges::upper_bound(trials_, trial.record, isBefore), trial.record);
-    writeTable();
+    std::vector<TrialRecord> trials = trials_;
+    trials.insert(std::ranges::upper_bound(trials, trial.record, isBefore), trial.record);
+    writeTable(std::move(trials));
 }
 
-void ExperimentFolder::writeTable() const { writeTrials(path() / kTable, study_, trials_); }
+/// What cannot be written is not kept here either.
+void ExperimentFolder::writeTable(std::vector<TrialRecord> trials) {
+    writeTrials(path() / kTable, study_, trials);
+    trials_ = std::move(trials);
+}
 
 void ExperimentFolder::strikeOut(const PlannedTrial& trial, const std::string& why) {
     const std::lock_guard lock(mutex_);
-    const auto found = std::ranges::find(trials_, trial, &TrialRecord::plan);
-    if (found == trials_.end()) {
+    std::vector<TrialRecord> trials = trials_;
+    const auto found = std::ranges::find(trials, trial, &TrialRecord::plan);
+    if (found == trials.end()) {
         throw Error("trial " + std::to_string(trial.number) + " was not done yet");
     }
     found->struckOut = why;
-    writeTable();
+    writeTable(std::move(trials));
 }
 
 std::vector<TrialMoment> ExperimentFolder::momentsOf(const TrialRecord& trial) const {
     return readMoments(placeOf(trial.plan) / kMoments);
 }
 
-void requirePlanned(const ExperimentFolder& folder, std::span<const PlannedTrial> planned) {
-    for (const TrialRecord& trial : folder.trials()) {
+bool holdsStudy(const std::filesystem::path& folder) {
+    std::error_code unknown;
+    return std::filesystem::exists(folder / kStudy, unknown);
+}
+
+bool holdsStudy(const std::filesystem::path& folder, const Study& study) {
+    return holdsStudy(folder) && comparable(readStudy(folder / kStudy)) == comparable(study);
+}
+
+std::optional<TrialRecord> unplannedTrial(std::span<const TrialRecord> trials,
+                                          std::span<const PlannedTrial> planned) {
+    for (const TrialRecord& trial : trials) {
         const auto found = std::ranges::find(planned, trial.plan.number, &PlannedTrial::number);
         PlannedTrial expected = found == planned.end() ? PlannedTrial{} : *found;
         while (expected.attempt < trial.plan.attempt) {
             expected = again(expected);
         }
         if (expected != trial.plan) {
-            throw Error((folder.path() / kTable).string() + ": trial " +
-                        std::to_string(trial.plan.number) +
-                        " is none of this study with this --seed, --operators and --repeats");
+            return trial;
         }
+    }
+    return std::nullopt;
+}
+
+void requirePlanned(const ExperimentFolder& folder, std::span<const PlannedTrial> planned) {
+    if (const auto trial = unplannedTrial(folder.trials(), planned)) {
+        throw Error((folder.path() / kTable).string() + ": trial " +
+                    std::to_string(trial->plan.number) +
+                    " is none of this study with this --seed, --operators and --repeats");
     }
 }
 

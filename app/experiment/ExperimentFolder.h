@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <mutex>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -45,7 +46,7 @@ public:
 private:
     void take(FolderUse use);
     void requireSameStudy() const;
-    void writeTable() const;
+    void writeTable(std::vector<TrialRecord> trials);
     [[nodiscard]] std::filesystem::path placeOf(const PlannedTrial& trial) const;
     [[nodiscard]] std::filesystem::path stagingOf(const PlannedTrial& trial) const;
 
@@ -55,8 +56,18 @@ private:
     std::vector<TrialRecord> trials_;
 };
 
-/// Refuses trials that are none of these planned ones: of another seed or number of participants.
-/// @throw Error
+/// Whether a study lies in a folder.
+[[nodiscard]] bool holdsStudy(const std::filesystem::path& folder);
+
+/// Whether it is this one. @throw InputError where it cannot be read
+[[nodiscard]] bool holdsStudy(const std::filesystem::path& folder, const Study& study);
+
+/// The first trial that is none of these planned ones: of another seed or number of participants;
+/// none: all are planned.
+[[nodiscard]] std::optional<TrialRecord> unplannedTrial(std::span<const TrialRecord> trials,
+                                                        std::span<const PlannedTrial> planned);
+
+/// Refuses such a trial. @throw Error
 void requirePlanned(const ExperimentFolder& folder, std::span<const PlannedTrial> planned);
 
 }  // namespace asperity

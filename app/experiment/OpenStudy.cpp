@@ -25,8 +25,4 @@ OpenStudy::OpenStudy(Study wanted, const std::filesystem::path& out, int partici
     , folder(out, study, holdsStudy(out) ? FolderUse::Resume : FolderUse::New)
     , person(folder, participant) {}
 
-bool holdsStudy(const std::filesystem::path& folder) {
-    return std::filesystem::exists(folder / "study.toml");
-}
-
 }  // namespace asperity

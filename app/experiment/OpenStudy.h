@@ -20,7 +20,4 @@ struct OpenStudy {
     ParticipantStudy person;
 };
 
-/// Whether a study lies in a folder.
-[[nodiscard]] bool holdsStudy(const std::filesystem::path& folder);
-
 }  // namespace asperity

@@ -1,5 +1,7 @@
 #include "app/experiment/ParticipantStudy.h"
 
+#include "core/Error.h"
+
 #include <algorithm>
 
 namespace asperity {
@@ -9,9 +11,9 @@ namespace {
 /// Of the orders: the same in every study of people, so that a folder needs to keep none.
 constexpr std::uint64_t kSeed = 1;
 
-int lastParticipant(const ExperimentFolder& folder) {
+int lastParticipant(std::span<const TrialRecord> trials) {
     int last = 0;
-    for (const TrialRecord& trial : folder.trials()) {
+    for (const TrialRecord& trial : trials) {
         last = std::max(last, trial.plan.participant);
     }
     return last;
@@ -21,9 +23,12 @@ int lastParticipant(const ExperimentFolder& folder) {
 
 ParticipantStudy::ParticipantStudy(ExperimentFolder& folder, int participant)
     : folder_(folder), participant_(participant) {
-    const int participants = std::max(participant, lastParticipant(folder));
-    trials_ = planTrials(folder.study(), participants, kSeed);
-    requirePlanned(folder, trials_);
+    if (!areInOrderOfPeople(folder.study(), folder.trials())) {
+        throw Error(folder.path().string() +
+                    ": holds trials in another order, as of operators of a model; choose another "
+                    "folder");
+    }
+    trials_ = planTrials(folder.study(), participant, kSeed);
     std::erase_if(trials_, [participant](const PlannedTrial& trial) {
         return trial.participant != participant;
     });
@@ -47,6 +52,10 @@ std::optional<PlannedTrial> ParticipantStudy::next() const {
         }
     }
     return std::nullopt;
+}
+
+bool areInOrderOfPeople(const Study& study, std::span<const TrialRecord> trials) {
+    return !unplannedTrial(trials, planTrials(study, lastParticipant(trials), kSeed));
 }
 
 int participantToGoOn(const Study& study, std::span<const TrialRecord> trials) {

@@ -29,6 +29,10 @@ private:
     std::vector<PlannedTrial> trials_;
 };
 
+/// Whether trials are in the order in which people do a study: those of operators of a model may be
+/// in another one.
+[[nodiscard]] bool areInOrderOfPeople(const Study& study, std::span<const TrialRecord> trials);
+
 /// The first participant who has not done all trials of a study; without trials 1.
 [[nodiscard]] int participantToGoOn(const Study& study, std::span<const TrialRecord> trials);
 

@@ -98,11 +98,20 @@ ordered_json summaryOf(const ExperimentFolder& folder, const std::vector<StudyEs
     return json;
 }
 
+/// A number that is not known is a dash.
+std::string numberText(const char* format, double number) {
+    return std::isnan(number) ? "–" : formatted(format, number);
+}
+
+std::string valueText(const Estimate& value, const char* format) {
+    return numberText(format, value.mean) + " (" + numberText(format, value.low) + " to " +
+           numberText(format, value.high) + ")";
+}
+
 std::string rowText(const StudyEstimate& error, const StudyEstimate& time) {
-    return formatted("%-5s %-18s %-20s %6.2f (%5.2f to %5.2f) %%  %6.1f (%5.1f to %5.1f) s\n",
-                     keyOf(error.task), error.material.empty() ? "all" : error.material.c_str(),
-                     error.lever.c_str(), error.value.mean, error.value.low, error.value.high,
-                     time.value.mean, time.value.low, time.value.high);
+    return formatted("%-5s %-18s %-20s %s %%; %s s\n", keyOf(error.task),
+                     error.material.empty() ? "all" : error.material.c_str(), error.lever.c_str(),
+                     valueText(error.value, "%.2f").c_str(), valueText(time.value, "%.1f").c_str());
 }
 
 }  // namespace
@@ -132,7 +141,7 @@ std::string studyText(const ExperimentFolder& folder) {
     }
     text += "\nfindings of Vogl, Ma, Sitti (2005):\n";
     for (const StudyFinding& finding : findingsOf(folder.study(), folder.trials())) {
-        text += formatted("  %-10s %s: %s\n", keyOf(finding.verdict), finding.paper.c_str(),
+        text += formatted("  %-10s %s: %s\n", nameOf(finding.verdict), finding.paper.c_str(),
                           finding.ours.c_str());
     }
     for (const auto& [fault, count] : faultsOf(folder.trials())) {

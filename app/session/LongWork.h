@@ -91,6 +91,8 @@ public:
     }
     /// Whether an answer is to come.
     [[nodiscard]] bool isAwaited() const { return isAwaited_; }
+    /// Whether something is being done, an answer be to come or not.
+    [[nodiscard]] bool isBusy() const { return work_.isBusy(); }
 
 private:
     void progress(double fraction) {

@@ -94,7 +94,9 @@ void RunControl::rebuild(LoadedScene scene, const Vector3& start, const Settings
 }
 
 void RunControl::place(LoadedScene scene, const Vector3& start, const Settings& settings) {
-    rebuild(std::move(scene), start, settings);
+    Settings safe = settings;
+    safe.forcesOn = settings.forcesOn && forcesMayAct();
+    rebuild(std::move(scene), start, safe);
     this->start();
 }
 
@@ -155,7 +157,7 @@ void RunControl::turn(const std::function<void(Settings&)>& knobs) {
 }
 
 void RunControl::setForces(bool on) {
-    if (on && run_ && !fixedBy_.isEmpty()) {  // off they may always go
+    if (on && run_ && forcesStayOff_) {  // off they may always go
         window_.controls().setForcesOn(run_->settings().forcesOn);
         window_.tell(fixedBy_);
         return;
@@ -205,6 +207,7 @@ void RunControl::refuseTip(const QString& why) {
 
 void RunControl::fix(const QString& why) {
     fixedBy_ = why;
+    forcesStayOff_ = false;
     window_.fix(why);
 }
 

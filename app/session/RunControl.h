@@ -38,7 +38,8 @@ public:
     /// scene changed. There is a run. @param place world [m]
     void replace(LoadedScene scene, const std::optional<Vector2>& place = std::nullopt);
     /// The loop begins anew on a scene, with the base at a place and with these knobs; device and
-    /// view stay. There is a run. @param start world [m]
+    /// view stay. Forces that are off, or that a fault keeps away, stay off. There is a run.
+    /// @param start world [m]
     void place(LoadedScene scene, const Vector3& start, const Settings& settings);
     /// The run goes on with the model that was found for it. See LiveRun::mayAdoptModel()
     void adoptModel(const LoadedScene& fitted);
@@ -73,6 +74,8 @@ public:
     /// Nobody but who fixed them changes scene and knobs meanwhile. @param why for tool tips;
     /// empty: they are the user's again
     void fix(const QString& why);
+    /// Nobody switches forces on while scene and knobs are fixed.
+    void keepForcesOff() { forcesStayOff_ = true; }
     [[nodiscard]] const QString& fixedBy() const { return fixedBy_; }
 
 Q_SIGNALS:
@@ -101,6 +104,7 @@ private:
     std::deque<TickSample> recordedTicks_;  ///< the last seconds up to it
     QString tipRefusal_;
     QString fixedBy_;
+    bool forcesStayOff_ = false;
 };
 
 }  // namespace asperity

@@ -220,7 +220,6 @@ void SceneEdits::keep(const Target& target, const SceneDescription& before,
 
 void SceneEdits::open(Opening opening) {
     if (isFixed()) {
-        opening.canceled();
         return;
     }
     target_.reset();

@@ -41,8 +41,10 @@ QString aboutOf(const Study& study) {
 /// What lies in its folder. @throw InputError
 std::vector<TrialRecord> trialsIn(const std::filesystem::path& folder, const Study& study) {
     const std::filesystem::path table = folder / "trials.csv";
-    return holdsStudy(folder) && std::filesystem::exists(table) ? readTrials(table, study)
-                                                                : std::vector<TrialRecord>();
+    std::error_code unknown;
+    return holdsStudy(folder) && std::filesystem::exists(table, unknown)
+               ? readTrials(table, study)
+               : std::vector<TrialRecord>();
 }
 
 }  // namespace
@@ -61,6 +63,7 @@ StudyChoice::StudyChoice(MainWindow& window, StudyForm& form, StudyResultsContro
     connect(&form, &StudyForm::folderChosen, this, [this](const QString& folder) {
         chooseFolder(QFile::encodeName(folder).toStdString());
     });
+    connect(&form, &StudyForm::shown, this, &StudyChoice::show);
     connect(&form, &StudyForm::startChosen, this, &StudyChoice::open);
     connect(&form, &StudyForm::resultsChosen, this, &StudyChoice::showResults);
 }
@@ -76,42 +79,67 @@ void StudyChoice::show() {
 void StudyChoice::chooseStudy(const std::filesystem::path& file) {
     try {
         study_ = readStudy(file);
+        file_ = file;
         folder_ = userFolder() / "studies" / file.stem();
         form_.showStudy(QString::fromStdString(study_->name), aboutOf(*study_));
         showFolder();
-    } catch (const Error& error) {
-        window_.complain(QString::fromUtf8(error.what()));
+    } catch (const std::exception& error) {
+        const QString why = QString::fromUtf8(error.what());
+        study_ ? window_.complain(why) : form_.refuse(why);
     }
 }
 
 void StudyChoice::chooseFolder(const std::filesystem::path& folder) {
     folder_ = folder;
-    showFolder();
+    if (study_) {
+        showFolder();
+    }
 }
 
 void StudyChoice::showFolder() {
+    const auto refuse = [this](const QString& why) {
+        form_.showFolder(textOf(folder_), {});
+        form_.refuse(why);
+    };
     try {
+        if (holdsStudy(folder_) && !holdsStudy(folder_, *study_)) {
+            refuse(tr("Holds another study: choose another folder"));
+            return;
+        }
         const std::vector<TrialRecord> trials = trialsIn(folder_, *study_);
+        if (!areInOrderOfPeople(*study_, trials)) {
+            refuse(tr("Holds trials of operators of a model: choose another folder"));
+            return;
+        }
         const auto counting = std::ranges::count_if(trials, &TrialRecord::counts);
         form_.showFolder(textOf(folder_), trials.empty()
                                               ? tr("New: no trial is in it yet")
-                                              : tr("Goes on: %1 trials are in it").arg(counting));
+                                              : tr("Goes on; trials that count: %1").arg(counting));
         form_.showParticipant(participantToGoOn(*study_, trials));
         form_.refuse({});
-    } catch (const Error& error) {
-        form_.showFolder(textOf(folder_), {});
-        form_.refuse(tr("Holds another study: %1").arg(QString::fromUtf8(error.what())));
+    } catch (const std::exception& error) {
+        refuse(QString::fromUtf8(error.what()));
     }
 }
 
 void StudyChoice::open() {
-    work_.start(tr("Loading the study …"), [study = *study_, folder = folder_,
+    if (!study_) {
+        return;
+    }
+    work_.start(tr("Loading the study …"), [study = *study_, file = file_, folder = folder_,
                                             participant = form_.participant()](Progress& progress) {
-        return std::make_shared<OpenStudy>(study, folder, participant, &progress);
+        try {
+            return std::make_shared<OpenStudy>(study, folder, participant, &progress);
+        } catch (const StudyRefused& refused) {
+            throw InputError(file.string(), refused.key, "expected " + refused.reason);
+        }
     });
 }
 
 void StudyChoice::showResults() {
+    if (!study_) {
+        return;
+    }
     results_.show([study = *study_, folder = folder_](const auto& read) {
         if (!holdsStudy(folder)) {
             throw Error("No trial of this study is done yet");

@@ -39,6 +39,7 @@ private:
     StudyForm& form_;
     StudyResultsControl& results_;
     std::optional<Study> study_;  ///< none: it cannot be read
+    std::filesystem::path file_;  ///< of the study
     std::filesystem::path folder_;
     LongWork<std::shared_ptr<OpenStudy>> work_;
 };

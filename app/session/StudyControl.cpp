@@ -6,43 +6,31 @@
 #include "ui/CoreWords.h"
 #include "ui/experiment/StudyForm.h"
 #include "ui/experiment/TrialPanel.h"
-#include "ui/panels/OverviewMap.h"
-#include "ui/panels/OverviewPanel.h"
 #include "ui/view/ZoomView.h"
 #include "ui/window/MainWindow.h"
-#include "ui/window/SecondView.h"
-#include "ui/window/ViewOptionsMenu.h"
 #include "ui/window/WindowLayout.h"
 #include "ui/window/WindowMenus.h"
 
 #include <QAction>
+#include <QApplication>
 #include <QStackedWidget>
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <utility>
 
 namespace asperity {
 
 namespace {
 
-constexpr double kTurn = std::numbers::pi / 12.0;  // of the view, a step [rad]
-constexpr double kRoom = 1.3;  // of the view, in distances of the farthest target
+/// For so long after each change the button does nothing: it may have been pressed for the one
+/// before [s].
+constexpr double kSettle = 0.5;
 
 StudyForm* newForm(QStackedWidget& page) {
     auto* form = new StudyForm(&page);
     page.addWidget(form);
     return form;
-}
-
-/// Wide enough that start and target of every trial are seen.
-double halfWidthFor(const Study& study, double usual) {
-    double farthest = 0.0;
-    for (const Vector2& target : study.targets) {
-        farthest = std::max(farthest, target.cwiseAbs().maxCoeff());
-    }
-    return std::max(usual, kRoom * farthest);
 }
 
 }  // namespace
@@ -56,11 +44,11 @@ StudyControl::StudyControl(MainWindow& window, RunControl& runs, DeviceControl& 
     , page_(new QStackedWidget(&window))
     , panel_(new TrialPanel(page_))
     , results_(window)
-    , choice_(window, *newForm(*page_), results_) {
+    , choice_(window, *newForm(*page_), results_)
+    , views_(window) {
     page_->addWidget(panel_);
     page_->setToolTip(tr("Positioning experiments with people"));
     window.addTool(page_, tr("Study"));
-    window.overview().map().addTool(mark_);
     connect(window.menus().study, &QAction::triggered, this, &StudyControl::open);
     connect(window.menus().trial, &QAction::triggered, this, &StudyControl::press);
     connect(&choice_, &StudyChoice::opened, this, &StudyControl::begin);
@@ -68,7 +56,8 @@ StudyControl::StudyControl(MainWindow& window, RunControl& runs, DeviceControl& 
     connect(panel_, &TrialPanel::strikeOutChosen, this, &StudyControl::strikeOut);
     connect(panel_, &TrialPanel::pauseChosen, this, &StudyControl::pause);
     connect(panel_, &TrialPanel::leaveChosen, this, &StudyControl::leave);
-    connect(panel_, &TrialPanel::turnChosen, this, &StudyControl::turnView);
+    connect(panel_, &TrialPanel::turnChosen, this,
+            [this](int right, int up) { views_.turn(right, up); });
     connect(panel_, &TrialPanel::resultsChosen, this,
             [this] { results_.show([study = study_](const auto& read) { read(study->folder); }); });
     connect(&runs, &RunControl::ending, this, &StudyControl::drop);
@@ -91,36 +80,54 @@ void StudyControl::begin(const std::shared_ptr<OpenStudy>& study) {
     study_ = study;
     before_.emplace(window_, runs_);
     runs_.fix(tr("A study is under way: it fixes scene and knobs; leave it first"));
-    fixViews();
+    if (!study->study.aids.forces) {
+        runs_.keepForcesOff();
+    }
+    views_.begin(study->study);
     panel_->forgetResult();
+    last_.reset();
+    isPressed_ = false;
     if (study->person.isNew() && study->study.training > 0.0) {
         plan_ = *study->person.next();
         placeTrial();
         turnKnobs(false);
         trainingEnds_ = monotonicSeconds() + study->study.training;
-        phase_ = StudyPhase::Training;
+        enter(StudyPhase::Training);
     } else {
         makeReady();
     }
-    window_.view().setHalfWidth(halfWidthFor(study->study, window_.view().halfWidth()));
     driver_ = devices_.driver();
     window_.view().setFocus();
     show();
+    warnOfDevice();
 }
 
-/// They draw what the study allows: the second view always draws the deformation.
-void StudyControl::fixViews() {
-    ViewOptions options = window_.menus().viewOptions().options();
-    options.deformation = study_->study.aids.deformation;
-    options.trueTip = false;
-    window_.menus().viewOptions().setOptions(options);
-    window_.view().setOptions(options);
-    if (!options.deformation) {
-        window_.menus().secondView->setChecked(false);
+void StudyControl::enter(StudyPhase phase) {
+    phase_ = phase;
+    changed_ = monotonicSeconds();
+}
+
+std::string StudyControl::deviceKey() const { return driver_ != nullptr ? driver_->key : "path"; }
+
+void StudyControl::warnOfDevice() {
+    for (const TrialRecord& trial : study_->folder.trials()) {
+        if (trial.plan.participant == study_->person.participant() && trial.device != deviceKey()) {
+            window_.complain(
+                tr("Participant %1 did trials of this study with another device (%2; now: %3). To "
+                   "go on with that one, leave the study and choose it first.")
+                    .arg(trial.plan.participant)
+                    .arg(QString::fromStdString(trial.device),
+                         QString::fromStdString(deviceKey())));
+            return;
+        }
     }
 }
 
 void StudyControl::press() {
+    const bool isQuestion = QApplication::activeModalWidget() != nullptr;
+    if (isQuestion || monotonicSeconds() - changed_ < kSettle) {
+        return;
+    }
     switch (phase_) {
     case StudyPhase::Ready:
         beginTrial();
@@ -146,15 +153,15 @@ void StudyControl::press() {
 void StudyControl::makeReady() {
     const std::optional<PlannedTrial> next = study_->person.next();
     if (!next) {
-        phase_ = StudyPhase::Finished;
-        showTarget(std::nullopt);
+        enter(StudyPhase::Finished);
+        views_.forgetTarget();
         return;
     }
     plan_ = *next;
     placeTrial();
     turnKnobs(true);
     refusal_.clear();
-    phase_ = StudyPhase::Ready;
+    enter(StudyPhase::Ready);
 }
 
 void StudyControl::placeTrial() {
@@ -168,7 +175,7 @@ void StudyControl::placeTrial() {
     scene.scene.settings.forceGain = own.forceGain;
     const Settings settings = scene.scene.settings;
     runs_.place(std::move(scene), places_.start, settings);
-    showTarget(places_.target);
+    views_.showTrial(places_.target);
 }
 
 void StudyControl::turnKnobs(bool clutched) {
@@ -176,7 +183,7 @@ void StudyControl::turnKnobs(bool clutched) {
     const bool isCoupled = runs_.run()->coupling().coupled() != nullptr;
     runs_.turn([&](Settings& settings) {
         settings.clutched = clutched;
-        settings.forcesOn = study.aids.forces;
+        settings.forcesOn = settings.forcesOn && study.aids.forces;  // on by hand alone
         if (isCoupled) {
             settings.positionGain = study.scale.positionGain;
             settings.forceGain = study.scale.forceGain;
@@ -202,6 +209,9 @@ QString StudyControl::refusal() const {
     if (fault != Fault::None) {
         return tr("%1: reset the fault first.").arg(coreWords(nameOf(fault)));
     }
+    if (study.aids.forces && !settings.forcesOn) {
+        return tr("Forces are off: switch them on above first.");
+    }
     if (devices_.driver() != driver_) {
         return tr("The device is another one than at the beginning: leave the study, choose the "
                   "device, and go on.");
@@ -224,8 +234,8 @@ void StudyControl::beginTrial() {
         recording_ = std::make_unique<RunRecording>(
             RecordingPlace{.folder = study_->folder.begin(plan_)}, *runs_.run());
         trial_.emplace(plan_, places_.target, runs_.run()->loop().snapshot());
-        isPressed_ = false;
-        phase_ = StudyPhase::Trial;
+        last_.reset();
+        enter(StudyPhase::Trial);
     } catch (const std::exception& error) {
         drop();
         window_.complain(QString::fromUtf8(error.what()));
@@ -253,7 +263,8 @@ void StudyControl::advance() {
         press();
     }
     if (phase_ == StudyPhase::Training && monotonicSeconds() >= trainingEnds_) {
-        press();
+        makeReady();
+        show();
     }
     if (std::exchange(wasDrawing_, results_.isBusy()) != results_.isBusy()) {
         show();
@@ -285,12 +296,14 @@ void StudyControl::endTrial(const TrialEnd& end) {
             how.struckOut = tr("its recording is not whole").toStdString();
         }
         recording.finish();
-        const DoneTrial done = trial_->end(how);
+        DoneTrial done = trial_->end(how);
+        done.record.device = deviceKey();
         study_->folder.keep(done);
+        last_ = done.record.counts() ? std::optional(plan_) : std::nullopt;
         showResult(done.record);
-        phase_ = StudyPhase::Result;
+        enter(StudyPhase::Result);
     } catch (const std::exception& error) {
-        phase_ = StudyPhase::Paused;
+        enter(StudyPhase::Paused);
         window_.complain(
             tr("The trial is not kept, and comes again: %1").arg(QString::fromUtf8(error.what())));
     }
@@ -304,10 +317,17 @@ void StudyControl::drop() {
 }
 
 void StudyControl::strikeOut(const QString& why) {
+    if (!last_ || results_.isBusy()) {
+        return;
+    }
     try {
-        study_->folder.strikeOut(plan_, why.toStdString());
+        study_->folder.strikeOut(*last_, why.toStdString());
         const auto& trials = study_->folder.trials();
-        showResult(*std::ranges::find(trials, plan_, &TrialRecord::plan));
+        showResult(*std::ranges::find(trials, *last_, &TrialRecord::plan));
+        last_.reset();
+        if (phase_ == StudyPhase::Ready || phase_ == StudyPhase::Finished) {
+            makeReady();  // that trial comes first
+        }
     } catch (const Error& error) {
         window_.complain(QString::fromUtf8(error.what()));
     }
@@ -316,14 +336,15 @@ void StudyControl::strikeOut(const QString& why) {
 
 void StudyControl::pause() {
     if (phase_ == StudyPhase::Paused) {
-        press();
+        makeReady();
+        show();
         return;
     }
     if (trial_) {
         endTrial({.struckOut = tr("paused").toStdString()});
     }
     turnKnobs(true);
-    phase_ = StudyPhase::Paused;
+    enter(StudyPhase::Paused);
     show();
 }
 
@@ -331,27 +352,14 @@ void StudyControl::leave() {
     if (trial_) {
         endTrial({.struckOut = tr("left").toStdString()});
     }
-    showTarget(std::nullopt);
+    views_.forgetTarget();
     before_->restore();
     before_.reset();
     study_.reset();
-    phase_ = StudyPhase::Choosing;
+    enter(StudyPhase::Choosing);
     runs_.fix({});
     choice_.show();
     show();
-}
-
-void StudyControl::turnView(int right, int up) {
-    ZoomView& view = window_.view();
-    const double elevation = view.camera().elevation() + up * kTurn;
-    view.setDirection(view.camera().azimuth() + right * kTurn,
-                      std::clamp(elevation, 0.0, 0.5 * std::numbers::pi));
-}
-
-void StudyControl::showTarget(const std::optional<Vector3>& target) {
-    window_.view().setTarget(target);
-    window_.second().space().setTarget(target);
-    mark_.setTarget(target ? std::optional(QPointF(target->x(), target->y())) : std::nullopt);
 }
 
 void StudyControl::show() {
@@ -360,7 +368,11 @@ void StudyControl::show() {
     window_.menus().refuse(*window_.menus().trial,
                            isOn ? QString() : tr("No study is under way: Run > Study"));
     if (isOn) {
-        panel_->showStage(stageWords(*study_, plan_, phase_, refusal_, results_.isBusy()));
+        panel_->showStage(stageWords(*study_, {.phase = phase_,
+                                               .trial = plan_,
+                                               .refusal = refusal_,
+                                               .isDrawing = results_.isBusy(),
+                                               .canStrikeOut = last_.has_value()}));
     }
 }
 

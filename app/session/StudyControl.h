@@ -5,10 +5,10 @@
 #include "app/session/SceneEdits.h"
 #include "app/session/StudyChoice.h"
 #include "app/session/StudyStand.h"
+#include "app/session/StudyViews.h"
 #include "app/session/StudyWords.h"
 #include "core/experiment/TrialPlaces.h"
 #include "core/experiment/WatchedTrial.h"
-#include "ui/experiment/TargetTool.h"
 
 #include <QString>
 
@@ -38,7 +38,10 @@ public:
 private:
     void open();
     void begin(const std::shared_ptr<OpenStudy>& study);
-    void fixViews();
+    void enter(StudyPhase phase);
+    /// Where the participant has changed the device, it is said.
+    void warnOfDevice();
+    [[nodiscard]] std::string deviceKey() const;
     /// What the button does.
     void press();
     void makeReady();
@@ -55,12 +58,10 @@ private:
     void strikeOut(const QString& why);
     void pause();
     void leave();
-    void turnView(int right, int up);
 
     void show();
     void showTime();
     void showResult(const TrialRecord& record);
-    void showTarget(const std::optional<Vector3>& target);
 
     MainWindow& window_;
     RunControl& runs_;
@@ -70,14 +71,16 @@ private:
     TrialPanel* panel_;
     StudyResultsControl results_;
     StudyChoice choice_;
-    TargetTool mark_;
+    StudyViews views_;
 
     StudyPhase phase_ = StudyPhase::Choosing;
+    double changed_ = 0.0;              ///< when the phase did, on the clock [s]
     std::shared_ptr<OpenStudy> study_;  ///< null: none is under way
     std::optional<StudyStand> before_;
     const DeviceDriver* driver_ = nullptr;  ///< that the study is done with
     PlannedTrial plan_;                     ///< the next trial, or the present one
     TrialPlaces places_;
+    std::optional<PlannedTrial> last_;  ///< that ended and counts
     std::optional<WatchedTrial> trial_;
     std::unique_ptr<RunRecording> recording_;
     QString refusal_;          ///< why the button began no trial; empty: it did

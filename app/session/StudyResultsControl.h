@@ -19,7 +19,7 @@ public:
         std::function<void(const std::function<void(const ExperimentFolder& folder)>& read)>;
     void show(const WithFolder& withFolder);
     /// Whether they are being drawn.
-    [[nodiscard]] bool isBusy() const { return work_.isAwaited(); }
+    [[nodiscard]] bool isBusy() const { return work_.isBusy(); }
 
 private:
     struct Drawn {

@@ -20,7 +20,9 @@ StudyStand::StudyStand(MainWindow& window, RunControl& runs)
              .forceGain = runs.run()->settings().forceGain}
     , options_(window.menus().viewOptions().options())
     , hasSecondView_(window.menus().secondView->isChecked())
-    , halfWidth_(window.view().halfWidth()) {}
+    , halfWidth_(window.view().halfWidth())
+    , azimuth_(window.view().camera().azimuth())
+    , elevation_(window.view().camera().elevation()) {}
 
 void StudyStand::restore() const {
     runs_.place(LoadedScene(*scene_), waitingPlace(scene_->scene, place_), settings_);
@@ -34,6 +36,7 @@ void StudyStand::restore() const {
     window_.view().setOptions(options_);
     window_.menus().secondView->setChecked(hasSecondView_);
     window_.view().setHalfWidth(halfWidth_);
+    window_.view().setDirection(azimuth_, elevation_);
 }
 
 }  // namespace asperity

@@ -27,6 +27,8 @@ private:
     ViewOptions options_;
     bool hasSecondView_;
     double halfWidth_;  ///< of the large view [m]
+    double azimuth_;    ///< likewise, see ViewCamera [rad]
+    double elevation_;  ///< [rad]
 };
 
 }  // namespace asperity

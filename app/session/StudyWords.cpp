@@ -59,18 +59,19 @@ QString placeWords(const ParticipantStudy& person, const PlannedTrial& trial) {
 
 }  // namespace
 
-TrialStage stageWords(const OpenStudy& study, const PlannedTrial& trial, StudyPhase phase,
-                      const QString& refusal, bool drawing) {
+TrialStage stageWords(const OpenStudy& study, const StudyMoment& moment) {
+    const StudyPhase phase = moment.phase;
     const ParticipantStudy& person = study.person;
-    const QString task = taskSentence(study.study.tasks.at(trial.task).kind);
-    TrialStage stage{.place = placeWords(person, trial),
+    const QString task = taskSentence(study.study.tasks.at(moment.trial.task).kind);
+    TrialStage stage{.place = placeWords(person, moment.trial),
                      .done = person.done(),
                      .count = person.count(),
-                     .task = taskTitle(study.study, trial),
-                     .canPause = phase != StudyPhase::Finished,
+                     .task = taskTitle(study.study, moment.trial),
+                     .canPause = phase != StudyPhase::Finished && phase != StudyPhase::Training,
                      .isPaused = phase == StudyPhase::Paused,
-                     .canStrikeOut = phase == StudyPhase::Result && !drawing,
-                     .canShowResults = phase != StudyPhase::Trial && !drawing};
+                     .canStrikeOut =
+                         moment.canStrikeOut && phase != StudyPhase::Trial && !moment.isDrawing,
+                     .canShowResults = phase != StudyPhase::Trial && !moment.isDrawing};
     switch (phase) {
     case StudyPhase::Training:
         stage.place = TrialPanel::tr("Participant %1  ·  training").arg(person.participant());
@@ -82,10 +83,10 @@ TrialStage stageWords(const OpenStudy& study, const PlannedTrial& trial, StudyPh
         break;
     case StudyPhase::Ready:
         stage.instruction =
-            refusal.isEmpty()
+            moment.refusal.isEmpty()
                 ? TrialPanel::tr("%1 The clock starts with Enter; until then the tip rests.")
                       .arg(task)
-                : refusal;
+                : moment.refusal;
         stage.action = TrialPanel::tr("Begin  (Enter)");
         break;
     case StudyPhase::Trial:

@@ -16,11 +16,17 @@ enum class StudyPhase {
     Finished,  ///< all trials of the person are done
 };
 
-/// What the participant reads and can do. @param trial the next one, or the present one
-/// @param refusal why no trial can begin; empty: one can
-/// @param drawing results: they read the folder, which nobody changes meanwhile
-[[nodiscard]] TrialStage stageWords(const OpenStudy& study, const PlannedTrial& trial,
-                                    StudyPhase phase, const QString& refusal, bool drawing);
+/// A study under way, as it is shown.
+struct StudyMoment {
+    StudyPhase phase = StudyPhase::Choosing;
+    PlannedTrial trial;         ///< the next one, or the present one
+    QString refusal;            ///< why no trial can begin; empty: one can
+    bool isDrawing = false;     ///< results: they read the folder, which nobody changes meanwhile
+    bool canStrikeOut = false;  ///< the last trial, which counts
+};
+
+/// What the participant reads and can do.
+[[nodiscard]] TrialStage stageWords(const OpenStudy& study, const StudyMoment& moment);
 /// What came of a trial.
 [[nodiscard]] TrialResult resultWords(const TrialRecord& record);
 

@@ -17,11 +17,11 @@ enum class FindingVerdict : std::uint8_t {
 };
 
 template <>
-inline constexpr auto kEnumTable<FindingVerdict> =
-    std::to_array<EnumRow<FindingVerdict>>({{FindingVerdict::Agrees, "agrees"},
-                                            {FindingVerdict::Differs, "differs"},
-                                            {FindingVerdict::Open, "open"},
-                                            {FindingVerdict::NotTested, "not_tested"}});
+inline constexpr auto kEnumTable<FindingVerdict> = std::to_array<EnumRow<FindingVerdict>>(
+    {{FindingVerdict::Agrees, "agrees"},
+     {FindingVerdict::Differs, "differs"},
+     {FindingVerdict::Open, "open"},
+     {FindingVerdict::NotTested, "not_tested", "not tested"}});
 
 /// One finding of Vogl, Ma, Sitti (2005), VII, beside ours.
 struct StudyFinding {

@@ -34,6 +34,7 @@ struct TrialRecord {
     bool timedOut = false;             ///< the time limit ended it
     Fault fault = Fault::None;         ///< that ended it: the trial is done again
     std::string struckOut;             ///< why it does not count; empty: it does
+    std::string device;                ///< key of what the participant held, see docs/study.md
     DeviceScale scale;                 ///< of the device
     CouplingGains coupling;            ///< none: uncoupled
 

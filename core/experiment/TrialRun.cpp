@@ -84,6 +84,7 @@ public:
         engage();
         DoneTrial done;
         done.record.plan = plan_;
+        done.record.device = "virtual_bench";
         done.record.start = tip();
         done.record.target = places_.target;
         done.record.scale = {.positionGain = settings_.positionGain,

@@ -28,8 +28,6 @@ public:
 
     /// Of the newest frame, since the trial began [s].
     [[nodiscard]] double time() const noexcept { return newest_.time - begin_; }
-    /// Of the newest frame's tick [s].
-    [[nodiscard]] double tickTime() const noexcept { return newest_.time; }
     /// A fault that has ended it; Fault::None: none has.
     [[nodiscard]] Fault fault() const noexcept { return newest_.output.fault; }
 

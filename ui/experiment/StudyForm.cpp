@@ -80,6 +80,12 @@ StudyForm::StudyForm(QWidget* parent)
     connect(otherFolder, &QPushButton::clicked, this, &StudyForm::askForFolder);
     connect(start_, &QPushButton::clicked, this, &StudyForm::startChosen);
     connect(results_, &QPushButton::clicked, this, &StudyForm::resultsChosen);
+    refuse(tr("No study is chosen"));
+}
+
+void StudyForm::showEvent(QShowEvent* event) {
+    QWidget::showEvent(event);
+    Q_EMIT shown();
 }
 
 void StudyForm::showStudy(const QString& name, const QString& about) {

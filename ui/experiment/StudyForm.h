@@ -26,10 +26,14 @@ public:
     void refuse(const QString& why);
 
 Q_SIGNALS:
+    void shown();
     void studyChosen(const QString& file);
     void folderChosen(const QString& folder);
     void startChosen();
     void resultsChosen();
+
+protected:
+    void showEvent(QShowEvent* event) override;
 
 private:
     void askForStudy();

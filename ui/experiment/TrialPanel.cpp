@@ -81,6 +81,7 @@ TrialPanel::TrialPanel(QWidget* parent)
 
 QWidget* TrialPanel::newTask() {
     place_->setObjectName(QStringLiteral("trialPlace"));
+    place_->setWordWrap(true);
     place_->setToolTip(tr("How far the participant is"));
     progress_->setTextVisible(false);
     progress_->setFixedHeight(theme::scaled(kBarHeight));
@@ -176,7 +177,6 @@ void TrialPanel::showStage(const TrialStage& stage) {
     instruction_->setText(stage.instruction);
     action_->setText(stage.action);
     action_->setEnabled(!stage.action.isEmpty());
-    showTime(stage.time);
     pause_->setEnabled(stage.canPause);
     pause_->setText(stage.isPaused ? tr("Go on") : tr("Pause"));
     strikeOut_->setEnabled(stage.canStrikeOut);

@@ -18,7 +18,6 @@ struct TrialStage {
     QString task;         ///< what is to be done, in large letters
     QString instruction;  ///< what comes next
     QString action;       ///< what the button does; empty: nothing can be done now
-    QString time;         ///< that runs; empty: none does
     bool canPause = false;
     bool isPaused = false;
     bool canStrikeOut = false;  ///< the trial whose result is shown
@@ -27,7 +26,7 @@ struct TrialStage {
 
 /// What came of a trial, in words.
 struct TrialResult {
-    QString name;  ///< "Trial 3"
+    QString name;  ///< which trial, and whether it counts
     QString error;
     QString share;  ///< of the way
     QString time;

@@ -340,6 +340,7 @@ void MainWindow::refuseTip(const QString& why) {
 
 void MainWindow::fix(const QString& why) {
     const bool isFree = why.isEmpty();
+    isFixed_ = !isFree;
     controls_->fix(why);
     setAcceptDrops(isFree);
     crossHair_->setOn(isFree);  // nothing is looked for with the pointer

@@ -107,6 +107,7 @@ public:
     /// What changes scene and knobs is disabled, no cross-hair goes with the pointer. @param why
     /// for tool tips; empty: it can be changed
     void fix(const QString& why);
+    [[nodiscard]] bool isFixed() const { return isFixed_; }
     /// Nothing can be changed any more: for measurements.
     void lock();
     /// A message that must be read; the window goes on meanwhile.
@@ -150,6 +151,7 @@ private:
     bool hasShownScene_ = false;
     bool hasEmergencyStop_ = false;
     bool tipMoves_ = true;
+    bool isFixed_ = false;
     MessageLog* messages_;
     WindowMenus* menus_;
     ControlBar* controls_;

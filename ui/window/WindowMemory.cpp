@@ -116,6 +116,9 @@ QVariantMap WindowMemory::present() const {
 }
 
 void WindowMemory::keep() {
+    if (window_.isFixed()) {
+        return;  // what it shows is not the user's choice
+    }
     QVariantMap now = present();
     if (now != kept_) {
         kept_ = now;

@@ -20,6 +20,7 @@ const std::vector<std::string> kTrialColumns{"trial",
                                              "material",
                                              "lever",
                                              "repeat",
+                                             "device",
                                              "error_m",
                                              "error_percent",
                                              "time_s",
@@ -62,6 +63,7 @@ void addTrial(CsvWriter& table, const Study& study, const TrialRecord& trial) {
         .add(study.materials.at(plan.material).name)
         .add(study.levers.at(plan.lever).name)
         .add(std::to_string(plan.repeat))
+        .add(trial.device)
         .add(trial.error)
         .add(trial.errorPercent)
         .add(trial.time)
@@ -92,6 +94,7 @@ public:
     [[nodiscard]] TrialRecord read() const {
         TrialRecord trial;
         trial.plan = readPlan();
+        trial.device = text("device");
         trial.start = vector("start");
         trial.target = vector("target");
         trial.error = number("error_m");

@@ -35,10 +35,14 @@ def counts(trial):
     return trial["fault"] == "none" and not trial["struck_out"]
 
 
+def place_of(folder, trial):
+    attempt = "" if trial["attempt"] == "1" else "_" + trial["attempt"]
+    return folder / "trials" / f"{int(trial['trial']):03d}{attempt}"
+
+
 def check_trials(folder, trials):
     for trial in trials:
-        attempt = "" if trial["attempt"] == "1" else "_" + trial["attempt"]
-        moments = rows_of(folder / "trials" / f"{int(trial['trial']):03d}{attempt}" / "trajectory.csv")
+        moments = rows_of(place_of(folder, trial) / "trajectory.csv")
         end = moments[-1]
         error = distance(vector(end, "tip"), vector(trial, "target"))
         assert error == float(trial["error_m"]), (trial["trial"], error)
@@ -273,7 +277,36 @@ def check_aids(program, scratch):
         assert close(float(row["mean"]), mean(own)), row
 
 
+def check_recordings(folder, trials):
+    """A person's moments are ticks of the trial's recording."""
+    for trial in trials:
+        place = place_of(folder, trial)
+        ticks = {tuple(float(row[f"{of}_f{a}_n"]) for of in ("est", "hand") for a in "xyz")
+                 for row in rows_of(place / "force_log.csv")}
+        moments = rows_of(place / "trajectory.csv")[1:]  # it begins before the recording
+        assert moments
+        for m in moments:
+            forces = tuple(vector(m, "force", "n") + vector(m, "device_force", "n"))
+            assert forces in ticks, (trial["trial"], m["time_s"])
+
+
+def check_people(folder):
+    """The folder of a study in the window, with as few trials as there may be."""
+    trials = rows_of(folder / "trials.csv")
+    check_trials(folder, trials)
+    check_recordings(folder, trials)
+    for row in rows_of(folder / "statistics.csv"):
+        if row["quantity"] in ("error_percent", "time_s") and row["count"] != "0":
+            own = expected(row, trials)
+            stated = [float(row[key]) for key in ("count", "mean", "deviation", "low", "high")]
+            assert all(close(a, b) for a, b in zip(own, stated)), (row, own)
+    print(f"{len(trials)} trials of people computed again")
+
+
 def main():
+    if sys.argv[1] == "--folder":
+        check_people(pathlib.Path(sys.argv[2]))
+        return
     program = sys.argv[1]
     with tempfile.TemporaryDirectory() as name:
         scratch = pathlib.Path(name)

@@ -70,6 +70,7 @@ TEST_F(WindowWithSpaceMouse, ItsTrialButtonBeginsAndEndsTrialsAndItStaysForTheNe
             << action->text().toStdString() << " in place of " << next;
         EXPECT_EQ(child<QComboBox>("hand")->currentText(), QStringLiteral("SpaceMouse"));
         ASSERT_TRUE(eventually([this] { return state().ends_with("far"); })) << state();
+        live(600);  // a press right after a change is for what was before
         device.send({down});
         live(100);
         device.send({up});

@@ -10,7 +10,7 @@
 
 namespace {
 
-constexpr int kPeriod = 400;  // [ms]
+constexpr int kPeriod = 650;  // [ms]
 
 }  // namespace
 

@@ -33,6 +33,8 @@ public:
     DeviceState advance(double /*timeStep*/) noexcept override { return {.connected = false}; }
 };
 
+constexpr int kSettle = 600;  // [ms]: a press right after a change is for what was before
+
 /// The window with a short study, done by mouse and keys.
 class WindowWithStudy : public Window {
 protected:
@@ -53,6 +55,7 @@ protected:
     void pressButton() {
         EXPECT_TRUE(
             eventually([this] { return session.run()->loop().snapshot().statistics.ticks > 0; }));
+        live(kSettle);
         QTest::keyClick(&window.view(), Qt::Key_Return);
     }
     bool isInTrial() { return action().starts_with("Done"); }
@@ -116,6 +119,7 @@ TEST_F(WindowWithStudy, IsDoneFromBeginningToEndByMouseAndEnter) {
     ASSERT_EQ(trials().size(), 1U);
     const TrialRecord first = trials().front();
     EXPECT_TRUE(first.counts());
+    EXPECT_EQ(first.device, "window");
     EXPECT_LT(first.error, 3.0_nm);
     EXPECT_LT(first.errorPercent, 6.0);
     EXPECT_GT(first.time, 1.0);
@@ -211,6 +215,68 @@ TEST_F(WindowWithStudy, AStruckOutTrialIsKeptWithItsReasonAndComesAgain) {
     EXPECT_TRUE(std::filesystem::exists(out() / "trials" / "001_2" / "trajectory.csv"));
 }
 
+TEST_F(WindowWithStudy, ASecondPressRightAfterTheFirstDoesNothing) {
+    start(shortStudy());
+    pressButton();
+    for (int i = 0; i < 5; ++i) {
+        QTest::keyClick(&window.view(), Qt::Key_Return);
+    }
+    EXPECT_TRUE(isInTrial()) << action();
+    pressButton();
+    EXPECT_GT(trials().at(0).time, 0.5);
+}
+
+TEST_F(WindowWithStudy, TheLastTrialCanBeStruckOutUntilTheNextOneBegins) {
+    start(shortStudy());
+    pressButton();
+    pressButton();
+    pressButton();
+    ASSERT_TRUE(isReady()) << action();
+    ASSERT_TRUE(child<QPushButton>("strikeOut")->isEnabled());
+    QTest::mouseClick(child<QPushButton>("strikeOut"), Qt::LeftButton);
+    auto* dialog = window.findChild<QInputDialog*>("strikeOutDialog");
+    ASSERT_NE(dialog, nullptr);
+    dialog->setTextValue("too soon");
+    dialog->accept();
+    EXPECT_NE(text("trialPlace").find("trial 1 of 2"), std::string::npos) << text("trialPlace");
+    EXPECT_NE(text("trialPlace").find("attempt 2"), std::string::npos) << text("trialPlace");
+    EXPECT_FALSE(child<QPushButton>("strikeOut")->isEnabled());
+}
+
+TEST_F(WindowWithStudy, ItsFormThatALayoutBringsBackOffersTheShippedStudy) {
+    openFlatScene();
+    window.showTool(child<QPushButton>("startStudy")->parentWidget()->parentWidget());
+    EXPECT_FALSE(text("studyName").empty());
+    EXPECT_TRUE(child<QPushButton>("startStudy")->isEnabled());
+}
+
+TEST_F(WindowWithStudy, AFolderOfAnotherStudyIsRefused) {
+    start(shortStudy());
+    QTest::mouseClick(child<QPushButton>("leaveStudy"), Qt::LeftButton);
+    Study other = shortStudy();
+    other.timeLimit = 30.0;
+    session.studies().choice().chooseStudy(writtenStudy(folder, other));
+    session.studies().choice().chooseFolder(out());
+    EXPECT_FALSE(child<QPushButton>("startStudy")->isEnabled());
+    EXPECT_NE(text("studyState").find("another study"), std::string::npos) << text("studyState");
+}
+
+TEST_F(WindowWithStudy, StartAndTargetAreInThePicture) {
+    Study high = shortStudy();
+    high.tasks = {{TaskKind::Above, 49.0_nm, 50.0_nm, {0}}};
+    for (const QSize size : {QSize(1280, 800), QSize(1500, 950)}) {
+        window.resize(size);
+        start(high);
+        ASSERT_TRUE(isAtStart());
+        live(300);
+        const QRectF seen = window.view().rect();
+        EXPECT_TRUE(seen.contains(window.view().onScreen(tip())))
+            << ::testing::PrintToString(window.view().onScreen(tip()).y());
+        EXPECT_TRUE(seen.contains(window.view().onScreen({target().x(), target().y(), 50.0_nm})));
+        QTest::mouseClick(child<QPushButton>("leaveStudy"), Qt::LeftButton);
+    }
+}
+
 TEST_F(WindowWithStudy, AFaultEndsItsTrialIsKeptAndTheTrialComesAgain) {
     start(shortStudy());
     pressButton();
@@ -245,8 +311,19 @@ TEST_F(WindowWithStudy, ForcesThatAreSwitchedOffEndTheTrial) {
     press(Qt::Key_Escape);
     ASSERT_TRUE(eventually([this] { return action().starts_with("Next"); })) << action();
     EXPECT_EQ(trials().at(0).struckOut, "forces were switched off");
+    EXPECT_FALSE(session.run()->settings().forcesOn);
     pressButton();
-    EXPECT_TRUE(session.run()->settings().forcesOn) << "of the next trial";
+    EXPECT_TRUE(isReady()) << action();
+    EXPECT_FALSE(session.run()->settings().forcesOn) << "nobody has switched them on";
+    pressButton();
+    EXPECT_TRUE(isReady()) << action();
+    EXPECT_NE(text("trialInstruction").find("Forces are off"), std::string::npos);
+    QTest::mouseClick(child<QPushButton>("forces"), Qt::LeftButton);
+    pressButton();
+    EXPECT_TRUE(isInTrial()) << action();
+    press(Qt::Key_Escape);
+    QTest::mouseClick(child<QPushButton>("leaveStudy"), Qt::LeftButton);
+    EXPECT_FALSE(session.run()->settings().forcesOn) << "after the study neither";
 }
 
 TEST_F(WindowWithStudy, WithoutForcesNobodySwitchesThemOn) {
@@ -297,7 +374,7 @@ TEST_F(WindowWithStudy, GoesOnWhereItWasLeft) {
     QTest::mouseClick(child<QPushButton>("leaveStudy"), Qt::LeftButton);
     ASSERT_EQ(trials().size(), 2U);
     EXPECT_EQ(trials()[1].struckOut, "left");
-    EXPECT_NE(text("studyState").find("1 trials"), std::string::npos) << text("studyState");
+    EXPECT_NE(text("studyState").find("count: 1"), std::string::npos) << text("studyState");
     EXPECT_EQ(child<QSpinBox>("studyParticipant")->value(), 1);
     start(study);
     EXPECT_NE(text("trialPlace").find("trial 2 of 2"), std::string::npos) << text("trialPlace");
@@ -319,6 +396,9 @@ TEST_F(WindowWithStudy, ShowsItsFiguresAndFindings) {
     EXPECT_TRUE(text.contains("findings"));
     EXPECT_TRUE(std::filesystem::exists(out() / "figure_13.svg"));
     EXPECT_TRUE(std::filesystem::exists(out() / "statistics.csv"));
+    const ProgramRun check =
+        runCommand("python3 " ASPERITY_RECOMPUTE_STUDY " --folder " + out().string());
+    EXPECT_EQ(check.exitCode, 0) << check.output;
 }
 
 TEST_F(WindowWithStudy, WithoutThePictureOfTheDeformationTheSurfaceIsDrawnAtRest) {
