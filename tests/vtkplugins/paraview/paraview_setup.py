@@ -37,11 +37,25 @@ def plugin():
 
 def run(command, seconds=300):
     """The output of a command, which must end well."""
-    done = subprocess.run([str(part) for part in command], env=ENVIRONMENT, text=True,
-                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT, timeout=seconds)
-    if done.returncode != 0:
-        sys.exit(f"{done.stdout}\nexit code {done.returncode} of {command}")
-    return done.stdout
+    process = subprocess.Popen([str(part) for part in command], env=ENVIRONMENT, text=True,
+                               stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+    try:
+        output, _ = process.communicate(timeout=seconds)
+    except subprocess.TimeoutExpired:
+        end(process)
+        sys.exit(f"{command} took longer than {seconds} s")
+    if process.returncode != 0:
+        sys.exit(f"{output}\nexit code {process.returncode} of {command}")
+    return output
+
+
+def end(process):
+    """Ends a process that may be mpirun, which then ends its ranks; killed it would leave them."""
+    process.terminate()
+    try:
+        process.wait(timeout=10)
+    except subprocess.TimeoutExpired:
+        process.kill()
 
 
 def pvbatch(script, *arguments, ranks=1):

@@ -31,7 +31,7 @@ def serve_and_ask():
                                 paraview.TREE / "data/samples/granular_film.gsf", PORT], 120))
             assert server.wait(timeout=30) == 0  # it ends with its client
         finally:
-            server.kill()
+            paraview.end(server)
 
 
 def wait_for(words, server, log):

@@ -12,7 +12,6 @@
 
 #include <vtkDataArray.h>
 #include <vtkDoubleArray.h>
-#include <vtkFieldData.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
 #include <vtkNew.h>
@@ -82,12 +81,15 @@ void fillTip(const asperity::ContactAtPlace& contact, const asperity::LengthUnit
     scalePoints(output, unit);
 }
 
+/// At every point: ParaView keeps no field data where it gathers the pieces of ranks.
 void addNumbers(const char* name, std::initializer_list<double> numbers, vtkPolyData& output) {
     vtkNew<vtkDoubleArray> array;
     array->SetName(name);
     array->SetNumberOfComponents(static_cast<int>(numbers.size()));
-    array->InsertNextTuple(numbers.begin());
-    output.GetFieldData()->AddArray(array);
+    for (vtkIdType id = 0; id < output.GetNumberOfPoints(); ++id) {
+        array->InsertNextTuple(numbers.begin());
+    }
+    output.GetPointData()->AddArray(array);
 }
 
 /// @param metersPerNewton 0: as long as half of the surface is wide

@@ -9,7 +9,7 @@
 /// outputs, world frame, lengths in LengthUnit:
 /// 0, the deformed surface around the contact, point scalars "displacement", into the sample;
 /// 1, the tip;
-/// 2, the force of the sample on the tip as an arrow from the contact, field data "force" [N],
+/// 2, the force of the sample on the tip as an arrow from the contact, at its points "force" [N],
 /// "indentation", "contact_radius", "tip" (its apex).
 /// The first rank has all of it.
 class VTKASPERITYPARAVIEW_EXPORT vtkAspContactSource : public vtkPolyDataAlgorithm {

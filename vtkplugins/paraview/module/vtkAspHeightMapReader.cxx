@@ -17,6 +17,7 @@
 #include <vtkStringArray.h>
 
 #include <exception>
+#include <string>
 #include <vector>
 
 vtkStandardNewMacro(vtkAspHeightMapReader)
@@ -83,11 +84,18 @@ const vtkAspHeightMapReader::Opened& vtkAspHeightMapReader::Open() {
     if (!asperity::LengthUnit(this->LengthUnit).isUsable()) {
         throw asperity::Error("the length unit must be a length above zero");
     }
-    this->File = std::make_unique<Opened>(
-        this->FileName,
-        asperity::GivenScale{
-            .sizeX = this->Size[0], .sizeY = this->Size[1], .heightPerValue = this->HeightPerValue},
-        this->Channel ? this->Channel : "", this->GetMTime());
+    try {
+        this->File =
+            std::make_unique<Opened>(this->FileName,
+                                     asperity::GivenScale{.sizeX = this->Size[0],
+                                                          .sizeY = this->Size[1],
+                                                          .heightPerValue = this->HeightPerValue},
+                                     this->Channel ? this->Channel : "", this->GetMTime());
+    } catch (const asperity::MissingScale&) {
+        throw asperity::Error(std::string(this->FileName) +
+                              ": the file lacks the size of the scan or the unit of its heights: "
+                              "set Scan Size and Height per Value");
+    }
     return *this->File;
 }
 
@@ -139,11 +147,6 @@ int vtkAspHeightMapReader::RequestInformation(vtkInformation* /*request*/,
                                               vtkInformationVector* output) {
     try {
         return this->Inform(output);
-    } catch (const asperity::MissingScale&) {
-        vtkErrorMacro(<< this->FileName
-                      << ": the file lacks the size of the scan or the unit of its heights: set "
-                         "Scan Size and Height per Value");
-        return 0;
     } catch (const std::exception& error) {
         vtkErrorMacro(<< error.what());
         return 0;
