@@ -1,18 +1,8 @@
-# Everything from outside, from Debian's packages (tools/packages.txt).
+# What the application and its tests need from outside, from Debian's packages (tools/packages.txt).
 
-find_package(PkgConfig REQUIRED)
-find_package(Eigen3 3.4 REQUIRED)
-find_package(Boost 1.74 REQUIRED)  # headers: lock-free queue
-find_package(OpenEXR 3.1 CONFIG REQUIRED)
+include(CoreDependencies)
 find_package(CLI11 2.1 REQUIRED)
-find_package(tomlplusplus 3.3 REQUIRED)
 find_package(nlohmann_json 3.11 REQUIRED)
-find_package(TIFF REQUIRED)
-find_package(PNG REQUIRED)
-pkg_check_modules(LIBZIP REQUIRED IMPORTED_TARGET libzip)
-pkg_check_modules(HDF5 REQUIRED IMPORTED_TARGET hdf5-serial)  # one without MPI
-find_package(pugixml 1.13 REQUIRED)
-find_package(OpenSSL REQUIRED COMPONENTS Crypto)
 find_package(MPI REQUIRED COMPONENTS CXX)  # it comes with VTK
 find_package(
   VTK 9.1 REQUIRED

@@ -24,6 +24,7 @@ set(DOXYGEN_MACRO_EXPANSION YES)
 set(DOXYGEN_EXPAND_ONLY_PREDEF YES)
 set(DOXYGEN_PREDEFINED
     "VTKASPERITY_EXPORT="
+    "VTKASPERITYPARAVIEW_EXPORT="
     "vtkTypeMacro(type,base)="
     "vtkStandardNewMacro(type)="
     "vtkGetMacro(name,type)=type Get##name()"

@@ -1,7 +1,9 @@
 # How Asperity's own targets are built: C++20, warnings are errors, includes from the top folder.
 
 include(GNUInstallDirs)
-set(core_folder ${PROJECT_SOURCE_DIR}/core)  # what others may link: cmake/Install.cmake
+# By this file's own place: the plugin for ParaView is a project of its own over the same core.
+cmake_path(GET CMAKE_CURRENT_LIST_DIR PARENT_PATH asperity_top)
+set(core_folder ${asperity_top}/core)  # what others may link: cmake/Install.cmake
 
 set(CMAKE_CXX_STANDARD 20)
 set(CMAKE_CXX_STANDARD_REQUIRED ON)
@@ -26,7 +28,7 @@ if(ASPERITY_SANITIZE)
   # compiler's time and found nothing yet (object-size, vptr).
   add_compile_options(-fsanitize=${ASPERITY_SANITIZE} -fno-omit-frame-pointer
                       -fno-sanitize-recover=all -fno-sanitize=null,object-size,vptr
-                      -fsanitize-ignorelist=${PROJECT_SOURCE_DIR}/tools/sanitizer_ignorelist.txt)
+                      -fsanitize-ignorelist=${asperity_top}/tools/sanitizer_ignorelist.txt)
   add_link_options(-fsanitize=${ASPERITY_SANITIZE})
 endif()
 
@@ -71,7 +73,7 @@ function(asperity_compile_options target)
                       -Wno-missing-field-initializers -Werror
                       $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict> -ffp-contract=off)
   target_include_directories(
-    ${target} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>
+    ${target} PUBLIC $<BUILD_INTERFACE:${asperity_top}>
                      $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/asperity>)
 endfunction()
 

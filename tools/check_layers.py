@@ -98,6 +98,8 @@ RULES = {
     "core/words": "core/",
     "vtkplugins/module": MODEL,
     "vtkplugins/io": f"{MODEL} core/io/heightmap",
+    "vtkplugins/paraview/module": f"{MODEL} core/map core/io core/io/heightmap core/io/scene"
+                                  " vtkplugins/module",
     "vtkplugins/pictures": f"{MODEL} vtkplugins/module",
     "hardware/driver": f"{MODEL} core/io/scene core/words",
     "hardware/hid": f"{MODEL} core/io/scene core/words hardware/driver",
@@ -166,7 +168,7 @@ FOREIGN = {
     r"nlohmann": "app/ bench/ tests/",
     r"CLI/": "app/ bench/ tests/ tools/",
 }
-GENERATED = {"vtkAsperityModule.h"}  # by CMake, included by its name alone
+GENERATED = {"vtkAsperityModule.h", "vtkAsperityParaViewModule.h"}  # by CMake, included by its name alone
 SOURCES = {".h", ".hpp", ".inl", ".c", ".cc", ".cpp", ".cxx"}
 INCLUDE = re.compile(r'^\s*#\s*include\b\s*(?:(["<])([^">]+)[">])?')
 

@@ -1,6 +1,7 @@
 #include "vtkplugins/pictures/DeformationScene.h"
 
 #include "core/SiFormat.h"
+#include "vtkplugins/module/DeformedTip.h"
 #include "vtkplugins/module/vtkAspForceGlyphSource.h"
 #include "vtkplugins/module/vtkAspPatchSource.h"
 #include "vtkplugins/module/vtkAspTipSource.h"
@@ -52,24 +53,6 @@ Vector3 eyeFor(const Vector3& outward) {
     const double weight = std::min(1.0, tilt / kPlainSlope);
     const Vector3 chosen = (1.0 - weight) * level.normalized() + weight * across;
     return level.norm() * chosen.normalized() + kEye.z() * Vector3::UnitZ();
-}
-
-/// A copy of the tip with its surface moved by its own share of the displacement.
-vtkSmartPointer<vtkPolyData> deformedTip(const DeformationView& view, const Vector3& outward,
-                                         vtkPolyData* tip) {
-    auto deformed = vtkSmartPointer<vtkPolyData>::New();
-    deformed->DeepCopy(tip);
-    if (!view.tipDisplacement) {
-        return deformed;
-    }
-    for (vtkIdType id = 0; id < tip->GetNumberOfPoints(); ++id) {
-        const Vector3 point(tip->GetPoint(id));
-        const Vector3 arm = point - view.tipCenter;
-        const double distance = (arm - arm.dot(outward) * outward).norm();
-        const Vector3 moved = point + view.tipDisplacement(distance) * outward;
-        deformed->GetPoints()->SetPoint(id, moved.data());
-    }
-    return deformed;
 }
 
 /// The edge of the flat end of an upright tip.
@@ -178,8 +161,10 @@ void DeformationScene::addTip() {
     tip->SetHeight(shownTipHeight());
     tip->SetResolution(160);
     tip->Update();
-    const vtkSmartPointer<vtkPolyData> shown =
-        stretch_.apply(deformedTip(data_, outward_, tip->GetOutput()));
+    vtkNew<vtkPolyData> deformed;
+    deformed->DeepCopy(tip->GetOutput());
+    deformTip(*deformed, data_.tipCenter, outward_, data_.tipDisplacement);
+    const vtkSmartPointer<vtkPolyData> shown = stretch_.apply(deformed);
     solid_->AddActor(lines(topEdge(tip->GetOutput(), stretch_), kLightPalette.tip, 1.2));
     for (const bool back : {true, false}) {  // the far wall first: it shows through the near one
         const vtkSmartPointer<vtkActor> wall = plainSurface(shown, kLightPalette.tip);
