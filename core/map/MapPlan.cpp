@@ -76,16 +76,16 @@ MapGrid gridOf(const BSplineSurface::Grid& scan, const MapRegion& region,
     return grid;
 }
 
-double setpointOf(const Scene& scene, const MapRequest& request) {
-    const double setpoint = request.setpoint.value_or(scene.description.setpoint);
+}  // namespace
+
+double setpointOn(const Scene& scene, const std::optional<double>& wanted) {
+    const double setpoint = wanted.value_or(scene.description.setpoint);
     if (!isSetpoint(setpoint)) {
         throw Error("the setpoint must lie between " + formatSi(kMinSetpoint, "N") + " and " +
                     formatSi(kMaxSetpoint, "N"));
     }
     return setpoint;
 }
-
-}  // namespace
 
 Vector2 MapPlan::place(int row, int column) const {
     return {region.left + (column + 0.5) * pitchX(),
@@ -97,7 +97,7 @@ MapPlan planMap(const Scene& scene, const MapRequest& request) {
     return {.mode = request.mode,
             .grid = gridOf(scene.surface.grid(), region, request),
             .region = region,
-            .setpoint = setpointOf(scene, request),
+            .setpoint = setpointOn(scene, request.setpoint),
             .quantities = quantitiesOf(request),
             .truth = request.truth};
 }

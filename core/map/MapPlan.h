@@ -38,6 +38,10 @@ struct MapRequest {
     bool truth = false;  ///< of the simulated true instrument, in place of the believed model
 };
 
+/// The force along z at which an approach ends [N]: the one asked for, else the scene's.
+/// @throw Error where it is out of range
+[[nodiscard]] double setpointOn(const Scene& scene, const std::optional<double>& wanted);
+
 /// A map to be computed, complete.
 struct MapPlan {
     MapMode mode = MapMode::Approach;

@@ -64,6 +64,12 @@ double roomAlong(double low, double middle, double high) {
 
 }  // namespace
 
+TipState atRest(TipState state) {
+    constexpr double kFarOff = -1.0;  // [m]
+    state.contact = {.indentation = kFarOff};
+    return state;
+}
+
 bool isDrawable(const TipState& state) {
     const ContactState& contact = state.contact;
     return state.tip.allFinite() && state.closest.point.allFinite() &&

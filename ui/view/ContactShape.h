@@ -68,6 +68,9 @@ private:
     std::vector<double> displacements_;
 };
 
+/// The tip at the same place, so far off that nothing touches and nothing pulls: a surface at rest.
+[[nodiscard]] TipState atRest(TipState state);
+
 /// Whether all of a model's state can be drawn.
 [[nodiscard]] bool isDrawable(const TipState& state);
 

@@ -36,13 +36,6 @@ constexpr double kStray = 0.25;  // of the tip from the middle of the patch, in 
 
 constexpr int kPatchSamples = 65;
 
-/// The tip at the same place, so far off that nothing touches and nothing pulls.
-TipState atRest(TipState state) {
-    constexpr double kFarOff = -1.0;  // [m]
-    state.contact = {.indentation = kFarOff};
-    return state;
-}
-
 bool isNearMiddle(const ScanWindow& patch, const Vector2& tip, double distance) {
     return std::abs(tip.x() - 0.5 * (patch.left + patch.right)) <= distance &&
            std::abs(tip.y() - 0.5 * (patch.bottom + patch.top)) <= distance;
@@ -98,7 +91,6 @@ void ZoomPicture::setScene(const Scene* scene) {
     shown_ = {};
     shape_.reset();
     crossHair_.reset();
-    targetPlace_.reset();
     terrain_.hide();
     cache_.invalidate();
     if (scene_ != nullptr) {

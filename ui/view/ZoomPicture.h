@@ -108,8 +108,10 @@ public:
     }
     /// Nothing is behind what is drawn: black and clear, see drawnImage().
     void setTransparent();
-    /// Where the tip's apex shall be, from the next sample on [m]; none: nowhere.
+    /// Where the tip's apex shall be, from the next sample on, in whatever scene [m]; none:
+    /// nowhere.
     void setTarget(const std::optional<Vector3>& target) { targetPlace_ = target; }
+    [[nodiscard]] const std::optional<Vector3>& target() const { return targetPlace_; }
     /// What is written in a corner of the picture; empty: nothing.
     void setCaption(std::string caption) { caption_ = std::move(caption); }
     /// Size and colors have room for all that was shown of the scene, and stay so. There is a

@@ -60,9 +60,10 @@ public:
     /// there; none: no cross-hair. While the loop runs it costs no frame of its own.
     void showCrossHair(const std::optional<Vector2>& place);
     [[nodiscard]] const std::optional<Vector2>& crossHair() const { return picture_.crossHair(); }
-    /// Shows where the tip's apex shall be in the present scene, from the next snapshot on [m];
-    /// none: nowhere.
+    /// Shows where the tip's apex shall be, from the next snapshot on, in whatever scene [m]; none:
+    /// nowhere.
     void setTarget(const std::optional<Vector3>& target) { picture_.setTarget(target); }
+    [[nodiscard]] const std::optional<Vector3>& target() const { return picture_.target(); }
     /// What is read at a place of the surface at rest; none without a scene.
     [[nodiscard]] std::optional<SurfaceReading> reading(const Vector2& place) const;
     /// The place of the surface at rest that is seen at a pixel of the widget; none: there is none.

@@ -339,14 +339,16 @@ void MainWindow::refuseTip(const QString& why) {
 }
 
 void MainWindow::fix(const QString& why) {
-    const bool isFree = why.isEmpty();
-    isFixed_ = !isFree;
+    isFixed_ = !why.isEmpty();
     controls_->fix(why);
-    setAcceptDrops(isFree);
-    crossHair_->setOn(isFree);  // nothing is looked for with the pointer
-    for (QWidget* const panel :
-         std::initializer_list<QWidget*>{scenePanel_, hapticPanel_, fidelity_, engage_}) {
-        panel->setEnabled(isFree);
+    crossHair_->setOn(!isFixed_);  // nothing is looked for with the pointer
+    allowChanges(!isFixed_);
+}
+
+void MainWindow::allowChanges(bool allowed) {
+    setAcceptDrops(allowed);
+    for (QWidget* panel : QWidgetList{scenePanel_, hapticPanel_, fidelity_, engage_}) {
+        panel->setEnabled(allowed);
     }
 }
 
@@ -359,14 +361,10 @@ void MainWindow::showHint() {
 }
 
 void MainWindow::lock() {
-    setAcceptDrops(false);
+    allowChanges(false);
     controls_->setEnabled(false);
-    engage_->setEnabled(false);
     overview_->setEnabled(false);
-    fidelity_->setEnabled(false);
     menus_->lock();
-    scenePanel_->setEnabled(false);
-    hapticPanel_->setEnabled(false);
     for (QAction* action : findChildren<QAction*>()) {
         action->setEnabled(action == menus_->quit);
     }

@@ -132,6 +132,8 @@ protected:
 
 private:
     void placeAll();
+    /// Of the scene and its knobs, but for those of the bar.
+    void allowChanges(bool allowed);
     /// The list of messages and what counts its errors.
     void placeMessages();
     /// Shows a panel that is a window of its own, at first beside this one; or hides it.

@@ -1,25 +1,15 @@
 #include "core/Units.h"
-#include "core/io/experiment/TrialTable.h"
 #include "tests/app/ProgramRun.h"
-#include "tests/app/window/ShortStudy.h"
-#include "tests/app/window/WindowFixture.h"
-#include "ui/experiment/StudyResultsDialog.h"
+#include "tests/app/window/StudyFixture.h"
 #include "ui/view/ZoomView.h"
-#include "ui/window/SecondView.h"
-#include "ui/window/ViewOptionsMenu.h"
 #include "ui/window/WindowMenus.h"
 
 #include <QAction>
 #include <QComboBox>
 #include <QInputDialog>
-#include <QPlainTextEdit>
 #include <QPushButton>
 #include <QSpinBox>
-#include <QTabWidget>
-#include <QToolButton>
 #include <QtTest>
-
-#include <cmath>
 
 namespace asperity::test {
 namespace {
@@ -31,83 +21,6 @@ public:
         return kSensesOnly;
     }
     DeviceState advance(double /*timeStep*/) noexcept override { return {.connected = false}; }
-};
-
-constexpr int kSettle = 600;  // [ms]: a press right after a change is for what was before
-
-/// The window with a short study, done by mouse and keys.
-class WindowWithStudy : public Window {
-protected:
-    void start(const Study& wanted) {
-        study = wanted;
-        if (session.run() == nullptr) {
-            openFlatScene();
-        }
-        window.menus().study->trigger();
-        session.studies().choice().chooseStudy(writtenStudy(folder, study));
-        session.studies().choice().chooseFolder(out());
-        QTest::mouseClick(child<QPushButton>("startStudy"), Qt::LeftButton);
-        ASSERT_TRUE(eventually([this] { return window.menus().trial->isEnabled(); }));
-    }
-    [[nodiscard]] std::filesystem::path out() { return folder.path() / "out"; }
-    std::string action() { return child<QPushButton>("trialAction")->text().toStdString(); }
-    /// As a person does, who sees the tip first.
-    void pressButton() {
-        EXPECT_TRUE(
-            eventually([this] { return session.run()->loop().snapshot().statistics.ticks > 0; }));
-        live(kSettle);
-        QTest::keyClick(&window.view(), Qt::Key_Return);
-    }
-    bool isInTrial() { return action().starts_with("Done"); }
-    bool isReady() { return action().starts_with("Begin"); }
-
-    Vector3 tip() { return session.run()->loop().snapshot().sample.output.model.tip; }
-    Vector3 target() {
-        const Vector2 place =
-            0.5 * Vector2(study.scene.sample.shape->size, study.scene.sample.shape->size) +
-            study.targets.front();
-        return {place.x(), place.y(), 0.0};
-    }
-    double missing() { return (tip() - target()).head<2>().norm(); }
-
-    /// Drags the tip above the target, as seen on the screen.
-    void dragAcross() {
-        for (int i = 0; i < 8 && missing() > 1.0_nm; ++i) {
-            const Vector3 here = tip();
-            const QPointF from = window.view().onScreen(here);
-            const QPointF to = window.view().onScreen({target().x(), target().y(), here.z()});
-            const QPoint start = window.view().rect().center();
-            drag(start, start + (to - from).toPoint());
-            live(500);
-        }
-        EXPECT_LT(missing(), 1.5_nm);
-    }
-    /// Turns the wheel until the tip touches.
-    void goDown() {
-        for (int i = 0; i < 60 && !inContact(); ++i) {
-            turnWheel(-1);
-            live(150);
-        }
-        EXPECT_TRUE(inContact()) << state();
-    }
-    bool isAtStart() {
-        return eventually([this] { return std::abs(tip().z() - study.startHeight) < 1.0_nm; });
-    }
-    void doTrial() {
-        ASSERT_TRUE(isReady()) << action();
-        ASSERT_TRUE(isAtStart());
-        pressButton();
-        ASSERT_TRUE(isInTrial()) << action();
-        EXPECT_FALSE(child<QPushButton>("studyResults")->isEnabled());
-        dragAcross();
-        goDown();
-        pressButton();
-        ASSERT_TRUE(action().starts_with("Next")) << action();
-    }
-    std::vector<TrialRecord> trials() { return readTrials(out() / "trials.csv", study); }
-    std::string readingOf(const char* name) { return text(name); }
-
-    Study study;
 };
 
 TEST_F(WindowWithStudy, IsDoneFromBeginningToEndByMouseAndEnter) {
@@ -124,7 +37,7 @@ TEST_F(WindowWithStudy, IsDoneFromBeginningToEndByMouseAndEnter) {
     EXPECT_LT(first.errorPercent, 6.0);
     EXPECT_GT(first.time, 1.0);
     EXPECT_GT(first.largestForce, 1.0_nN) << "the snap-in is felt";
-    EXPECT_NE(readingOf("trialError"), "–");
+    EXPECT_NE(text("trialError"), "–");
     pressButton();
     doTrial();
     pressButton();
@@ -165,30 +78,6 @@ TEST_F(WindowWithStudy, OnTheSimulatedDeviceHasItsScaleAndTheDeviceStays) {
     EXPECT_LT(first.error, 3.0_nm);
     EXPECT_EQ(first.scale.positionGain, study.scale.positionGain);
     EXPECT_GT(first.coupling.stiffness, 0.0);
-}
-
-TEST_F(WindowWithStudy, ItsKnobsAreLockedAndTheTipRestsUntilATrialBegins) {
-    start(shortStudy());
-    for (const char* const name : {"material", "hand", "path"}) {
-        EXPECT_FALSE(child<QComboBox>(name)->isEnabled()) << name;
-        EXPECT_NE(child<QComboBox>(name)->toolTip().indexOf("study"), -1) << name;
-    }
-    live(50);
-    for (const QAction* const entry :
-         {window.menus().open, window.menus().record, window.menus().startPause,
-          window.menus().tipControl, window.menus().clutch, window.menus().undo}) {
-        EXPECT_FALSE(entry->isEnabled()) << entry->text().toStdString();
-    }
-    const Vector3 before = tip();
-    drag(window.view().rect().center(), window.view().rect().center() + QPoint(60, 0));
-    turnWheel(-3);
-    live(600);
-    EXPECT_LT((tip() - before).norm(), 0.1_nm);
-    SceneDescription other = session.run()->scene().description;
-    other.tip.radius *= 2.0;
-    session.edits().change("Tip radius", other);
-    live(600);
-    EXPECT_NE(session.run()->scene().description.tip.radius, other.tip.radius);
 }
 
 TEST_F(WindowWithStudy, AStruckOutTrialIsKeptWithItsReasonAndComesAgain) {
@@ -243,40 +132,6 @@ TEST_F(WindowWithStudy, TheLastTrialCanBeStruckOutUntilTheNextOneBegins) {
     EXPECT_FALSE(child<QPushButton>("strikeOut")->isEnabled());
 }
 
-TEST_F(WindowWithStudy, ItsFormThatALayoutBringsBackOffersTheShippedStudy) {
-    openFlatScene();
-    window.showTool(child<QPushButton>("startStudy")->parentWidget()->parentWidget());
-    EXPECT_FALSE(text("studyName").empty());
-    EXPECT_TRUE(child<QPushButton>("startStudy")->isEnabled());
-}
-
-TEST_F(WindowWithStudy, AFolderOfAnotherStudyIsRefused) {
-    start(shortStudy());
-    QTest::mouseClick(child<QPushButton>("leaveStudy"), Qt::LeftButton);
-    Study other = shortStudy();
-    other.timeLimit = 30.0;
-    session.studies().choice().chooseStudy(writtenStudy(folder, other));
-    session.studies().choice().chooseFolder(out());
-    EXPECT_FALSE(child<QPushButton>("startStudy")->isEnabled());
-    EXPECT_NE(text("studyState").find("another study"), std::string::npos) << text("studyState");
-}
-
-TEST_F(WindowWithStudy, StartAndTargetAreInThePicture) {
-    Study high = shortStudy();
-    high.tasks = {{TaskKind::Above, 49.0_nm, 50.0_nm, {0}}};
-    for (const QSize size : {QSize(1280, 800), QSize(1500, 950)}) {
-        window.resize(size);
-        start(high);
-        ASSERT_TRUE(isAtStart());
-        live(300);
-        const QRectF seen = window.view().rect();
-        EXPECT_TRUE(seen.contains(window.view().onScreen(tip())))
-            << ::testing::PrintToString(window.view().onScreen(tip()).y());
-        EXPECT_TRUE(seen.contains(window.view().onScreen({target().x(), target().y(), 50.0_nm})));
-        QTest::mouseClick(child<QPushButton>("leaveStudy"), Qt::LeftButton);
-    }
-}
-
 TEST_F(WindowWithStudy, AFaultEndsItsTrialIsKeptAndTheTrialComesAgain) {
     start(shortStudy());
     pressButton();
@@ -326,21 +181,6 @@ TEST_F(WindowWithStudy, ForcesThatAreSwitchedOffEndTheTrial) {
     EXPECT_FALSE(session.run()->settings().forcesOn) << "after the study neither";
 }
 
-TEST_F(WindowWithStudy, WithoutForcesNobodySwitchesThemOn) {
-    openFlatScene();
-    choose("hand", "Simulated device");
-    Study numb = shortStudy();
-    numb.aids.forces = false;
-    start(numb);
-    EXPECT_FALSE(session.run()->settings().forcesOn);
-    QTest::mouseClick(child<QPushButton>("forces"), Qt::LeftButton);
-    EXPECT_FALSE(session.run()->settings().forcesOn);
-    pressButton();
-    live(300);
-    EXPECT_TRUE(isInTrial()) << "that they are off is no reason to end it";
-    EXPECT_EQ(session.run()->loop().snapshot().sample.output.deviceForce, Vector3::Zero());
-}
-
 TEST_F(WindowWithStudy, TheTimeLimitEndsATrialThatCounts) {
     Study quick = shortStudy();
     quick.timeLimit = 1.0;
@@ -379,52 +219,6 @@ TEST_F(WindowWithStudy, GoesOnWhereItWasLeft) {
     start(study);
     EXPECT_NE(text("trialPlace").find("trial 2 of 2"), std::string::npos) << text("trialPlace");
     EXPECT_NE(text("trialPlace").find("attempt 2"), std::string::npos) << text("trialPlace");
-}
-
-TEST_F(WindowWithStudy, ShowsItsFiguresAndFindings) {
-    start(shortStudy());
-    doTrial();
-    QTest::mouseClick(child<QPushButton>("studyResults"), Qt::LeftButton);
-    StudyResultsDialog* dialog = nullptr;
-    ASSERT_TRUE(eventually([&] {
-        dialog = window.findChild<StudyResultsDialog*>();
-        return dialog != nullptr && dialog->isVisible();
-    }));
-    EXPECT_EQ(dialog->findChild<QTabWidget*>()->count(), 4);
-    const QString text = dialog->findChild<QPlainTextEdit*>("resultsText")->toPlainText();
-    EXPECT_TRUE(text.contains("polystyrene")) << text.toStdString();
-    EXPECT_TRUE(text.contains("findings"));
-    EXPECT_TRUE(std::filesystem::exists(out() / "figure_13.svg"));
-    EXPECT_TRUE(std::filesystem::exists(out() / "statistics.csv"));
-    const ProgramRun check =
-        runCommand("python3 " ASPERITY_RECOMPUTE_STUDY " --folder " + out().string());
-    EXPECT_EQ(check.exitCode, 0) << check.output;
-}
-
-TEST_F(WindowWithStudy, WithoutThePictureOfTheDeformationTheSurfaceIsDrawnAtRest) {
-    Study blind = shortStudy();
-    blind.aids.deformation = false;
-    openFlatScene();
-    window.menus().secondView->setChecked(true);
-    start(blind);
-    EXPECT_FALSE(window.second().isVisible()) << "it draws the deformation";
-    EXPECT_FALSE(window.view().options().deformation);
-    EXPECT_FALSE(window.menus().viewOptions().action(&ViewOptions::deformation).isEnabled());
-    QTest::mouseClick(child<QPushButton>("leaveStudy"), Qt::LeftButton);
-    live(50);
-    EXPECT_TRUE(window.view().options().deformation);
-    EXPECT_TRUE(window.second().isVisible());
-    EXPECT_TRUE(window.menus().viewOptions().action(&ViewOptions::deformation).isEnabled());
-}
-
-TEST_F(WindowWithStudy, ArrowsTurnTheView) {
-    start(shortStudy());
-    const double azimuth = window.view().camera().azimuth();
-    const double elevation = window.view().camera().elevation();
-    QTest::mouseClick(child<QToolButton>("turnRight"), Qt::LeftButton);
-    QTest::mouseClick(child<QToolButton>("turnUp"), Qt::LeftButton);
-    EXPECT_NE(window.view().camera().azimuth(), azimuth);
-    EXPECT_GT(window.view().camera().elevation(), elevation);
 }
 
 }  // namespace

@@ -19,6 +19,9 @@ TEST(ViewNotes, SayWhatThePictureDoesNotShowAsItIs) {
     EXPECT_THAT(viewNotes(facts), ElementsAre("perspective: lengths not to scale", "heights ×3.5",
                                               "true tip: the instrument does not know it"));
     facts = plain;
+    facts.hidesDeformation = true;
+    EXPECT_THAT(viewNotes(facts), ElementsAre("deformation is not drawn"));
+    facts = plain;
     facts.isFromBelow = true;
     EXPECT_THAT(viewNotes(facts), ElementsAre("from below: hills are hollows"));
     facts = plain;

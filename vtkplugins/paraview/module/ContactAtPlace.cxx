@@ -4,6 +4,7 @@
 #include "core/SiFormat.h"
 #include "core/deformation/ContactPatch.h"
 #include "core/map/Engagement.h"
+#include "core/map/MapPlan.h"
 
 #include <algorithm>
 
@@ -20,15 +21,6 @@ Vector2 placeOf(const Scene& scene, const ContactRequest& request) {
                     " wide and " + formatSi(surface.sizeY(), "m") + " high");
     }
     return place;
-}
-
-double setpointOf(const Scene& scene, const ContactRequest& request) {
-    const double setpoint = request.setpoint.value_or(scene.description.setpoint);
-    if (!isSetpoint(setpoint)) {
-        throw Error("the setpoint must lie between " + formatSi(kMinSetpoint, "N") + " and " +
-                    formatSi(kMaxSetpoint, "N"));
-    }
-    return setpoint;
 }
 
 double halfWidthOf(const ContactRequest& request, const TipState& state, double tipRadius) {
@@ -48,7 +40,7 @@ ContactDeformation deformationAt(const Scene& scene, const TipState& state) {
 }  // namespace
 
 ContactAtPlace contactAt(const Scene& scene, const ContactRequest& request) {
-    const double setpoint = setpointOf(scene, request);
+    const double setpoint = setpointOn(scene, request.setpoint);
     const MapInstrument instrument(scene, false);
     VerticalPath path(instrument, placeOf(scene, request));
     const std::optional<Engagement> engagement = engage(path, setpoint);

@@ -1,0 +1,94 @@
+#include "tests/app/window/StudyFixture.h"
+
+#include "core/Units.h"
+#include "core/io/experiment/TrialTable.h"
+#include "ui/view/ZoomView.h"
+#include "ui/window/WindowMenus.h"
+
+#include <QAction>
+#include <QPushButton>
+#include <QtTest>
+
+#include <cmath>
+
+namespace asperity::test {
+
+namespace {
+
+constexpr int kSettle = 600;  // [ms]: a press right after a change is for what was before
+
+}  // namespace
+
+void WindowWithStudy::start(const Study& wanted) {
+    study = wanted;
+    if (session.run() == nullptr) {
+        openFlatScene();
+    }
+    window.menus().study->trigger();
+    session.studies().choice().chooseStudy(writtenStudy(folder, study));
+    session.studies().choice().chooseFolder(out());
+    QTest::mouseClick(child<QPushButton>("startStudy"), Qt::LeftButton);
+    ASSERT_TRUE(eventually([this] { return window.menus().trial->isEnabled(); }));
+}
+
+std::string WindowWithStudy::action() {
+    return child<QPushButton>("trialAction")->text().toStdString();
+}
+
+void WindowWithStudy::pressButton() {
+    EXPECT_TRUE(
+        eventually([this] { return session.run()->loop().snapshot().statistics.ticks > 0; }));
+    live(kSettle);
+    QTest::keyClick(&window.view(), Qt::Key_Return);
+}
+
+Vector3 WindowWithStudy::tip() { return session.run()->loop().snapshot().sample.output.model.tip; }
+
+Vector3 WindowWithStudy::target() {
+    const Vector2 place =
+        0.5 * Vector2(study.scene.sample.shape->size, study.scene.sample.shape->size) +
+        study.targets.front();
+    return {place.x(), place.y(), 0.0};
+}
+
+bool WindowWithStudy::isAtStart() {
+    return eventually([this] { return std::abs(tip().z() - study.startHeight) < 1.0_nm; });
+}
+
+void WindowWithStudy::dragAcross() {
+    for (int i = 0; i < 8 && missing() > 1.0_nm; ++i) {
+        const Vector3 here = tip();
+        const QPointF from = window.view().onScreen(here);
+        const QPointF to = window.view().onScreen({target().x(), target().y(), here.z()});
+        const QPoint start = window.view().rect().center();
+        drag(start, start + (to - from).toPoint());
+        live(500);
+    }
+    EXPECT_LT(missing(), 1.5_nm);
+}
+
+void WindowWithStudy::goDown() {
+    for (int i = 0; i < 60 && !inContact(); ++i) {
+        turnWheel(-1);
+        live(150);
+    }
+    EXPECT_TRUE(inContact()) << state();
+}
+
+void WindowWithStudy::doTrial() {
+    ASSERT_TRUE(isReady()) << action();
+    ASSERT_TRUE(isAtStart());
+    pressButton();
+    ASSERT_TRUE(isInTrial()) << action();
+    EXPECT_FALSE(child<QPushButton>("studyResults")->isEnabled());
+    dragAcross();
+    goDown();
+    pressButton();
+    ASSERT_TRUE(action().starts_with("Next")) << action();
+}
+
+std::vector<TrialRecord> WindowWithStudy::trials() {
+    return readTrials(out() / "trials.csv", study);
+}
+
+}  // namespace asperity::test

@@ -1,0 +1,154 @@
+#include "core/Units.h"
+#include "tests/app/ProgramRun.h"
+#include "tests/app/window/StudyFixture.h"
+#include "ui/experiment/StudyResultsDialog.h"
+#include "ui/view/ZoomView.h"
+#include "ui/window/SecondView.h"
+#include "ui/window/ViewOptionsMenu.h"
+#include "ui/window/WindowMenus.h"
+
+#include <QAction>
+#include <QComboBox>
+#include <QPlainTextEdit>
+#include <QPushButton>
+#include <QTabWidget>
+#include <QToolButton>
+#include <QtTest>
+
+// What a study shows and locks in the window.
+
+namespace asperity::test {
+namespace {
+
+TEST_F(WindowWithStudy, ItsKnobsAreLockedAndTheTipRestsUntilATrialBegins) {
+    start(shortStudy());
+    for (const char* const name : {"material", "hand", "path"}) {
+        EXPECT_FALSE(child<QComboBox>(name)->isEnabled()) << name;
+        EXPECT_NE(child<QComboBox>(name)->toolTip().indexOf("study"), -1) << name;
+    }
+    live(50);
+    for (const QAction* const entry :
+         {window.menus().open, window.menus().record, window.menus().startPause,
+          window.menus().tipControl, window.menus().clutch, window.menus().undo}) {
+        EXPECT_FALSE(entry->isEnabled()) << entry->text().toStdString();
+    }
+    const Vector3 before = tip();
+    drag(window.view().rect().center(), window.view().rect().center() + QPoint(60, 0));
+    turnWheel(-3);
+    live(600);
+    EXPECT_LT((tip() - before).norm(), 0.1_nm);
+    SceneDescription other = session.run()->scene().description;
+    other.tip.radius *= 2.0;
+    session.edits().change("Tip radius", other);
+    live(600);
+    EXPECT_NE(session.run()->scene().description.tip.radius, other.tip.radius);
+}
+
+TEST_F(WindowWithStudy, ItsFormThatALayoutBringsBackOffersTheShippedStudy) {
+    openFlatScene();
+    window.showTool(child<QPushButton>("startStudy")->parentWidget()->parentWidget());
+    EXPECT_FALSE(text("studyName").empty());
+    EXPECT_TRUE(child<QPushButton>("startStudy")->isEnabled());
+}
+
+TEST_F(WindowWithStudy, AFolderOfAnotherStudyIsRefused) {
+    start(shortStudy());
+    QTest::mouseClick(child<QPushButton>("leaveStudy"), Qt::LeftButton);
+    Study other = shortStudy();
+    other.timeLimit = 30.0;
+    session.studies().choice().chooseStudy(writtenStudy(folder, other));
+    session.studies().choice().chooseFolder(out());
+    EXPECT_FALSE(child<QPushButton>("startStudy")->isEnabled());
+    EXPECT_NE(text("studyState").find("another study"), std::string::npos) << text("studyState");
+}
+
+TEST_F(WindowWithStudy, StartAndTargetAreInThePicture) {
+    Study high = shortStudy();
+    high.tasks = {{TaskKind::Above, 49.0_nm, 50.0_nm, {0}}};
+    for (const QSize size : {QSize(1280, 800), QSize(1500, 950)}) {
+        window.resize(size);
+        start(high);
+        ASSERT_TRUE(isAtStart());
+        live(300);
+        const QRectF seen = window.view().rect();
+        EXPECT_TRUE(seen.contains(window.view().onScreen(tip())))
+            << ::testing::PrintToString(window.view().onScreen(tip()).y());
+        EXPECT_TRUE(seen.contains(window.view().onScreen({target().x(), target().y(), 50.0_nm})));
+        QTest::mouseClick(child<QPushButton>("leaveStudy"), Qt::LeftButton);
+    }
+}
+
+TEST_F(WindowWithStudy, WithoutThePictureOfTheDeformationTheSurfaceIsDrawnAtRest) {
+    Study blind = shortStudy();
+    blind.aids.deformation = false;
+    openFlatScene();
+    window.menus().secondView->setChecked(true);
+    start(blind);
+    EXPECT_FALSE(window.second().isVisible()) << "it draws the deformation";
+    EXPECT_FALSE(window.view().options().deformation);
+    EXPECT_FALSE(window.menus().viewOptions().action(&ViewOptions::deformation).isEnabled());
+    QTest::mouseClick(child<QPushButton>("leaveStudy"), Qt::LeftButton);
+    live(50);
+    EXPECT_TRUE(window.view().options().deformation);
+    EXPECT_TRUE(window.second().isVisible());
+    EXPECT_TRUE(window.menus().viewOptions().action(&ViewOptions::deformation).isEnabled());
+}
+
+TEST_F(WindowWithStudy, ArrowsTurnTheView) {
+    start(shortStudy());
+    const double azimuth = window.view().camera().azimuth();
+    const double elevation = window.view().camera().elevation();
+    QTest::mouseClick(child<QToolButton>("turnRight"), Qt::LeftButton);
+    QTest::mouseClick(child<QToolButton>("turnUp"), Qt::LeftButton);
+    EXPECT_NE(window.view().camera().azimuth(), azimuth);
+    EXPECT_GT(window.view().camera().elevation(), elevation);
+}
+
+TEST_F(WindowWithStudy, ShowsItsFiguresAndFindings) {
+    start(shortStudy());
+    doTrial();
+    QTest::mouseClick(child<QPushButton>("studyResults"), Qt::LeftButton);
+    StudyResultsDialog* dialog = nullptr;
+    ASSERT_TRUE(eventually([&] {
+        dialog = window.findChild<StudyResultsDialog*>();
+        return dialog != nullptr && dialog->isVisible();
+    }));
+    EXPECT_EQ(dialog->findChild<QTabWidget*>()->count(), 4);
+    const QString text = dialog->findChild<QPlainTextEdit*>("resultsText")->toPlainText();
+    EXPECT_TRUE(text.contains("polystyrene")) << text.toStdString();
+    EXPECT_TRUE(text.contains("findings"));
+    EXPECT_TRUE(std::filesystem::exists(out() / "figure_13.svg"));
+    EXPECT_TRUE(std::filesystem::exists(out() / "statistics.csv"));
+    const ProgramRun check =
+        runCommand("python3 " ASPERITY_RECOMPUTE_STUDY " --folder " + out().string());
+    EXPECT_EQ(check.exitCode, 0) << check.output;
+}
+
+TEST_F(WindowWithStudy, WithoutForcesNobodySwitchesThemOn) {
+    openFlatScene();
+    choose("hand", "Simulated device");
+    Study numb = shortStudy();
+    numb.aids.forces = false;
+    start(numb);
+    EXPECT_FALSE(session.run()->settings().forcesOn);
+    QTest::mouseClick(child<QPushButton>("forces"), Qt::LeftButton);
+    EXPECT_FALSE(session.run()->settings().forcesOn);
+    pressButton();
+    live(300);
+    EXPECT_TRUE(isInTrial()) << "that they are off is no reason to end it";
+    EXPECT_EQ(session.run()->loop().snapshot().sample.output.deviceForce, Vector3::Zero());
+}
+
+TEST_F(WindowWithStudy, ASecondViewThatIsOpenedLaterShowsTheTarget) {
+    start(shortStudy());
+    window.menus().secondView->setChecked(true);
+    live(100);
+    ASSERT_TRUE(window.second().space().target().has_value());
+    EXPECT_EQ(window.second().space().target()->head<2>(), target().head<2>());
+    QTest::mouseClick(child<QPushButton>("leaveStudy"), Qt::LeftButton);
+    EXPECT_FALSE(window.second().space().target().has_value());
+    EXPECT_FALSE(window.view().target().has_value());
+}
+
+}  // namespace
+}  // namespace asperity::test
