@@ -39,9 +39,9 @@ double valueOf(const HeightMap& map, int row, int column) {
                                     : std::numeric_limits<double>::quiet_NaN();
 }
 
-/// A neighbor without weight may hold no data.
+/// A neighbor without weight may hold no data. Not std::lerp(): it may return the other one.
 double mixed(double first, double second, double part) {
-    return part > 0.0 ? std::lerp(first, second, part) : first;
+    return part > 0.0 ? first + part * (second - first) : first;
 }
 
 double valueAt(const HeightMap& map, const Neighbors& rows, const Neighbors& columns) {
