@@ -71,11 +71,15 @@ void writeImages(const std::filesystem::path& path, std::span<const WrittenImage
 
 }  // namespace
 
-void requireMapFits(const MapPlan& plan) {
+bool mapFits(const MapPlan& plan) {
     constexpr double kChannelAndMask = 2.0 * sizeof(double);
     const double bytes = kChannelAndMask * plan.grid.columns * plan.grid.rows *
                          static_cast<double>(plan.quantities.size());
-    if (bytes > static_cast<double>(std::numeric_limits<std::uint32_t>::max())) {
+    return bytes <= static_cast<double>(std::numeric_limits<std::uint32_t>::max());
+}
+
+void requireMapFits(const MapPlan& plan) {
+    if (!mapFits(plan)) {
         throw Error("a .gwy file holds at most 4 GiB, and these channels with their masks may need "
                     "more: ask for fewer --quantities, a coarser --grid or a --region");
     }

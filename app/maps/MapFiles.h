@@ -32,8 +32,11 @@ private:
     std::filesystem::path gwy_;
 };
 
+/// Whether the .gwy of a map stays below its 4 GiB.
+[[nodiscard]] bool mapFits(const MapPlan& plan);
+
 /// Refuses a map that its files cannot hold, before long work is done for it.
-/// @throw Error where the .gwy could exceed its 4 GiB
+/// @throw Error unless mapFits()
 void requireMapFits(const MapPlan& plan);
 
 /// Writes every quantity as a channel with its unit to .gwy, .vti and .exr, one row after the other
