@@ -137,6 +137,10 @@ std::optional<MapPlan> ForceMapControl::plan(QString& refusal) const {
         refusal = tr("Open a scan or a scene first");
         return std::nullopt;
     }
+    if (!runs_.fixedBy().isEmpty()) {
+        refusal = runs_.fixedBy();
+        return std::nullopt;
+    }
     try {
         const MapPlan plan = planMap(runs_.run()->scene(), page_->form().request());
         if (!mapFits(plan)) {
@@ -244,7 +248,7 @@ void ForceMapControl::take(bool isWhole) {
     leaveWork();
     const int rows = made->map ? made->map->part().count() : 0;
     if (rows == 0) {
-        page_->setState(tr("Canceled before a row was finished"));
+        page_->setState(tr("No row was finished"));
         follow();
         return;
     }
@@ -264,7 +268,7 @@ void ForceMapControl::take(bool isWhole) {
     page_->pixel().clear(tr("A click on the map, on the whole scan, shows a pixel"));
     showLayer();
     Q_EMIT layerWanted();
-    if (window_.overview().map().activeTool() != &rectangle_ || isWhole) {
+    if (page_->isVisible()) {
         page_->setPicking(true);
     }
     follow();
@@ -356,11 +360,11 @@ void ForceMapControl::show() {
     const bool isFree = runs_.fixedBy().isEmpty();
     if (page_->isEnabled() != isFree) {
         page_->setEnabled(isFree);
-        page_->setToolTip(isFree ? QString() : runs_.fixedBy());
         if (!isFree) {
             cancel();
             page_->setPicking(false);
         }
+        follow();
     }
     page_->form().setSetpoint(runs_.run()->scene().description.setpoint);
 }

@@ -62,6 +62,7 @@ ForceMapPage::ForceMapPage(QWidget* parent)
     column->setContentsMargins(6, 4, 6, 4);
     column->setSpacing(4);
     column->addWidget(newBar());
+    column->addWidget(state_);
     column->addLayout(middle, 1);
     connectParts();
     setQuantities({}, MapQuantity::AdhesionForce);
@@ -79,8 +80,7 @@ QWidget* ForceMapPage::newBar() {
     row->addWidget(shown_);
     row->addWidget(pick_);
     row->addWidget(save_);
-    row->addSpacing(8);
-    row->addWidget(state_, 1);
+    row->addStretch(1);
     return bar;
 }
 
