@@ -51,6 +51,7 @@ double ColorRange::smallest(SurfaceQuantity quantity) {
     case SurfaceQuantity::Certainty:
         return 1.0;
     case SurfaceQuantity::Channel:
+    case SurfaceQuantity::ForceMap:
         break;
     }
     return 1e-30;  // whatever its unit

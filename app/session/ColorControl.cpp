@@ -47,6 +47,26 @@ ColorControl::ColorControl(MainWindow& window, RunControl& runs)
     offer();
 }
 
+void ColorControl::setForceMap(const std::optional<SurfaceField>& map) {
+    if (map && forceMap_ && map->name() != forceMap_->name()) {
+        look_.freeRange(
+            SurfaceQuantity::ForceMap);  // numbers of one quantity say nothing of another
+    }
+    forceMap_ = map;
+    offer();
+    if (look_.quantity == SurfaceQuantity::ForceMap) {
+        look_.quantity = map ? look_.quantity : SurfaceQuantity::Height;
+        show();
+    }
+}
+
+void ColorControl::showForceMap() {
+    look_ = window_.menus().colors().look();
+    look_.quantity = SurfaceQuantity::ForceMap;
+    look_.channel.clear();
+    show();
+}
+
 void ColorControl::choose(const SurfaceLook& look) {
     look_ = look;
     show();
@@ -87,20 +107,27 @@ std::string ColorControl::imageKey() const {
     return key.str();
 }
 
+/// Of a quantity that no file holds, or of heights until there is a scene.
+SurfaceField ColorControl::field() const {
+    const bool hasScene = runs_.run() != nullptr;
+    if (look_.quantity == SurfaceQuantity::ForceMap) {
+        return forceMap_.value_or(SurfaceField());
+    }
+    if (look_.quantity == SurfaceQuantity::Certainty) {
+        return hasScene ? SurfaceField(runs_.run()->scene().certainty) : SurfaceField();
+    }
+    return isOfFile() ? SurfaceField() : SurfaceField(look_.quantity);
+}
+
 void ColorControl::show() {
     if (runs_.run() == nullptr) {
-        window_.showLook(look_, isOfFile() || look_.quantity == SurfaceQuantity::Certainty
-                                    ? SurfaceField()
-                                    : SurfaceField(look_.quantity));
+        window_.showLook(look_, field());
         return;
     }
-    const Scene& scene = runs_.run()->scene();
     if (!isOfFile()) {
         loader_.cancel();
         loading_.clear();
-        window_.showLook(look_, look_.quantity == SurfaceQuantity::Certainty
-                                    ? SurfaceField(scene.certainty)
-                                    : SurfaceField(look_.quantity));
+        window_.showLook(look_, field());
         return;
     }
     if (loaded_ == imageKey()) {
@@ -144,16 +171,27 @@ void ColorControl::leaveScene() {
     }
 }
 
-void ColorControl::beginScene() {
-    offer();
+/// Whether the scene has nothing of the quantity.
+bool ColorControl::isMissing() const {
     const Scene& scene = runs_.run()->scene();
     const std::vector<std::string>& images = runs_.run()->loaded().images;
-    const bool isMissing =
-        (look_.quantity == SurfaceQuantity::Channel &&
-         std::ranges::find(images, look_.channel.toStdString()) == images.end()) ||
-        (look_.quantity == SurfaceQuantity::Certainty && !scene.certainty.isKnown()) ||
-        (look_.quantity == SurfaceQuantity::Residual && scene.description.sample.file.empty());
-    if (isMissing) {
+    switch (look_.quantity) {
+    case SurfaceQuantity::Channel:
+        return std::ranges::find(images, look_.channel.toStdString()) == images.end();
+    case SurfaceQuantity::Certainty:
+        return !scene.certainty.isKnown();
+    case SurfaceQuantity::Residual:
+        return scene.description.sample.file.empty();
+    case SurfaceQuantity::ForceMap:
+        return !forceMap_;
+    default:
+        return false;
+    }
+}
+
+void ColorControl::beginScene() {
+    offer();
+    if (isMissing()) {
         window_.tell(tr("The scan has no %1: colored by height").arg(nameOfImage(look_)));
         look_.quantity = SurfaceQuantity::Height;
         look_.channel.clear();
@@ -164,6 +202,8 @@ void ColorControl::beginScene() {
 /// Which quantities the scene has.
 void ColorControl::offer() {
     ColorsMenu& menu = window_.menus().colors();
+    menu.refuse(SurfaceQuantity::ForceMap,
+                forceMap_ ? QString() : tr("There is no force map: Measure > Force map"));
     if (runs_.run() == nullptr) {
         menu.refuse(SurfaceQuantity::Residual, tr("No scan is open"));
         menu.refuse(SurfaceQuantity::Certainty, tr("No scan is open"));

@@ -16,13 +16,14 @@ enum class SurfaceQuantity : std::uint8_t {
     Residual,      ///< what smoothing and fit left out of the scan: data minus surface [m]
     Certainty,     ///< 1 where the imaging tip has certainly touched the surface, else 0
     Channel,       ///< another image of the file, in the file's unit
+    ForceMap,      ///< a quantity of a force map, in its region
 };
 
 struct SurfaceQuantityRow {
     SurfaceQuantity value;
     const char* key;
     const char* name;
-    const char* unit;  ///< SI; "1": a number; empty: the file says
+    const char* unit;  ///< SI; "1": a number; empty: the data say
     bool isLive;       ///< it changes with the tip, and is defined around it alone
     bool isSigned;     ///< values on both sides of zero mean different things
 };
@@ -37,6 +38,7 @@ inline constexpr auto kEnumTable<SurfaceQuantity> = std::to_array<SurfaceQuantit
     {SurfaceQuantity::Residual, "residual", "residual", "m", false, true},
     {SurfaceQuantity::Certainty, "certainty", "certainty", "1", false, false},
     {SurfaceQuantity::Channel, "channel", "channel", "", false, false},
+    {SurfaceQuantity::ForceMap, "force_map", "force map", "", false, false},
 });
 
 }  // namespace asperity

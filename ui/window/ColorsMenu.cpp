@@ -52,6 +52,8 @@ QString meaningOf(SurfaceQuantity quantity) {
         return QObject::tr("1 where the imaging tip has certainly touched the surface, else 0");
     case SurfaceQuantity::Channel:
         return QObject::tr("Another image of the same file, in its own unit");
+    case SurfaceQuantity::ForceMap:
+        return QObject::tr("A quantity of the force map, in its region");
     }
     return {};
 }
