@@ -86,6 +86,14 @@ TEST(SampleMaterials, TheNumbersStandForTheStiffestAndMostAdhesivePart) {
     EXPECT_EQ(scene.belief.contact.pair().workOfAdhesion, material.workOfAdhesion);
 }
 
+TEST(SampleMaterials, TheSoftestPartLetsTheTipGoLast) {
+    const HeightMap scan = test::flatMap();
+    const Scene scene = buildScene(mappedDescription(), scan, nullptr, mapsOver(scan));
+    const ContactModel softest = softestContact(scene.belief);
+    EXPECT_EQ(softest.pair().workOfAdhesion, scene.belief.contact.pair().workOfAdhesion);
+    EXPECT_LT(softest.pullOffApproach(0.07), scene.belief.contact.pullOffApproach(0.07));
+}
+
 TEST(SampleMaterials, StayWithAnotherTipAndModelAndGoWithAnotherMaterial) {
     const HeightMap scan = test::flatMap();
     Scene scene = buildScene(mappedDescription(), scan, nullptr, mapsOver(scan));
