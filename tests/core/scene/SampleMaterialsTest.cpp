@@ -31,6 +31,7 @@ std::shared_ptr<const PixelField> halves(const HeightMap& scan, double left, dou
 
 SceneDescription mappedDescription() {
     SceneDescription description = test::plainScene();
+    description.choices.law = ContactLaw::Maugis;  // of all its materials
     const MapSource any{.file = "maps.gwy", .channel = "", .sha256 = ""};
     description.sample.material.maps = {
         .youngsModulus = any, .workOfAdhesion = any, .friction = any, .mask = std::nullopt};
@@ -47,6 +48,7 @@ SceneMaps mapsOver(const HeightMap& scan) {
 
 Scene uniformScene(const HeightMap& scan, double modulus, double adhesion, double friction) {
     SceneDescription description = test::plainScene();
+    description.choices.law = ContactLaw::Maugis;
     description.sample.material.elastic.youngsModulus = modulus;
     description.sample.material.workOfAdhesion = adhesion;
     description.sample.material.friction.coefficient = friction;
