@@ -14,6 +14,7 @@
 #include "core/FormattedText.h"
 #include "core/PrintableText.h"
 #include "core/TemporaryFile.h"
+#include "core/scene/SceneFiles.h"
 
 #include <chrono>
 #include <iostream>
@@ -73,10 +74,12 @@ std::vector<std::filesystem::path> targetsOf(const MapOptions& options, const Ma
 /// Refuses files that cannot be written, or that the user may want to keep, before long work is
 /// done for them. An unfinished map's own files may go.
 void requireTargets(const MapOptions& options, const MapFiles& files, const MapPlan& plan,
-                    const std::string& scan) {
+                    const SceneDescription& scene) {
+    std::vector<std::string> inputs{options.scene, options.compare};
+    forEachFile(scene, [&inputs](const std::string& file) { inputs.push_back(file); });
     std::error_code none;
     for (const std::filesystem::path& file : targetsOf(options, files, plan)) {
-        for (const std::string& input : {options.scene, scan, options.compare}) {
+        for (const std::string& input : inputs) {
             if (std::filesystem::equivalent(input, file, none)) {
                 throw Error(file.string() + ": this is an input; give another output file");
             }
@@ -185,7 +188,7 @@ void lead(const MapOptions& options, const MpiJob& job) {
     const MapFiles files(options.out);
     const MapInput input = loadedInput(options);
     const auto& [loaded, plan] = input;
-    requireTargets(options, files, plan, loaded.scene.description.sample.file);
+    requireTargets(options, files, plan, loaded.scene.description);
     MeasuredFile measured = measuredInput(options, input);
     std::optional<VirtualDisplay> display;  // before long work is done
     if (!options.noPictures) {
