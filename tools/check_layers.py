@@ -112,7 +112,7 @@ RULES = {
     "ui/help": f"{WINDOW} ui/panels ui/view",
     "ui/panels": WINDOW,
     "ui/view": WINDOW,
-    "ui/measure": f"{WINDOW} ui/panels",
+    "ui/measure": f"{WINDOW} core/map ui/panels",
     "ui/playback": f"{WINDOW} ui/panels ui/measure",
     "ui/experiment": f"{WINDOW} ui/panels ui/measure",
     "ui/window": f"{WINDOW} ui/help ui/panels ui/view",
@@ -125,7 +125,7 @@ RULES = {
     "app/experiment": f"{BELOW_APP} app/program app/runs app/recording app/exports",
     "app/maps": f"{BELOW_APP} app/program app/exports",
     "app/session": f"{BELOW_APP} app/program app/runs app/reports app/recording app/exports"
-                   " app/experiment",
+                   " app/experiment app/maps",
     "app/commands": f"{BELOW_APP} app/program app/runs app/reports/ app/recording app/exports"
                     " app/experiment app/maps"
                     " app/session",

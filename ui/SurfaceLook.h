@@ -44,17 +44,26 @@ struct SurfaceLook {
     QString channel;  ///< of the file, for SurfaceQuantity::Channel
     std::array<QuantityColors, kQuantities> colors{};
 
-    /// Values of either sign begin with the diverging map.
+    /// Values of either sign begin with the diverging map, those of a force map without the few
+    /// that stick out.
     SurfaceLook() {
         for (const SurfaceQuantityRow& row : kEnumTable<SurfaceQuantity>) {
             of(row.value).map = row.isSigned ? ColorMap::Diverging : ColorMap::Standard;
         }
+        of(SurfaceQuantity::ForceMap).rule = RangeRule::Percent;  // as the sheets of a map have it
     }
     [[nodiscard]] QuantityColors& of(SurfaceQuantity which) {
         return colors.at(static_cast<std::size_t>(which));
     }
     [[nodiscard]] const QuantityColors& of(SurfaceQuantity which) const {
         return colors.at(static_cast<std::size_t>(which));
+    }
+    /// The range of a quantity is no more pinned or typed.
+    void freeRange(SurfaceQuantity which) {
+        of(which).pinned = false;
+        if (of(which).rule == RangeRule::Own) {
+            of(which).rule = RangeRule::Full;
+        }
     }
     bool operator==(const SurfaceLook&) const = default;
 };

@@ -1,6 +1,6 @@
 #include "app/commands/ProgressLine.h"
 
-#include "core/FormattedText.h"
+#include "core/DurationText.h"
 
 #include <cmath>
 #include <iostream>
@@ -8,19 +8,6 @@
 #include <utility>
 
 namespace asperity {
-
-std::string durationText(double seconds) {
-    const long whole = std::lround(seconds);
-    constexpr long kMinute = 60;
-    constexpr long kHour = 60 * kMinute;
-    if (whole < 2 * kMinute) {
-        return std::to_string(whole) + " s";
-    }
-    if (whole < 2 * kHour) {
-        return std::to_string((whole + kMinute / 2) / kMinute) + " min";
-    }
-    return formatted("%.1f h", seconds / kHour);
-}
 
 ProgressLine::ProgressLine(std::string work, std::chrono::seconds pause)
     : work_(std::move(work)), isTerminal_(isatty(STDERR_FILENO) == 1), pause_(pause) {}

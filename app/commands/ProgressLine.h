@@ -9,9 +9,6 @@
 
 namespace asperity {
 
-/// For people, to the second, the minute or a tenth of an hour: "45 s", "12 min", "3.4 h".
-[[nodiscard]] std::string durationText(double seconds);
-
 /// Shows on standard error how far long work is: on a terminal in one line, which is wiped at the
 /// end; elsewhere, as in a log, in a line now and then. Work that takes long shows how much longer
 /// it will take, at the pace since its beginning. SIGINT, SIGTERM and SIGHUP cancel the work. One

@@ -94,11 +94,15 @@ void writeImages(const std::filesystem::path& path, std::span<const WrittenImage
 
 }  // namespace
 
-void requireMapFits(const MapPlan& plan, std::size_t compared) {
+bool mapFits(const MapPlan& plan, std::size_t compared) {
     constexpr double kChannelAndMask = 2.0 * sizeof(double);
     const double bytes = kChannelAndMask * plan.grid.columns * plan.grid.rows *
                          static_cast<double>(plan.quantities.size() + 2 * compared);
-    if (bytes > static_cast<double>(std::numeric_limits<std::uint32_t>::max())) {
+    return bytes <= static_cast<double>(std::numeric_limits<std::uint32_t>::max());
+}
+
+void requireMapFits(const MapPlan& plan, std::size_t compared) {
+    if (!mapFits(plan, compared)) {
         throw Error("a .gwy file holds at most 4 GiB, and these channels with their masks may need "
                     "more: ask for fewer --quantities, a coarser --grid or a --region");
     }

@@ -41,9 +41,12 @@ private:
     std::filesystem::path gwy_;
 };
 
-/// Refuses a map that its files cannot hold, before long work is done for it.
+/// Whether the .gwy of a map stays below its 4 GiB.
 /// @param compared channels that it is compared with: each adds two
-/// @throw Error where the .gwy could exceed its 4 GiB
+[[nodiscard]] bool mapFits(const MapPlan& plan, std::size_t compared = 0);
+
+/// Refuses a map that its files cannot hold, before long work is done for it.
+/// @param compared as in mapFits() @throw Error unless it does
 void requireMapFits(const MapPlan& plan, std::size_t compared = 0);
 
 /// Writes every quantity as a channel with its unit to .gwy, .vti and .exr, one row after the other

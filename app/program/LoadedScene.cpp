@@ -138,7 +138,7 @@ std::vector<std::string> notesOn(const LoadedScene& loaded) {
 }
 
 LoadedScene withDescription(const LoadedScene& loaded, const SceneDescription& description,
-                            Progress* progress) {
+                            Progress* progress, ModelFit fit) {
     LoadedScene changed{.scene = withDescription(loaded.scene, description),
                         .format = loaded.format,
                         .sha256 = loaded.sha256,
@@ -148,7 +148,8 @@ LoadedScene withDescription(const LoadedScene& loaded, const SceneDescription& d
                         .images = loaded.images,
                         .channels = loaded.channels,
                         .filledPixels = loaded.filledPixels};
-    changed.needs = fitModel(changed.scene, kLongestTick, progress);
+    changed.needs = fit == ModelFit::Now ? fitModel(changed.scene, kLongestTick, progress)
+                                         : needsBeforeFit(changed.scene.description);
     return changed;
 }
 

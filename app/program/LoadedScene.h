@@ -60,12 +60,13 @@ enum class ModelFit : std::uint8_t { Now, Later };
 [[nodiscard]] LoadedScene loadScene(const SceneDescription& description,
                                     Progress* progress = nullptr);
 
-/// A copy of the same scan under another tip, lever, material or model, fitted anew. Reads nothing
-/// of the scene's description: that may change meanwhile.
+/// A copy of the same scan under another tip, lever, material or model, fitted anew now or later.
+/// Reads nothing of the scene's description: that may change meanwhile.
 /// @throw Error as withDescription(); Canceled
 [[nodiscard]] LoadedScene withDescription(const LoadedScene& loaded,
                                           const SceneDescription& description,
-                                          Progress* progress = nullptr);
+                                          Progress* progress = nullptr,
+                                          ModelFit fit = ModelFit::Now);
 
 /// The instrument of a scene, which outlives it, in the window and in `explore`: a simulated AFM
 /// that answers at once, as the scene's [truth] says.

@@ -6,6 +6,7 @@
 #include "ui/window/WindowMenus.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <sstream>
 #include <utility>
@@ -17,6 +18,29 @@ namespace {
 QString nameOfImage(const SurfaceLook& look) {
     return look.quantity == SurfaceQuantity::Channel ? look.channel
                                                      : QObject::tr(nameOf(look.quantity));
+}
+
+/// What a map of the sample's material holds; null where it is no such quantity, or the same
+/// everywhere.
+std::shared_ptr<const PixelField> materialMap(SurfaceQuantity quantity, const Scene& scene) {
+    const MaterialMaps& maps = scene.maps.sample;
+    switch (quantity) {
+    case SurfaceQuantity::YoungsModulus:
+        return maps.youngsModulus;
+    case SurfaceQuantity::WorkOfAdhesion:
+        return maps.workOfAdhesion;
+    case SurfaceQuantity::FrictionCoefficient:
+        return maps.friction;
+    default:
+        return nullptr;
+    }
+}
+
+constexpr std::array kOfMaterial{SurfaceQuantity::YoungsModulus, SurfaceQuantity::WorkOfAdhesion,
+                                 SurfaceQuantity::FrictionCoefficient};
+
+bool isOfMaterial(SurfaceQuantity quantity) {
+    return std::ranges::find(kOfMaterial, quantity) != kOfMaterial.end();
 }
 
 }  // namespace
@@ -45,6 +69,26 @@ ColorControl::ColorControl(MainWindow& window, RunControl& runs)
     connect(&runs, &RunControl::ending, this, &ColorControl::leaveScene);
     connect(&runs, &RunControl::begun, this, &ColorControl::beginScene);
     offer();
+}
+
+void ColorControl::setForceMap(const std::optional<SurfaceField>& map) {
+    if (map && forceMap_ && map->name() != forceMap_->name()) {
+        look_.freeRange(
+            SurfaceQuantity::ForceMap);  // numbers of one quantity say nothing of another
+    }
+    forceMap_ = map;
+    offer();
+    if (look_.quantity == SurfaceQuantity::ForceMap) {
+        look_.quantity = map ? look_.quantity : SurfaceQuantity::Height;
+        show();
+    }
+}
+
+void ColorControl::showForceMap() {
+    look_ = window_.menus().colors().look();
+    look_.quantity = SurfaceQuantity::ForceMap;
+    look_.channel.clear();
+    show();
 }
 
 void ColorControl::choose(const SurfaceLook& look) {
@@ -87,20 +131,31 @@ std::string ColorControl::imageKey() const {
     return key.str();
 }
 
+/// Of a quantity that no file holds, or of heights until there is a scene.
+SurfaceField ColorControl::field() const {
+    const bool hasScene = runs_.run() != nullptr;
+    if (look_.quantity == SurfaceQuantity::ForceMap) {
+        return forceMap_.value_or(SurfaceField());
+    }
+    if (look_.quantity == SurfaceQuantity::Certainty) {
+        return hasScene ? SurfaceField(runs_.run()->scene().certainty) : SurfaceField();
+    }
+    if (isOfMaterial(look_.quantity)) {
+        const auto map = hasScene ? materialMap(look_.quantity, runs_.run()->scene()) : nullptr;
+        return map != nullptr ? SurfaceField(look_.quantity, map) : SurfaceField();
+    }
+    return isOfFile() ? SurfaceField() : SurfaceField(look_.quantity);
+}
+
 void ColorControl::show() {
     if (runs_.run() == nullptr) {
-        window_.showLook(look_, isOfFile() || look_.quantity == SurfaceQuantity::Certainty
-                                    ? SurfaceField()
-                                    : SurfaceField(look_.quantity));
+        window_.showLook(look_, field());
         return;
     }
-    const Scene& scene = runs_.run()->scene();
     if (!isOfFile()) {
         loader_.cancel();
         loading_.clear();
-        window_.showLook(look_, look_.quantity == SurfaceQuantity::Certainty
-                                    ? SurfaceField(scene.certainty)
-                                    : SurfaceField(look_.quantity));
+        window_.showLook(look_, field());
         return;
     }
     if (loaded_ == imageKey()) {
@@ -144,16 +199,27 @@ void ColorControl::leaveScene() {
     }
 }
 
-void ColorControl::beginScene() {
-    offer();
+/// Whether the scene has nothing of the quantity.
+bool ColorControl::isMissing() const {
     const Scene& scene = runs_.run()->scene();
     const std::vector<std::string>& images = runs_.run()->loaded().images;
-    const bool isMissing =
-        (look_.quantity == SurfaceQuantity::Channel &&
-         std::ranges::find(images, look_.channel.toStdString()) == images.end()) ||
-        (look_.quantity == SurfaceQuantity::Certainty && !scene.certainty.isKnown()) ||
-        (look_.quantity == SurfaceQuantity::Residual && scene.description.sample.file.empty());
-    if (isMissing) {
+    switch (look_.quantity) {
+    case SurfaceQuantity::Channel:
+        return std::ranges::find(images, look_.channel.toStdString()) == images.end();
+    case SurfaceQuantity::Certainty:
+        return !scene.certainty.isKnown();
+    case SurfaceQuantity::Residual:
+        return scene.description.sample.file.empty();
+    case SurfaceQuantity::ForceMap:
+        return !forceMap_;
+    default:
+        return isOfMaterial(look_.quantity) && materialMap(look_.quantity, scene) == nullptr;
+    }
+}
+
+void ColorControl::beginScene() {
+    offer();
+    if (isMissing()) {
         window_.tell(tr("The scan has no %1: colored by height").arg(nameOfImage(look_)));
         look_.quantity = SurfaceQuantity::Height;
         look_.channel.clear();
@@ -164,6 +230,15 @@ void ColorControl::beginScene() {
 /// Which quantities the scene has.
 void ColorControl::offer() {
     ColorsMenu& menu = window_.menus().colors();
+    menu.refuse(SurfaceQuantity::ForceMap,
+                forceMap_ ? QString() : tr("There is no force map: Measure > Force map"));
+    for (const SurfaceQuantity quantity : kOfMaterial) {
+        const bool hasMap =
+            runs_.run() != nullptr && materialMap(quantity, runs_.run()->scene()) != nullptr;
+        menu.refuse(quantity, hasMap ? QString()
+                                     : tr("The material is the same everywhere: the scene names no "
+                                          "map of it"));
+    }
     if (runs_.run() == nullptr) {
         menu.refuse(SurfaceQuantity::Residual, tr("No scan is open"));
         menu.refuse(SurfaceQuantity::Certainty, tr("No scan is open"));

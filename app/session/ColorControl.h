@@ -6,6 +6,7 @@
 #include "ui/SurfaceLook.h"
 
 #include <memory>
+#include <optional>
 #include <string>
 
 namespace asperity {
@@ -16,6 +17,12 @@ class ColorControl : public QObject {
 public:
     ColorControl(MainWindow& window, RunControl& runs);
 
+    /// The force map that the surface can be colored by, or another quantity of it; none: there is
+    /// none (any more).
+    void setForceMap(const std::optional<SurfaceField>& map);
+    /// Colors the surface by it. There is one.
+    void showForceMap();
+
 private:
     void choose(const SurfaceLook& look);
     void beginScene();
@@ -24,6 +31,8 @@ private:
     void showHeights(const QString& reason);
     void load();
     [[nodiscard]] bool isOfFile() const;
+    [[nodiscard]] bool isMissing() const;
+    [[nodiscard]] SurfaceField field() const;
     [[nodiscard]] std::string imageKey() const;
     void offer();
 
@@ -33,6 +42,7 @@ private:
     std::string loading_;  ///< key of the image that is being read
     std::string loaded_;   ///< key of `image_`
     std::shared_ptr<const PixelField> image_;
+    std::optional<SurfaceField> forceMap_;
     BackgroundWork<PixelField> loader_;
 };
 

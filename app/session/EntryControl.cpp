@@ -37,8 +37,9 @@ void EntryControl::showThoseOfARun() {
         menus.refuse(*entry, noRun);
     }
     const QString fixed = noRun.isEmpty() ? runs_.fixedBy() : noRun;
-    for (QAction* const entry : {menus.record, menus.saveSession, menus.saveSessionAs,
-                                 menus.startPause, menus.tipControl, menus.clutch}) {
+    for (QAction* const entry :
+         {menus.record, menus.saveSession, menus.saveSessionAs, menus.startPause, menus.tipControl,
+          menus.clutch, menus.measure().forceMap}) {
         menus.refuse(*entry, fixed);
     }
     for (QAction* const entry : {menus.followPathFile, menus.followRecording}) {

@@ -2,6 +2,7 @@
 
 #include "core/io/TextValue.h"
 #include "core/words/SceneWords.h"
+#include "ui/measure/ForceMapPage.h"
 #include "ui/measure/MarkersPage.h"
 #include "ui/measure/ProfilePage.h"
 #include "ui/measure/TouchesPage.h"
@@ -33,6 +34,7 @@ MeasureControl::MeasureControl(MainWindow& window, RunControl& runs, SceneEdits&
     , runs_(runs)
     , profile_(window, runs)
     , roughness_(window, runs)
+    , forceMaps_(window, runs)
     , markers_(window, runs, edits)
     , touches_(window, runs)
     , curves_(window, runs, *window.findChild<CyclePanel*>()) {
@@ -56,6 +58,7 @@ void MeasureControl::connectMenu() {
         profile_.page().setDrawing(true);
     });
     on(menu.roughness, [this, open] { open(roughness_.page()); });
+    on(menu.forceMap, [this, open] { open(forceMaps_.page()); });
     on(menu.markers, [this, open] { open(markers_.page()); });
     on(menu.markerHere, [this] { markers_.addAtCrossHair(); });
     on(menu.touches, [this, open] { open(touches_.page()); });
@@ -67,9 +70,11 @@ void MeasureControl::begin() {
     if (std::exchange(scan_, key) != key) {
         profile_.forget();
         roughness_.forget();
+        forceMaps_.forget();
     } else {
         profile_.refresh();
         roughness_.refresh();
+        forceMaps_.refresh();
     }
 }
 

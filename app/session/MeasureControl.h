@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/session/ForceMapControl.h"
 #include "app/session/MarkerControl.h"
 #include "app/session/MeasuredCurveControl.h"
 #include "app/session/ProfileControl.h"
@@ -20,13 +21,17 @@ public:
     /// Every tick, in order.
     void take(const TickSample& sample) { touches_.take(sample); }
     /// Once a frame. There is a run.
-    void show() { touches_.show(); }
+    void show() {
+        touches_.show();
+        forceMaps_.show();
+    }
     /// Ends the tool that has the mouse on the whole scan. @return whether one had it when the
     /// present event of the user began: a key comes in several parts
     bool leaveTool();
 
     [[nodiscard]] ProfileControl& profile() { return profile_; }
     [[nodiscard]] RoughnessControl& roughness() { return roughness_; }
+    [[nodiscard]] ForceMapControl& forceMaps() { return forceMaps_; }
     [[nodiscard]] TouchControl& touches() { return touches_; }
     [[nodiscard]] MeasuredCurveControl& curves() { return curves_; }
 
@@ -38,6 +43,7 @@ private:
     RunControl& runs_;
     ProfileControl profile_;
     RoughnessControl roughness_;
+    ForceMapControl forceMaps_;
     MarkerControl markers_;
     TouchControl touches_;
     MeasuredCurveControl curves_;

@@ -54,6 +54,10 @@ Session::Session(MainWindow& window)
         recordings_.take(sample);
         studies_.take(sample);
     });
+    ForceMapControl& maps = measuring_.forceMaps();
+    connect(&maps, &ForceMapControl::layerChanged, this,
+            [this, &maps] { colors_.setForceMap(maps.layer()); });
+    connect(&maps, &ForceMapControl::layerWanted, this, [this] { colors_.showForceMap(); });
     qApp->installEventFilter(this);
     frames_.setTimerType(Qt::PreciseTimer);
     connect(&frames_, &QTimer::timeout, this, &Session::advance);

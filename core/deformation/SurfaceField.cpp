@@ -12,9 +12,16 @@ SurfaceField::SurfaceField(SurfaceQuantity quantity, std::shared_ptr<const Pixel
                            std::string name)
     : quantity_(quantity), pixels_(std::move(pixels)), name_(std::move(name)) {}
 
+SurfaceField::SurfaceField(SurfaceQuantity quantity, std::shared_ptr<const RegionField> region,
+                           std::string name)
+    : quantity_(quantity), region_(std::move(region)), name_(std::move(name)) {}
+
 std::string SurfaceField::name() const { return name_.empty() ? nameOf(quantity_) : name_; }
 
 std::string SurfaceField::unit() const {
+    if (region_ != nullptr) {
+        return region_->unit();
+    }
     return pixels_ != nullptr ? pixels_->unit() : rowOf(quantity_)->unit;
 }
 
@@ -29,6 +36,9 @@ double SurfaceField::at(const Vector3& rest, const Vector3& normal) const noexce
     case SurfaceQuantity::Displacement:
         return 0.0;
     case SurfaceQuantity::Residual:
+    case SurfaceQuantity::YoungsModulus:
+    case SurfaceQuantity::WorkOfAdhesion:
+    case SurfaceQuantity::FrictionCoefficient:
     case SurfaceQuantity::Channel:
         return pixels_ != nullptr ? pixels_->at(rest.x(), rest.y()) : kUndefined;
     case SurfaceQuantity::Certainty:
@@ -36,6 +46,8 @@ double SurfaceField::at(const Vector3& rest, const Vector3& normal) const noexce
             return kUndefined;
         }
         return certainty_->isUncertain(rest.x(), rest.y()) ? 0.0 : 1.0;
+    case SurfaceQuantity::ForceMap:
+        return region_ != nullptr ? region_->at(rest.x(), rest.y()) : kUndefined;
     case SurfaceQuantity::Gap:
         break;
     }

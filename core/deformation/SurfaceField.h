@@ -3,6 +3,7 @@
 #include "core/Vector.h"
 #include "core/deformation/SurfaceQuantity.h"
 #include "core/surface/PixelField.h"
+#include "core/surface/RegionField.h"
 #include "core/surface/imaging/CertaintyMap.h"
 
 #include <memory>
@@ -23,9 +24,13 @@ public:
     /// Certainty. @param certainty outlives the field; known
     explicit SurfaceField(const CertaintyMap& certainty)
         : quantity_(SurfaceQuantity::Certainty), certainty_(&certainty) {}
-    /// Residual, or another channel. @param name for people, of a channel
+    /// Residual, a quantity of the material, or another channel. @param name for people, of a
+    /// channel
     SurfaceField(SurfaceQuantity quantity, std::shared_ptr<const PixelField> pixels,
                  std::string name = {});
+    /// A quantity that a part of the surface has. @param name for people
+    SurfaceField(SurfaceQuantity quantity, std::shared_ptr<const RegionField> region,
+                 std::string name);
 
     [[nodiscard]] SurfaceQuantity quantity() const noexcept { return quantity_; }
     [[nodiscard]] bool isLive() const noexcept { return rowOf(quantity_)->isLive; }
@@ -37,11 +42,19 @@ public:
     /// @param normal of the surface there, unit
     /// @return not a number where the quantity is not defined
     [[nodiscard]] double at(const Vector3& rest, const Vector3& normal) const noexcept;
+    /// Whether a place is of the part of the surface that the field is made of: there a value that
+    /// is not a number is one that is missing. @param rest world [m]
+    [[nodiscard]] bool covers(const Vector3& rest) const noexcept {
+        return region_ == nullptr || region_->covers(rest.x(), rest.y());
+    }
+    /// Whether values are missing in the part that it is made of.
+    [[nodiscard]] bool hasGaps() const noexcept { return region_ != nullptr && region_->hasGaps(); }
 
 private:
     SurfaceQuantity quantity_ = SurfaceQuantity::Height;
     const CertaintyMap* certainty_ = nullptr;
     std::shared_ptr<const PixelField> pixels_;
+    std::shared_ptr<const RegionField> region_;
     std::string name_;
 };
 

@@ -1,8 +1,6 @@
 #include "core/map/PixelCycle.h"
 
 #include "core/map/DmtFit.h"
-#include "core/map/Engagement.h"
-#include "core/map/RetractCurve.h"
 
 #include <cmath>
 #include <numbers>
@@ -55,39 +53,41 @@ ValidityFlags pullOffValidity(const MapInstrument& instrument, const FoundJump& 
     return instrument.validity(before);
 }
 
-/// The flags of the states that the quantities come from, after as much of a cycle as there is.
-ValidityFlags cycle(VerticalPath& path, double setpoint, MapValues& values) {
-    const MapInstrument& instrument = path.instrument();
-    ValidityFlags flags;
-    const std::optional<Engagement> engaged = engage(path, setpoint);
-    if (!engaged) {
-        flags.set(Validity::NotInEquilibrium, true);
-        return flags;
-    }
-    takeSnapIn(engaged->snapIn, path, values);
-    takeSetpoint(engaged->atSetpoint, path, values);
-    flags.add(instrument.validity(engaged->atSetpoint.state));
-    const std::optional<RetractCurve> curve = retract(path, engaged->atSetpoint);
-    if (!curve) {
-        flags.set(Validity::NotInEquilibrium, true);
-        return flags;
-    }
-    takeRetract(*curve, path, values);
-    values[MapQuantity::DissipatedEnergy] =
-        engaged->snapIn.energyLost() + curve->pullOff.energyLost();
-    flags.add(pullOffValidity(instrument, curve->pullOff));
-    return flags;
-}
-
 }  // namespace
 
-MapValues pixelCycle(const MapInstrument& instrument, const Vector2& place, double setpoint) {
-    VerticalPath path(instrument, place);
+CycleStates runCycle(VerticalPath& path, double setpoint) {
+    CycleStates states{.engaged = engage(path, setpoint), .retracted = std::nullopt};
+    if (states.engaged) {
+        states.retracted = retract(path, states.engaged->atSetpoint);
+    }
+    return states;
+}
+
+MapValues valuesOf(const CycleStates& states, const VerticalPath& path) {
+    const MapInstrument& instrument = path.instrument();
     MapValues values;
-    const ValidityFlags flags = cycle(path, setpoint, values);
+    ValidityFlags flags;
+    flags.set(Validity::NotInEquilibrium, !states.retracted);
+    if (states.engaged) {
+        takeSnapIn(states.engaged->snapIn, path, values);
+        takeSetpoint(states.engaged->atSetpoint, path, values);
+        flags.add(instrument.validity(states.engaged->atSetpoint.state));
+    }
+    if (states.retracted) {
+        const FoundJump& pullOff = states.retracted->pullOff;
+        takeRetract(*states.retracted, path, values);
+        values[MapQuantity::DissipatedEnergy] =
+            states.engaged->snapIn.energyLost() + pullOff.energyLost();
+        flags.add(pullOffValidity(instrument, pullOff));
+    }
     values[MapQuantity::Validity] = flags.bits();
     values[MapQuantity::Iterations] = path.solved();
     return values;
+}
+
+MapValues pixelCycle(const MapInstrument& instrument, const Vector2& place, double setpoint) {
+    VerticalPath path(instrument, place);
+    return valuesOf(runCycle(path, setpoint), path);
 }
 
 }  // namespace asperity

@@ -10,6 +10,7 @@ namespace asperity {
 namespace {
 
 constexpr int kSteps = 32;
+constexpr double kMinNormal = 0.1;  // z of a normal that says how far to go along z
 
 /// @param base its height [m] @param force along z [N]
 RetractPoint pointAt(const VerticalPath& path, double base, double force) {
@@ -98,19 +99,29 @@ double separationWork(const RetractCurve& curve) noexcept {
     return pullingArea(curve.bonded) + curve.jumpWork + freeArea(curve.free);
 }
 
+std::optional<RetractPoint> strongestOfLaw(const VerticalPath& path,
+                                           const RetractCurve& curve) noexcept {
+    const FoundJump& jump = curve.pullOff;
+    if (!jump.exact) {
+        return std::nullopt;
+    }
+    // Under a lever this soft the tip pulls off where it pulls hardest.
+    const TipState& state = jump.before.state;
+    const ContactState strongest =
+        contactModelAt(path.instrument().system(), state).lastBonded(kMaxCompliance);
+    const double approach = strongest.indentation + (path.compliance(state) * strongest.force);
+    const double normal = state.closest.normal.z();
+    const double below = (approach - jump.exact->basePosition) / std::max(normal, kMinNormal);
+    return pointAt(path, jump.base - below, strongest.force * normal);
+}
+
 double strongestPull(const VerticalPath& path, const RetractCurve& curve) noexcept {
     double pull = 0.0;
     for (const RetractPoint& point : curve.bonded) {
         pull = std::max(pull, -point.force);
     }
-    if (curve.pullOff.exact) {
-        // Under a lever this soft the tip pulls off where it pulls hardest.
-        const TipState& state = curve.pullOff.before.state;
-        const ContactState strongest =
-            contactModelAt(path.instrument().system(), state).lastBonded(kMaxCompliance);
-        pull = std::max(pull, -strongest.force * state.closest.normal.z());
-    }
-    return pull;
+    const std::optional<RetractPoint> ofLaw = strongestOfLaw(path, curve);
+    return ofLaw ? std::max(pull, -ofLaw->force) : pull;
 }
 
 }  // namespace asperity

@@ -30,6 +30,11 @@ struct RetractCurve {
 /// the free tip, whose attraction falls with the square of the distance, all of it to infinity.
 [[nodiscard]] double separationWork(const RetractCurve& curve) noexcept;
 
+/// On one contact point, where the law pulls hardest before the pull-off, without the error of the
+/// steps; none: on several, or the force does not jump.
+[[nodiscard]] std::optional<RetractPoint> strongestOfLaw(const VerticalPath& path,
+                                                         const RetractCurve& curve) noexcept;
+
 /// Along z, the strongest pull on the way [N]; 0 where it never pulls. On one contact point it is
 /// the law's own, without the error of the steps.
 [[nodiscard]] double strongestPull(const VerticalPath& path, const RetractCurve& curve) noexcept;

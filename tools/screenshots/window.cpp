@@ -1,6 +1,6 @@
 /// Opens the live window on a scan, brings it into one of the states of docs/window.md as a user
 /// does, and saves what the screen shows then.
-/// Usage: asperity_window_picture start|profile|roughness|touches|section|scene|haptics
+/// Usage: asperity_window_picture start|profile|roughness|touches|map|section|scene|haptics
 ///        SCENE_OR_SCAN WIDTH HEIGHT OUT.png [dark]
 
 #include "app/commands/VirtualDisplay.h"
@@ -130,6 +130,15 @@ void showTouches(User& user) {
     user.touch();
 }
 
+void showMap(User& user) {
+    user.window().menus().measure().forceMap->trigger();
+    live(kMoment);
+    user.click("startMap");
+    waitFor("a map", [&] { return user.session().measuring().forceMaps().map() != nullptr; });
+    user.dragOnScan({0.63, 0.42}, {0.635, 0.425});
+    live(kMoment);
+}
+
 void showSection(User& user) {
     user.window().menus().secondView->trigger();
     user.engage();
@@ -145,6 +154,7 @@ int run(char** argv) {
         {"profile", [&] { showProfile(user); }},
         {"roughness", [&] { showRoughness(user); }},
         {"touches", [&] { showTouches(user); }},
+        {"map", [&] { showMap(user); }},
         {"section", [&] { showSection(user); }},
         {"scene", [&] { user.showPage(1); }},
         {"haptics", [&] { user.showPage(2); }}};
@@ -176,7 +186,7 @@ int run(char** argv) {
 int main(int argc, char** argv) {
     return asperity::runPictureTool(
         {argv, static_cast<std::size_t>(argc)}, argc == 7 ? 6 : 5,
-        "asperity_window_picture start|profile|roughness|touches|section|scene|haptics "
+        "asperity_window_picture start|profile|roughness|touches|map|section|scene|haptics "
         "SCENE_OR_SCAN WIDTH HEIGHT OUT.png [dark]",
         asperity::run);
 }

@@ -25,6 +25,10 @@ QRectF between(const QLineF& points) { return QRectF(points.p1(), points.p2()).n
 
 QRectF RectangleTool::rectangle() const { return between(points()); }
 
+void RectangleTool::setRectangle(const QRectF& rectangle) {
+    setPoints({rectangle.topLeft(), rectangle.bottomRight()});
+}
+
 void RectangleTool::paint(QPainter& painter, const OverviewMap& map) const {
     if (isEmpty()) {
         return;

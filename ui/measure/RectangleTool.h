@@ -15,6 +15,8 @@ public:
 
     /// World x, y [m]: its top() is the smallest y. Empty: nothing is drawn.
     [[nodiscard]] QRectF rectangle() const;
+    /// One that was not drawn here; empty: nothing is drawn.
+    void setRectangle(const QRectF& rectangle);
 
     void paint(QPainter& painter, const OverviewMap& map) const override;
     [[nodiscard]] QString hint() const override;

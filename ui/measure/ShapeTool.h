@@ -46,6 +46,8 @@ protected:
     /// World [m], in the order in which they were drawn.
     [[nodiscard]] const QLineF& points() const { return points_; }
     [[nodiscard]] QLineF pixels(const OverviewMap& map) const;
+    /// Without drawn().
+    void setPoints(const QLineF& points);
 
     [[nodiscard]] virtual bool isEmptyShape(const QLineF& points) const = 0;
     /// Of a shape that is not empty.
@@ -59,8 +61,6 @@ private:
     [[nodiscard]] Grip gripOf(const MapPointer& pointer, const OverviewMap& map) const;
     [[nodiscard]] QLineF moved(const QPointF& way, const QSizeF& scan) const;
     [[nodiscard]] QLineF resized(const MapPointer& pointer, const OverviewMap& map) const;
-    void setPoints(const QLineF& points);
-
     QLineF points_;
     Grip grip_;
     bool pressedDown_ = false;

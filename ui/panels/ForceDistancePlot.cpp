@@ -49,6 +49,12 @@ QColor faded(const QColor& full, double paper) {
             mix(full.blue(), background.blue())};
 }
 
+/// Around a jump of the force; the mark owns it.
+QwtSymbol* newRing(const QColor& color) {
+    return new QwtSymbol(QwtSymbol::Ellipse, QBrush(theme::colors().paper),
+                         QPen(color, kCurveWidth), {kRingSize, kRingSize});
+}
+
 QString legendText(const QString& unit) {
     const BranchColors colors = branchColors(0);
     const auto entry = [](const QColor& color, const QString& name) {
@@ -90,6 +96,7 @@ private:
     struct Items {
         PiecewiseCurve* approach = nullptr;
         PiecewiseCurve* retract = nullptr;
+        QwtPlotMarker* snapIn = nullptr;
         QwtPlotMarker* pullOff = nullptr;
     };
 
@@ -151,9 +158,8 @@ void ForceDistancePlot::Canvas::color() {
         const BranchColors colors = branchColors(static_cast<int>(age));
         items_[age].approach->setPen(colors.approach, kApproachWidth, Qt::SolidLine);
         items_[age].retract->setPen(colors.retract, kCurveWidth, Qt::SolidLine);
-        items_[age].pullOff->setSymbol(
-            new QwtSymbol(QwtSymbol::Ellipse, QBrush(theme::colors().paper),
-                          QPen(colors.retract, kCurveWidth), {kRingSize, kRingSize}));
+        items_[age].snapIn->setSymbol(newRing(colors.approach));
+        items_[age].pullOff->setSymbol(newRing(colors.retract));
     }
     measured_.approach->setPen(theme::colors().ink, kMeasuredWidth, Qt::SolidLine);
     measured_.retract->setPen(theme::colors().muted, kMeasuredWidth, Qt::SolidLine);
@@ -168,9 +174,11 @@ PiecewiseCurve* ForceDistancePlot::Canvas::newCurve() {
 }
 
 ForceDistancePlot::Canvas::Items ForceDistancePlot::Canvas::newItems() {
-    const Items items{newCurve(), newCurve(), new QwtPlotMarker};
-    items.pullOff->setRenderHint(QwtPlotItem::RenderAntialiased);
-    items.pullOff->attach(plot_);
+    const Items items{newCurve(), newCurve(), new QwtPlotMarker, new QwtPlotMarker};
+    for (QwtPlotMarker* const ring : {items.snapIn, items.pullOff}) {
+        ring->setRenderHint(QwtPlotItem::RenderAntialiased);
+        ring->attach(plot_);
+    }
     return items;
 }
 
@@ -206,12 +214,16 @@ void ForceDistancePlot::Canvas::showCycles(const std::vector<DrawnCycle>& cycles
         }
         item.setSamples(shown);
     };
+    const auto mark = [&](QwtPlotMarker& ring, const std::optional<QPointF>& point) {
+        ring.setVisible(point.has_value());
+        ring.setValue(placed(point.value_or(QPointF())));
+    };
     for (std::size_t age = 0; age < items_.size(); ++age) {
         const DrawnCycle cycle = age < cycles.size() ? cycles[age] : DrawnCycle();
         show(*items_[age].approach, cycle.approach);
         show(*items_[age].retract, cycle.retract);
-        items_[age].pullOff->setVisible(cycle.pullOff.has_value());
-        items_[age].pullOff->setValue(placed(cycle.pullOff.value_or(QPointF())));
+        mark(*items_[age].snapIn, cycle.snapIn);
+        mark(*items_[age].pullOff, cycle.pullOff);
     }
     show(*measured_.approach, measured.approach);
     show(*measured_.retract, measured.retract);

@@ -32,7 +32,8 @@ struct BranchColors {
 struct DrawnCycle {
     QVector<QPointF> approach;
     QVector<QPointF> retract;
-    std::optional<QPointF> pullOff;  ///< marked with a ring
+    std::optional<QPointF> snapIn;   ///< marked with a ring
+    std::optional<QPointF> pullOff;  ///< likewise
 };
 
 /// A measured curve as it is drawn over the cycles; points as theirs.

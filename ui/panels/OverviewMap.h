@@ -48,6 +48,8 @@ public:
     [[nodiscard]] const ColorScale& colors() const { return relief_.colors(); }
     /// Whether the scan holds no data somewhere.
     [[nodiscard]] bool hasFilled() const { return relief_.hasFilled(); }
+    /// Whether the quantity shown misses values.
+    [[nodiscard]] bool hasGaps() const { return relief_.hasGaps(); }
     [[nodiscard]] const QSizeF& scanSize() const { return size_; }  ///< [m]
     /// The place on the scan that is nearest to this one [m].
     [[nodiscard]] QPointF onScan(const QPointF& place) const;

@@ -60,7 +60,8 @@ OverviewPanel::OverviewPanel(QWidget* parent)
     , map_(new OverviewMap(this))
     , colorBar_(new ColorBarWidget(this))
     , scanNote_(captionLabel(QString(), this))
-    , filledLegend_(new QWidget(this)) {
+    , filledLegend_(new QWidget(this))
+    , filledWords_(captionLabel(QString(), this)) {
     map_->setObjectName(QStringLiteral("overviewMap"));
     new CopyablePlot(*map_);
     auto* side = new QVBoxLayout;
@@ -89,17 +90,17 @@ OverviewPanel::OverviewPanel(QWidget* parent)
 }
 
 void OverviewPanel::addLegend(QVBoxLayout& side) {
-    const auto rowOf = [this](const QPixmap& mark, const QString& text) {
+    const auto rowOf = [this](const QPixmap& mark, QLabel* words) {
         auto* row = new QHBoxLayout;
         row->setContentsMargins(kLegendIndent, 0, 0, 0);
         auto* sign = new QLabel(this);
         sign->setPixmap(mark);
         row->addWidget(sign);
-        row->addWidget(captionLabel(text, this), 1);
+        row->addWidget(words, 1);
         return row;
     };
     const auto add = [&](const QPixmap& mark, const QString& text) {
-        side.addLayout(rowOf(mark, text));
+        side.addLayout(rowOf(mark, captionLabel(text, this)));
     };
     const QPointF center(kMarkSize / 2.0, kMarkSize / 2.0);
     add(markPixmap([&](QPainter& painter) { drawTipMark(painter, center); }), tr("tip"));
@@ -112,7 +113,7 @@ void OverviewPanel::addLegend(QVBoxLayout& side) {
                          QVector<QPointF>{{2.0, center.y()}, {kMarkSize - 2.0, center.y()}});
         }),
         tr("path"));
-    filledLegend_->setLayout(rowOf(markPixmap(drawHatching), tr("no data: filled in")));
+    filledLegend_->setLayout(rowOf(markPixmap(drawHatching), filledWords_));
     filledLegend_->setObjectName(QStringLiteral("filledLegend"));
     filledLegend_->hide();
     side.addWidget(filledLegend_);
@@ -126,13 +127,20 @@ void OverviewPanel::begin(const Scene& scene) {
 void OverviewPanel::setSurface(const BSplineSurface& surface) {
     map_->setSurface(surface);
     colorBar_->setScale(map_->colors());
-    filledLegend_->setVisible(map_->hasFilled());
+    showFilledLegend();
     setNote(sizeText(surface.sizeX(), surface.sizeY()));
 }
 
 void OverviewPanel::setLook(const SurfaceLook& look, const SurfaceField& field) {
     map_->setLook(look, field);
     colorBar_->setScale(map_->colors());
+    showFilledLegend();
+}
+
+/// What is hatched: heights that are filled in, or values that the quantity shown misses.
+void OverviewPanel::showFilledLegend() {
+    filledWords_->setText(map_->hasGaps() ? tr("no data") : tr("no data: filled in"));
+    filledLegend_->setVisible(map_->hasFilled() || map_->hasGaps());
 }
 
 void OverviewPanel::setScanNote(const QString& words, const QString& whole) {

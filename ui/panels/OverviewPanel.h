@@ -52,11 +52,13 @@ Q_SIGNALS:
 
 private:
     void addLegend(QVBoxLayout& side);
+    void showFilledLegend();
 
     OverviewMap* map_;
     ColorBarWidget* colorBar_;
     QLabel* scanNote_;
     QWidget* filledLegend_;
+    QLabel* filledWords_;
 };
 
 }  // namespace asperity

@@ -62,9 +62,9 @@ void ReliefImage::setSurface(const BSplineSurface& surface) {
     normals_.clear();
     measured_.clear();
     for (int row = 0; row < image_.height(); ++row) {
-        const double y = sizeY_ * (image_.height() - row - 0.5) / image_.height();
+        const double y = yOf(row);
         for (int column = 0; column < image_.width(); ++column) {
-            const double x = sizeX_ * (column + 0.5) / image_.width();
+            const double x = xOf(column);
             const HeightSample sample = surface.at(x, y);
             heights_.push_back(sample.height);
             normals_.push_back(sample.normal());
@@ -89,20 +89,32 @@ void ReliefImage::setLook(const SurfaceLook& look, const SurfaceField& field) {
     }
 }
 
+double ReliefImage::xOf(int column) const { return sizeX_ * (column + 0.5) / image_.width(); }
+
+double ReliefImage::yOf(int row) const {
+    return sizeY_ * (image_.height() - row - 0.5) / image_.height();
+}
+
 std::vector<double> ReliefImage::values() const {
     std::vector<double> values;
     values.reserve(heights_.size());
     std::size_t next = 0;
     for (int row = 0; row < image_.height(); ++row) {
-        const double y = sizeY_ * (image_.height() - row - 0.5) / image_.height();
+        const double y = yOf(row);
         for (int column = 0; column < image_.width(); ++column, ++next) {
-            const double x = sizeX_ * (column + 0.5) / image_.width();
+            const double x = xOf(column);
             values.push_back(measured_[next] != 0
                                  ? field_.at({x, y, heights_[next]}, normals_[next])
                                  : std::numeric_limits<double>::quiet_NaN());
         }
     }
     return values;
+}
+
+/// Of a pixel without value.
+QColor ReliefImage::colorOfNone(int row, int column) const {
+    return field_.covers({xOf(column), yOf(row), 0.0}) ? hatched(row, column)
+                                                       : toQColor(palette::kUndefined);
 }
 
 void ReliefImage::paint() {
@@ -120,7 +132,7 @@ void ReliefImage::paint() {
         for (int column = 0; column < image_.width(); ++column, ++next) {
             const double value = shownValues[next];
             const QColor color =
-                std::isnan(value) ? hatched(row, column) : toQColor(table.of(value));
+                std::isnan(value) ? colorOfNone(row, column) : toQColor(table.of(value));
             line[column] = shaded(color, shades_[next]);
         }
     }

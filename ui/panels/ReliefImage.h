@@ -16,8 +16,9 @@ namespace asperity {
 
 /// A surface seen from above: in the colors of a quantity, and shaded as hills under light from the
 /// upper left. The top of the image is the far side, large y.
-/// Where the scan holds no data, hatched gray: heights there are filled in. What changes with the
-/// tip has no place here: then the colors are those of heights.
+/// Where the scan holds no data, hatched gray: heights there are filled in; likewise where a
+/// quantity of a part of the surface misses a value. Beside that part it is plain gray. What
+/// changes with the tip has no place here: then the colors are those of heights.
 class ReliefImage {
 public:
     /// Of nothing.
@@ -34,8 +35,13 @@ public:
     [[nodiscard]] const ColorScale& colors() const { return colors_; }
     /// Whether the scan holds no data somewhere.
     [[nodiscard]] bool hasFilled() const { return hasFilled_; }
+    /// Whether the quantity misses values in the part of the scan that it is of.
+    [[nodiscard]] bool hasGaps() const { return field_.hasGaps(); }
 
 private:
+    [[nodiscard]] double xOf(int column) const;  ///< of a pixel's middle [m]
+    [[nodiscard]] double yOf(int row) const;     ///< likewise
+    [[nodiscard]] QColor colorOfNone(int row, int column) const;
     [[nodiscard]] std::vector<double> values() const;
     void paint();
 

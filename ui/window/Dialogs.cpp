@@ -61,6 +61,12 @@ QString askForTable(QWidget* window) {
                                                                  : file + QStringLiteral(".csv");
 }
 
+QString askForForceMap(QWidget* window, const QString& suggestion) {
+    return QFileDialog::getSaveFileName(
+        window, QObject::tr("Save the force map"), suggestion,
+        QObject::tr("Force maps: .gwy, with .vti, .exr and pictures beside it (*.gwy)"));
+}
+
 void askForName(QWidget* window, const QString& title, const QString& label, const QString& name,
                 const std::function<void(const QString&)>& take) {
     auto* dialog = new QInputDialog(window);

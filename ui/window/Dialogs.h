@@ -31,6 +31,9 @@ struct ScanFileType {
 /// Where a table is to be written.
 [[nodiscard]] QString askForTable(QWidget* window);
 
+/// Where a force map is to be written. @param suggestion its path
+[[nodiscard]] QString askForForceMap(QWidget* window, const QString& suggestion);
+
 /// A name that a user gives; the window goes on meanwhile. @param take is called with one that is
 /// not empty
 void askForName(QWidget* window, const QString& title, const QString& label, const QString& name,

@@ -36,6 +36,10 @@ MeasureMenu::MeasureMenu(QMenu& menu)
     , touches(newEntry(
           menu, QT_TRANSLATE_NOOP("MeasureMenu", "&Touches"), "Ctrl+T",
           QT_TRANSLATE_NOOP("MeasureMenu", "Table of all touches of the session, for export")))
+    , forceMap(newEntry(menu, QT_TRANSLATE_NOOP("MeasureMenu", "&Force map"), "Ctrl+F",
+                        QT_TRANSLATE_NOOP("MeasureMenu",
+                                          "Adhesion, stiffness, deformation and friction over the "
+                                          "scan or a part of it; a force curve at each pixel")))
     , curve(newEntry(menu, QT_TRANSLATE_NOOP("MeasureMenu", "Draw a measured &curve…"), "Ctrl+D",
                      QT_TRANSLATE_NOOP("MeasureMenu",
                                        "A measured force–distance curve over those of the run"))) {

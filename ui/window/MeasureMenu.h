@@ -15,6 +15,7 @@ struct MeasureMenu {
     QAction* markers;
     QAction* markerHere;  ///< at the cross-hair, which is where the pointer is
     QAction* touches;
+    QAction* forceMap;
     QAction* curve;  ///< draws a measured force-distance curve
 };
 

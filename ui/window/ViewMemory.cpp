@@ -72,7 +72,8 @@ QString groupOf(SurfaceQuantity quantity) {
 SurfaceLook lookIn(const QVariantMap& kept) {
     SurfaceLook look;
     look.quantity = valueAt(kept, QStringLiteral("views/colorBy"), look.quantity);
-    if (look.quantity == SurfaceQuantity::Channel) {  // of another file, it is another one
+    // Of another file it is another one, and a map is not kept.
+    if (look.quantity == SurfaceQuantity::Channel || look.quantity == SurfaceQuantity::ForceMap) {
         look.quantity = SurfaceQuantity::Height;
     }
     for (const SurfaceQuantity quantity : kValues<SurfaceQuantity>) {

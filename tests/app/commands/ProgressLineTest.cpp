@@ -25,12 +25,5 @@ TEST(ProgressLine, IsALineNowAndThenWhereThereIsNoTerminal) {
 
 TEST(ProgressLine, OfShortWorkIsNotInALog) { EXPECT_EQ(logOf(std::chrono::seconds(60)), ""); }
 
-TEST(ProgressLine, SaysDurationsInWords) {
-    EXPECT_EQ(durationText(0.2), "0 s");
-    EXPECT_EQ(durationText(119.0), "119 s");
-    EXPECT_EQ(durationText(12.4 * 60.0), "12 min");
-    EXPECT_EQ(durationText(3.4 * 3600.0), "3.4 h");
-}
-
 }  // namespace
 }  // namespace asperity

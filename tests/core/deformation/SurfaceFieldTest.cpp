@@ -65,6 +65,24 @@ TEST(SurfaceField, ChannelHasItsOwnNameUnitAndValues) {
     EXPECT_EQ(field.at({64.0_nm, 64.0_nm, 3.0}, Vector3::UnitZ()), 0.25);
 }
 
+TEST(SurfaceField, OfARegionCoversThatAlone) {
+    const Vector3 up = Vector3::UnitZ();
+    const float none = std::numeric_limits<float>::quiet_NaN();
+    const auto region =
+        std::make_shared<const RegionField>(RegionField::Place{20.0_nm, 20.0_nm, 40.0_nm, 20.0_nm},
+                                            2, 1, std::vector<float>{3.0F, none}, "N");
+    const SurfaceField field(SurfaceQuantity::ForceMap, region, "adhesion force");
+    EXPECT_EQ(field.name(), "adhesion force");
+    EXPECT_EQ(field.unit(), "N");
+    EXPECT_TRUE(field.hasGaps());
+    EXPECT_EQ(field.at({30.0_nm, 30.0_nm, 5.0}, up), 3.0);
+    EXPECT_TRUE(std::isnan(field.at({50.0_nm, 30.0_nm, 5.0}, up)));
+    EXPECT_TRUE(field.covers({50.0_nm, 30.0_nm, 5.0}));
+    EXPECT_TRUE(std::isnan(field.at({70.0_nm, 30.0_nm, 5.0}, up)));
+    EXPECT_FALSE(field.covers({70.0_nm, 30.0_nm, 5.0}));
+    EXPECT_TRUE(SurfaceField().covers({70.0_nm, 30.0_nm, 5.0}));
+}
+
 TEST(SurfaceFieldRange, LeavesOutTheShareAtBothEnds) {
     std::vector<double> values;
     for (int i = 0; i <= 1000; ++i) {

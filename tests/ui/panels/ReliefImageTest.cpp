@@ -5,6 +5,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <limits>
+#include <memory>
+#include <vector>
 
 namespace asperity {
 namespace {
@@ -57,6 +60,40 @@ TEST(ReliefImage, ShowsHeightsForWhatChangesWithTheTip) {
     look.quantity = SurfaceQuantity::Pressure;
     relief.setLook(look, SurfaceField(SurfaceQuantity::Pressure));
     EXPECT_EQ(relief.colors().quantity, QStringLiteral("height"));
+}
+
+/// On a flat scan, where nothing is shaded: what the bar says a pixel of the map has is its color,
+/// a pixel without data is hatched, and beside the map it is plain.
+TEST(ReliefImage, AMapOfAPartIsColoredAsItsBarSays) {
+    ReliefImage relief = reliefImage(fitSurface(test::flatMap()));
+    const float none = std::numeric_limits<float>::quiet_NaN();
+    const auto region =
+        std::make_shared<const RegionField>(RegionField::Place{0.0, 0.0, 64.0_nm, 128.0_nm}, 2, 2,
+                                            std::vector<float>{1e-9F, 2e-9F, none, 3e-9F}, "N");
+    SurfaceLook look;
+    look.quantity = SurfaceQuantity::ForceMap;
+    relief.setLook(look, SurfaceField(SurfaceQuantity::ForceMap, region, "adhesion force"));
+    const auto colorAt = [&relief](double x, double y) {
+        const double pixel = 128.0 / relief.image().width();
+        return relief.image().pixelColor(static_cast<int>(x / pixel),
+                                         static_cast<int>((128.0 - y) / pixel));
+    };
+    const ColorScale& bar = relief.colors();
+    EXPECT_EQ(bar.quantity, QStringLiteral("adhesion force"));
+    EXPECT_EQ(bar.unit, QStringLiteral("N"));
+    EXPECT_FLOAT_EQ(static_cast<float>(bar.low), 1e-9F);
+    EXPECT_FLOAT_EQ(static_cast<float>(bar.high), 3e-9F);
+    EXPECT_EQ(colorAt(16, 96), bar.colors.front());
+    EXPECT_EQ(colorAt(48, 32), bar.colors.back());
+    EXPECT_TRUE(relief.hasGaps());
+    for (const double x : {10.0, 12.0, 14.0, 16.0, 18.0}) {
+        const QColor missing = colorAt(x, 32);
+        EXPECT_LT(missing.saturation(), 3) << "gray";
+        EXPECT_NE(missing, bar.colors.front()) << "the low end is no gray";
+        EXPECT_NE(missing, colorAt(100, 32)) << "beside the map";
+    }
+    EXPECT_EQ(colorAt(100, 32), colorAt(100, 96));
+    EXPECT_EQ(colorAt(100, 32), colorAt(77, 13)) << "no stripes";
 }
 
 TEST(ReliefImage, KeepsAPinnedRangeOverAnotherScan) {

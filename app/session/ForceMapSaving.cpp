@@ -1,0 +1,108 @@
+#include "app/session/ForceMapSaving.h"
+
+#include "app/maps/MapFiles.h"
+#include "app/maps/MapSheets.h"
+#include "core/Error.h"
+#include "core/PrintableText.h"
+#include "core/TemporaryFile.h"
+#include "core/io/TextValue.h"
+#include "ui/window/Dialogs.h"
+#include "ui/window/MainWindow.h"
+
+#include <QFile>
+
+#include <vector>
+
+namespace asperity {
+
+namespace {
+
+QString textOf(const std::filesystem::path& path) {
+    return QString::fromStdString(printable(path.string()));
+}
+
+std::vector<std::filesystem::path> filesOf(const MapFiles& files, const MapPlan& plan) {
+    std::vector<std::filesystem::path> all{files.gwy(), files.vti(), files.exr()};
+    for (int sheet = 1; sheet <= sheetCount(plan); ++sheet) {
+        all.push_back(files.sheet(sheet));
+    }
+    return all;
+}
+
+/// @throw Error where a file is the scan itself, or cannot be written
+void requireTargets(const HeldMap& map, const MapFiles& files) {
+    std::error_code none;
+    for (const std::filesystem::path& file : filesOf(files, map.plan())) {
+        if (std::filesystem::equivalent(map.loaded().scene.description.sample.file, file, none)) {
+            throw Error(file.string() + ": this is the scan; give another name");
+        }
+        requireWritable(file);
+    }
+}
+
+/// Beside the scan, named after it.
+QString suggestionFor(const HeldMap& map) {
+    const std::filesystem::path scan = map.loaded().scene.description.sample.file;
+    const std::string stem = scan.empty() ? std::string("force") : scan.stem().string();
+    return QFile::decodeName((stem + "_map.gwy").c_str());
+}
+
+}  // namespace
+
+ForceMapSaving::ForceMapSaving(MainWindow& window)
+    : window_(window)
+    , work_(loadingLine(window), {.finished = [&window](QString& told) { window.tell(told); },
+                                  .failed =
+                                      [&window](const std::exception_ptr& reason) {
+                                          window.complain(reasonOf(reason));
+                                      }}) {}
+
+void ForceMapSaving::ask(const std::shared_ptr<const HeldMap>& map) {
+    const QString file = askForForceMap(&window_, suggestionFor(*map));
+    if (!file.isEmpty()) {
+        saveTo(map, QFile::encodeName(file).toStdString());
+    }
+}
+
+void ForceMapSaving::saveTo(const std::shared_ptr<const HeldMap>& map,
+                            const std::filesystem::path& gwy) {
+    const std::filesystem::path path =
+        gwy.has_extension() ? gwy : std::filesystem::path(gwy.string() + ".gwy");
+    if (lowerCase(path.extension().string()) != ".gwy") {
+        window_.complain(QObject::tr("%1: expected the name of a .gwy file").arg(textOf(path)));
+        return;
+    }
+    const MapFiles files(path);
+    for (const std::filesystem::path& file : filesOf(files, map->plan())) {
+        std::error_code none;
+        if (file != path && std::filesystem::exists(file, none)) {  // the dialog asked for that one
+            askWhether(&window_,
+                       QObject::tr("%1 is there already, beside the map. Replace it and the other "
+                                   "files of the map?")
+                           .arg(textOf(file)),
+                       QObject::tr("Replace"), [this, map, path] { write(map, path); });
+            return;
+        }
+    }
+    write(map, path);
+}
+
+void ForceMapSaving::write(const std::shared_ptr<const HeldMap>& map,
+                           const std::filesystem::path& gwy) {
+    const MapFiles files(gwy);
+    try {
+        requireTargets(*map, files);
+        writeMapSheets(files, map->plan(), map->part());  // what draws needs the window's thread
+    } catch (const Error& error) {
+        window_.complain(QString::fromStdString(printable(error.what())));
+        return;
+    }
+    work_.start(
+        QObject::tr("Writing %1 …").arg(textOf(gwy.filename())),
+        [map, files, told = QObject::tr("Saved as %1").arg(textOf(gwy))](Progress& progress) {
+            writeMapFiles(files, map->loaded(), map->plan(), map->part(), &progress);
+            return told;
+        });
+}
+
+}  // namespace asperity

@@ -1,0 +1,308 @@
+#include "ui/measure/ForceMapForm.h"
+
+#include "ui/Theme.h"
+#include "ui/measure/PageParts.h"
+#include "ui/panels/Card.h"
+#include "ui/panels/NumberBox.h"
+#include "ui/panels/WheelGuard.h"
+
+#include <QComboBox>
+#include <QGridLayout>
+#include <QLabel>
+#include <QSignalBlocker>
+#include <QSpinBox>
+#include <QToolButton>
+
+#include <algorithm>
+#include <cmath>
+
+namespace asperity {
+
+namespace {
+
+constexpr double kPerMeter = 1e9;   // lengths are shown in nanometers
+constexpr double kPerNewton = 1e9;  // forces in nanonewtons
+constexpr double kLimit = 1e9;      // of a number that may be typed; the plan refuses what is wrong
+constexpr int kMaxTyped = 1000000;  // likewise, of pixels
+constexpr int kUsualPixels = 64;    // along the longer side: some seconds
+
+template <typename Widget>
+Widget* named(Widget* widget, const char* name, const QString& toolTip) {
+    widget->setObjectName(QString::fromLatin1(name));
+    widget->setToolTip(toolTip);
+    guardFromWheel(*widget);
+    return widget;
+}
+
+NumberBox* newLength(const char* name, const QString& toolTip, QWidget* parent) {
+    auto* box = named(new NumberBox(parent), name, toolTip);
+    box->setDecimals(6);
+    box->setRange(-kLimit, kLimit);
+    return box;
+}
+
+QSpinBox* newCount(const char* name, const QString& toolTip, QWidget* parent) {
+    auto* box = named(new QSpinBox(parent), name, toolTip);
+    box->setRange(0, kMaxTyped);
+    box->setKeyboardTracking(false);
+    return box;
+}
+
+template <typename Box, typename Value>
+void put(Box& box, Value value) {
+    const QSignalBlocker blocker(box);
+    box.setValue(value);
+}
+
+/// A number that was typed as a side of the scan is that side, whatever nanometers round.
+double snapped(double place, double side) {
+    constexpr double kRounding = 1e-9;
+    return std::abs(place - side) <= kRounding * std::max(side, std::abs(place)) ? side : place;
+}
+
+}  // namespace
+
+ForceMapForm::ForceMapForm(QWidget* parent)
+    : QWidget(parent)
+    , mode_(named(new QComboBox(this), "mapMode",
+                  tr("approach: approach and retract at each pixel\ncontact: a raster at constant "
+                     "force, trace and retrace")))
+    , setpoint_(named(new NumberBox(this), "mapSetpoint",
+                      tr("Force along z that ends the approach, or is held [nN]; muted: the "
+                         "scene's")))
+    , area_(named(new QComboBox(this), "mapArea", tr("Which part of the scan is mapped")))
+    , draw_(pageButton(tr("Draw"), "drawMapRegion",
+                       tr("A drag on the whole scan draws the rectangle, or moves it or its sides; "
+                          "off, or Esc: a double click travels again"),
+                       this))
+    , sides_{newLength("mapLeft", tr("Left side of the region, from the left of the scan [nm]"),
+                       this),
+             newLength("mapRight", tr("Right side of the region, from the left of the scan [nm]"),
+                       this),
+             newLength("mapBottom",
+                       tr("Lower side of the region, from the bottom of the scan "
+                          "[nm]"),
+                       this),
+             newLength("mapTop", tr("Upper side of the region, from the bottom of the scan [nm]"),
+                       this)}
+    , columns_(newCount("mapColumns", tr("Pixels of a row"), this))
+    , rows_(newCount("mapRows", tr("Rows of pixels"), this))
+    , instrument_(named(new QComboBox(this), "mapInstrument",
+                        tr("model: tip, lever and sample as the scene believes them\ntrue "
+                           "instrument: as they are in the simulated instrument")))
+    , estimate_(captionLabel(QString(), this))
+    , refusal_(captionLabel(QString(), this)) {
+    mode_->addItems({tr("approach"), tr("contact")});
+    area_->addItems({tr("whole scan"), tr("part in view"), tr("rectangle")});
+    instrument_->addItems({tr("model"), tr("true instrument")});
+    setpoint_->setDecimals(6);
+    setpoint_->setRange(-kLimit, kLimit);
+    draw_->setCheckable(true);
+    estimate_->setObjectName(QStringLiteral("mapEstimate"));
+    estimate_->setToolTip(tr("By the time that some pixels in the middle of the map took"));
+    refusal_->setObjectName(QStringLiteral("mapRefusal"));
+    refusal_->setToolTip(tr("Why there is no such map"));
+    refusal_->setTextFormat(Qt::PlainText);
+    theme::colorText(*refusal_, &ThemeColors::fault);
+    for (QLabel* const words : {estimate_, refusal_}) {
+        words->setWordWrap(true);
+    }
+    refusal_->hide();
+    addParts();
+    connectParts();
+}
+
+void ForceMapForm::addParts() {
+    auto* grid = new QGridLayout(this);
+    grid->setContentsMargins(0, 0, 0, 0);
+    grid->setHorizontalSpacing(6);
+    grid->setVerticalSpacing(3);
+    const auto add = [&](const QString& name, QWidget* first, const QString& between,
+                         QWidget* second) {
+        const int row = grid->rowCount();
+        grid->addWidget(captionLabel(name, this), row, 0);
+        grid->addWidget(first, row, 1);
+        if (second != nullptr) {
+            grid->addWidget(captionLabel(between, this), row, 2);
+            grid->addWidget(second, row, 3);
+        }
+    };
+    add(tr("Mode"), mode_, tr("at [nN]"), setpoint_);
+    add(tr("Region"), area_, {}, draw_);
+    add(tr("x [nm]"), sides_[0], tr("to"), sides_[1]);
+    add(tr("y [nm]"), sides_[2], tr("to"), sides_[3]);
+    add(tr("Pixels"), columns_, QStringLiteral("×"), rows_);
+    add(tr("Of the"), instrument_, {}, nullptr);
+    grid->addWidget(estimate_, grid->rowCount(), 0, 1, 4);
+    grid->addWidget(refusal_, grid->rowCount(), 0, 1, 4);
+    grid->setRowStretch(grid->rowCount(), 1);
+    grid->setColumnStretch(1, 1);
+    grid->setColumnStretch(3, 1);
+}
+
+void ForceMapForm::connectParts() {
+    for (QComboBox* const list : {mode_, instrument_}) {
+        connect(list, qOverload<int>(&QComboBox::currentIndexChanged), this,
+                &ForceMapForm::changed);
+    }
+    connect(area_, qOverload<int>(&QComboBox::currentIndexChanged), this, [this] {
+        showRegion();
+        if (area() != Area::Rectangle) {
+            draw_->setChecked(false);
+        }
+        Q_EMIT changed();
+    });
+    connect(draw_, &QToolButton::toggled, this, [this](bool drawing) {
+        if (drawing && area() != Area::Rectangle) {
+            choose(Area::Rectangle);
+        }
+        Q_EMIT drawingChosen(drawing);
+    });
+    for (NumberBox* const side : sides_) {
+        connect(side, qOverload<double>(&QDoubleSpinBox::valueChanged), this,
+                &ForceMapForm::takeFields);
+    }
+    connect(setpoint_, qOverload<double>(&QDoubleSpinBox::valueChanged), this, [this] {
+        hasOwnSetpoint_ = true;
+        setpoint_->setMuted(false);
+        Q_EMIT changed();
+    });
+    for (QSpinBox* const count : {columns_, rows_}) {
+        connect(count, qOverload<int>(&QSpinBox::valueChanged), this, [this] {
+            hasOwnPixels_ = true;
+            Q_EMIT changed();
+        });
+    }
+}
+
+void ForceMapForm::setScan(const QSizeF& size) {
+    scan_ = size;
+    rectangle_ = {0.0, 0.0, size.width(), size.height()};
+    hasOwnPixels_ = false;
+    draw_->setChecked(false);
+    const QSignalBlocker blocker(area_);
+    choose(Area::Whole);
+    showRegion();
+}
+
+void ForceMapForm::setSetpoint(double force) {
+    if (!hasOwnSetpoint_ && setpoint_->value() != kPerNewton * force) {
+        put(*setpoint_, kPerNewton * force);
+        setpoint_->setMuted(true);
+        Q_EMIT changed();
+    }
+}
+
+void ForceMapForm::setView(const QRectF& frame) {
+    view_ = frame;
+    if (area() == Area::View) {
+        showRegion();
+        Q_EMIT changed();
+    }
+}
+
+void ForceMapForm::setRectangle(const QRectF& rectangle) {
+    rectangle_ = {rectangle.left(), rectangle.top(), rectangle.right(), rectangle.bottom()};
+    {
+        const QSignalBlocker blocker(area_);
+        choose(Area::Rectangle);
+    }
+    showRegion();
+    Q_EMIT changed();
+}
+
+void ForceMapForm::setEstimate(const QString& words) { estimate_->setText(words); }
+
+void ForceMapForm::setRefusal(const QString& reason) {
+    refusal_->setText(reason);
+    refusal_->setVisible(!reason.isEmpty());
+    estimate_->setVisible(reason.isEmpty());
+}
+
+void ForceMapForm::setDrawing(bool drawing) { draw_->setChecked(drawing); }
+
+void ForceMapForm::takeTyped() {
+    for (NumberBox* const box : sides_) {
+        box->interpretText();
+    }
+    setpoint_->interpretText();
+    columns_->interpretText();
+    rows_->interpretText();
+}
+
+ForceMapForm::Area ForceMapForm::area() const { return static_cast<Area>(area_->currentIndex()); }
+
+void ForceMapForm::choose(Area area) { area_->setCurrentIndex(static_cast<int>(area)); }
+
+MapRegion ForceMapForm::region() const {
+    switch (area()) {
+    case Area::View:
+        return {std::max(0.0, view_.left()), std::max(0.0, view_.top()),
+                std::min(scan_.width(), view_.right()), std::min(scan_.height(), view_.bottom())};
+    case Area::Rectangle:
+        return rectangle_;
+    case Area::Whole:
+        break;
+    }
+    return {0.0, 0.0, scan_.width(), scan_.height()};
+}
+
+QRectF ForceMapForm::rectangle() const {
+    return area() == Area::Rectangle ? QRectF(QPointF(rectangle_.left, rectangle_.bottom),
+                                              QPointF(rectangle_.right, rectangle_.top))
+                                     : QRectF();
+}
+
+void ForceMapForm::showRegion() {
+    const MapRegion shown = region();
+    put(*sides_[0], kPerMeter * shown.left);
+    put(*sides_[1], kPerMeter * shown.right);
+    put(*sides_[2], kPerMeter * shown.bottom);
+    put(*sides_[3], kPerMeter * shown.top);
+    suggestPixels();
+}
+
+/// A side that is typed makes the region a rectangle.
+void ForceMapForm::takeFields() {
+    const auto place = [this](std::size_t side, double end) {
+        return snapped(sides_[side]->value() / kPerMeter, end);
+    };
+    rectangle_ = {place(0, scan_.width()), place(2, scan_.height()), place(1, scan_.width()),
+                  place(3, scan_.height())};
+    {
+        const QSignalBlocker blocker(area_);
+        choose(Area::Rectangle);
+    }
+    suggestPixels();
+    Q_EMIT changed();
+}
+
+/// Square ones, as many as take some seconds; those that were typed stay.
+void ForceMapForm::suggestPixels() {
+    const MapRegion mapped = region();
+    const double width = mapped.right - mapped.left;
+    const double height = mapped.top - mapped.bottom;
+    if (hasOwnPixels_ || !(width > 0.0) || !(height > 0.0)) {
+        return;
+    }
+    const double pitch = std::max(width, height) / kUsualPixels;
+    const auto pixels = [pitch](double side) {
+        return std::max(1, static_cast<int>(std::lround(side / pitch)));
+    };
+    put(*columns_, pixels(width));
+    put(*rows_, pixels(height));
+}
+
+MapRequest ForceMapForm::request() const {
+    MapRequest request{.mode = mode_->currentIndex() == 0 ? MapMode::Approach : MapMode::Contact,
+                       .grid = MapGrid{columns_->value(), rows_->value()},
+                       .setpoint = hasOwnSetpoint_ ? std::optional(setpoint_->value() / kPerNewton)
+                                                   : std::nullopt,
+                       .truth = instrument_->currentIndex() == 1};
+    if (area() != Area::Whole) {
+        request.region = region();
+    }
+    return request;
+}
+
+}  // namespace asperity

@@ -1,0 +1,151 @@
+#include "ui/measure/ForceMapPage.h"
+
+#include "ui/CoreWords.h"
+#include "ui/Theme.h"
+#include "ui/measure/ForceMapForm.h"
+#include "ui/measure/PageParts.h"
+#include "ui/measure/PixelCurveView.h"
+#include "ui/panels/Card.h"
+#include "ui/panels/WheelGuard.h"
+
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QSignalBlocker>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+namespace asperity {
+
+namespace {
+
+constexpr int kFormWidth = 300;  ///< at most [px]
+
+QString titleOf(MapQuantity quantity) { return coreWords(rowOf(quantity)->name); }
+
+}  // namespace
+
+ForceMapPage::ForceMapPage(QWidget* parent)
+    : QWidget(parent)
+    , form_(new ForceMapForm(this))
+    , pixel_(new PixelCurveView(this))
+    , start_(pageButton(tr("Start"), "startMap", {}, this))
+    , cancel_(pageButton(tr("Cancel"), "cancelMap",
+                         tr("Ends the map; the rows that are finished stay"), this))
+    , pick_(pageButton(tr("Pick a pixel"), "pickPixel",
+                       tr("A click on the map, on the whole scan, shows the force curve of that "
+                          "pixel; off, or Esc: a double click travels again"),
+                       this))
+    , save_(pageButton(tr("Save…"), "saveMap",
+                       tr("Writes the map as asperity map does: .gwy, .vti, .exr and pictures"),
+                       this))
+    , shown_(new QComboBox(this))
+    , state_(captionLabel(QString(), this)) {
+    setToolTip(tr("Adhesion, stiffness, deformation and friction over the scan or a part of it"));
+    start_->setFocusPolicy(Qt::StrongFocus);  // a number that is typed half counts by then
+    pick_->setCheckable(true);
+    shown_->setObjectName(QStringLiteral("mapQuantity"));
+    shown_->setToolTip(tr("The quantity of the map that colors the surface"));
+    shown_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+    guardFromWheel(*shown_);
+    state_->setObjectName(QStringLiteral("mapState"));
+    state_->setToolTip(tr("How far the map is, and what it is of"));
+    state_->setWordWrap(true);
+    form_->setMaximumWidth(theme::scaled(kFormWidth));
+    auto* middle = new QHBoxLayout;
+    middle->setSpacing(16);
+    middle->addWidget(form_);
+    middle->addWidget(pixel_, 1);
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(6, 4, 6, 4);
+    column->setSpacing(4);
+    column->addWidget(newBar());
+    column->addWidget(state_);
+    column->addLayout(middle, 1);
+    connectParts();
+    setQuantities({}, MapQuantity::AdhesionForce);
+    pixel_->clear({});
+}
+
+QWidget* ForceMapPage::newBar() {
+    auto* bar = new QWidget(this);
+    auto* row = new QHBoxLayout(bar);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(4);
+    row->addWidget(start_);
+    row->addWidget(cancel_);
+    row->addSpacing(8);
+    row->addWidget(shown_);
+    row->addWidget(pick_);
+    row->addWidget(save_);
+    row->addStretch(1);
+    return bar;
+}
+
+void ForceMapPage::connectParts() {
+    connect(start_, &QToolButton::clicked, this, [this] {
+        form_->takeTyped();
+        if (refusal_.isEmpty()) {
+            Q_EMIT startChosen();
+        }
+    });
+    connect(cancel_, &QToolButton::clicked, this, &ForceMapPage::cancelChosen);
+    connect(save_, &QToolButton::clicked, this, &ForceMapPage::saveChosen);
+    connect(pick_, &QToolButton::toggled, this, &ForceMapPage::pickingChosen);
+    connect(shown_, qOverload<int>(&QComboBox::currentIndexChanged), this, [this](int index) {
+        if (index >= 0) {
+            Q_EMIT quantityChosen(quantities_[static_cast<std::size_t>(index)]);
+        }
+    });
+}
+
+void ForceMapPage::setRefusal(const QString& reason) {
+    refusal_ = reason;
+    form_->setRefusal(reason);
+    showButtons();
+}
+
+void ForceMapPage::setRunning(bool running) {
+    running_ = running;
+    showButtons();
+}
+
+void ForceMapPage::showButtons() {
+    const bool hasMap = !quantities_.empty();
+    start_->setEnabled(!running_ && refusal_.isEmpty());
+    start_->setToolTip(
+        refusal_.isEmpty() ? tr("Computes the map in the background; the run goes on") : refusal_);
+    cancel_->setEnabled(running_);
+    form_->setEnabled(!running_);
+    shown_->setEnabled(hasMap);
+    pick_->setEnabled(hasMap);
+    save_->setEnabled(hasMap && !running_);
+}
+
+void ForceMapPage::setState(const QString& words) { state_->setText(words); }
+
+QString ForceMapPage::state() const { return state_->text(); }
+
+void ForceMapPage::setQuantities(const std::vector<MapQuantity>& quantities, MapQuantity shown) {
+    quantities_ = quantities;
+    const QSignalBlocker blocker(shown_);
+    shown_->clear();
+    for (const MapQuantity quantity : quantities) {
+        shown_->addItem(titleOf(quantity));
+    }
+    const auto place = std::ranges::find(quantities_, shown);
+    shown_->setCurrentIndex(
+        place == quantities_.end() ? -1 : static_cast<int>(place - quantities_.begin()));
+    showButtons();
+}
+
+void ForceMapPage::setPicking(bool picking) { pick_->setChecked(picking); }
+
+void ForceMapPage::showEvent(QShowEvent* event) {
+    QWidget::showEvent(event);
+    Q_EMIT shown();
+}
+
+}  // namespace asperity
