@@ -86,7 +86,7 @@ std::string findingOn(const MapComparison& numbers) {
     const std::string share =
         formatted("the prediction explains %.3g %% of the variance, correlation %.3f",
                   100.0 * numbers.shareByLine, numbers.correlation);
-    return numbers.slope < 0.0 ? share + " (it runs against the measurement)" : share;
+    return numbers.slope < 0.0 ? share + " (with the opposite sign)" : share;
 }
 
 std::string sentenceOn(const ComparedMap& compared) {

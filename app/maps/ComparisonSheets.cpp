@@ -42,7 +42,12 @@ std::size_t strideOf(std::size_t pixels) {
     return stride % 2 == 0 ? stride + 1 : stride;
 }
 
-Curve dotsOf(const ValuePairs& pairs) {
+bool holds(const CentralRange& range, double value) {
+    return value >= range.low && value <= range.high;
+}
+
+/// Without the outermost values, which would press all others into a corner.
+Curve dotsOf(const ValuePairs& pairs, const CentralRange& predicted, const CentralRange& measured) {
     const std::size_t stride = strideOf(pairs.predicted.size());
     Curve dots{.label = stride > 1 ? formatted("one of %zu pixels", stride) : "pixels",
                .x = {},
@@ -50,33 +55,42 @@ Curve dotsOf(const ValuePairs& pairs) {
                .points = true,
                .dotSize = 4.0};
     for (std::size_t i = 0; i < pairs.predicted.size(); i += stride) {
-        dots.x.push_back(pairs.predicted[i]);
-        dots.y.push_back(pairs.measured[i]);
+        if (holds(predicted, pairs.predicted[i]) && holds(measured, pairs.measured[i])) {
+            dots.x.push_back(pairs.predicted[i]);
+            dots.y.push_back(pairs.measured[i]);
+        }
     }
     return dots;
+}
+
+std::string lineText(const MapComparison& numbers, const char* unit) {
+    return "measured = " + formatSi(numbers.offset, unit) +
+           formatted(numbers.slope < 0.0 ? " - %.3g predicted" : " + %.3g predicted",
+                     std::abs(numbers.slope));
 }
 
 Chart chartOf(const ComparedMap& compared, const ValuePairs& pairs) {
     const MapComparison& numbers = compared.values.numbers;
     const MapQuantityRow& quantity = *rowOf(compared.quantity);
+    const CentralRange x = centralRange(pairs.predicted);
+    const CentralRange y = centralRange(pairs.measured);
     Chart chart{.title = findingOn(numbers),
                 .xLabel = std::string("predicted ") + quantity.name,
                 .yLabel = "measured",
-                .curves = {dotsOf(pairs)},
+                .curves = {dotsOf(pairs, x, y)},
                 .xUnit = quantity.unit,
                 .yUnit = quantity.unit};
-    if (pairs.predicted.empty()) {
-        return chart;
-    }
-    const auto [low, high] = std::ranges::minmax(pairs.predicted);
-    chart.curves.push_back(
-        {.label = "measured = predicted", .x = {low, high}, .y = {low, high}, .dashed = true});
-    if (std::isfinite(numbers.slope)) {
+    const double low = std::max(x.low, y.low);
+    const double high = std::min(x.high, y.high);
+    if (low < high) {
         chart.curves.push_back(
-            {.label = "measured = " + formatSi(numbers.offset, quantity.unit) +
-                      formatted(" + %.3g predicted", numbers.slope),
-             .x = {low, high},
-             .y = {numbers.offset + numbers.slope * low, numbers.offset + numbers.slope * high}});
+            {.label = "measured = predicted", .x = {low, high}, .y = {low, high}, .dashed = true});
+    }
+    if (std::isfinite(numbers.slope)) {
+        chart.curves.push_back({.label = lineText(numbers, quantity.unit),
+                                .x = {x.low, x.high},
+                                .y = {numbers.offset + numbers.slope * x.low,
+                                      numbers.offset + numbers.slope * x.high}});
     }
     return chart;
 }

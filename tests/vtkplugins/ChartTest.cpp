@@ -57,6 +57,26 @@ TEST_F(Charts, ChartsShowEveryCurveAndItsPeak) {
     EXPECT_GT(image.count([](const auto& rgb) { return rgb[2] > 200 && rgb[0] < 100; }), 500);
 }
 
+TEST_F(Charts, ShowValuesFarFromZero) {
+    ASPERITY_NEEDS_DISPLAY();
+    const auto redOf = [&](double from, double step) {
+        Curve line{.label = {}, .x = {}, .y = {}, .color = Color{255, 0, 0}};
+        for (int i = 0; i <= 20; ++i) {
+            line.x.push_back(from + step * i);
+            line.y.push_back(from + step * i);
+        }
+        const Chart chart{.title = "", .xLabel = "x", .yLabel = "y", .curves = {line}};
+        return drawn([&](const std::filesystem::path& path) {
+                   writeCharts(path, std::array{chart}, 1, kSize);
+               })
+            .count([](const auto& rgb) { return rgb[0] > 200 && rgb[1] < 100; });
+    };
+    const int near = redOf(1.0, 1.0);
+    EXPECT_GT(near, 500);
+    EXPECT_NEAR(redOf(1000.0, 0.1), near, 0.2 * near);
+    EXPECT_NEAR(redOf(-1e6, 0.1), near, 0.2 * near);
+}
+
 TEST_F(Charts, ScatterOnLogarithmicAxesHasNamedDots) {
     ASPERITY_NEEDS_DISPLAY();
     Curve dots{.label = "tiers", .x = {1e-7, 1e-5, 1e-2, 0.0}, .y = {40.0, 3.0, 0.2, 1.0}};

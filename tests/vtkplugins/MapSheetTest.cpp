@@ -60,8 +60,8 @@ TEST_F(MapSheets, ShowSignsByColor) {
     const test::Image image(folder / "sheet.png");
     const auto negative = image.at(160, 420);
     const auto positive = image.at(400, 420);
-    EXPECT_GT(negative[2], negative[0]) << "bluish";
-    EXPECT_GT(positive[0], positive[2] + 50) << "orange";
+    EXPECT_GT(negative[0], negative[2]) << "orange";
+    EXPECT_GT(positive[2], positive[0] + 50) << "blue";
     const auto zero = image.at(160, 200);
     EXPECT_LT(std::abs(zero[0] - zero[2]), 12) << "neutral";
 }

@@ -52,14 +52,18 @@ Series placed(const Curve& curve, const ChartAxis& xAxis, const ChartAxis& yAxis
     return series;
 }
 
-vtkSmartPointer<vtkTable> tableOf(const Series& series) {
+/// From the lower ends of the axes: where those are a hundred times the range of an axis, VTK
+/// shifts the values itself, and only when it draws for the second time.
+vtkSmartPointer<vtkTable> tableOf(const Series& series, const ChartAxis& xAxis,
+                                  const ChartAxis& yAxis) {
     auto table = vtkSmartPointer<vtkTable>::New();
     const std::array<const std::vector<double>*, 2> columns{&series.x, &series.y};
+    const std::array<double, 2> begins{xAxis.low(), yAxis.low()};
     for (std::size_t i = 0; i < columns.size(); ++i) {
         vtkNew<vtkDoubleArray> column;
         column->SetName(i == 0 ? "x" : "y");
         for (const double value : *columns[i]) {
-            column->InsertNextValue(value);
+            column->InsertNextValue(value - begins.at(i));
         }
         table->AddColumn(column);
     }
@@ -68,12 +72,12 @@ vtkSmartPointer<vtkTable> tableOf(const Series& series) {
 
 void setUpAxis(vtkAxis* axis, const ChartAxis& shown) {
     axis->SetBehavior(vtkAxis::FIXED);
-    axis->SetRange(shown.low(), shown.high());
+    axis->SetRange(0.0, shown.high() - shown.low());  // as tableOf() has it
     axis->SetTitle("");  // the painter writes: it knows how much room there is
     axis->SetLabelsVisible(false);
     vtkNew<vtkDoubleArray> ticks;
     for (const double tick : shown.ticks()) {
-        ticks->InsertNextValue(tick);
+        ticks->InsertNextValue(tick - shown.low());
     }
     axis->SetCustomTickPositions(ticks);
     axis->GetPen()->SetColor(kLightPalette.muted.red, kLightPalette.muted.green,
@@ -148,7 +152,7 @@ void ChartPanel::addPlots(OffscreenPicture& picture) const {
             series = decimateMinMax(series, static_cast<std::size_t>(plot.width * kDrawn));
         }
         vtkPlot* drawn = chart->AddPlot(curve.points ? vtkChart::POINTS : vtkChart::LINE);
-        drawn->SetInputData(tableOf(series), 0, 1);
+        drawn->SetInputData(tableOf(series, x_, y_), 0, 1);
         const Color color = colorOf(i);
         drawn->SetColor(color.red, color.green, color.blue, 255);
         drawn->SetWidth((curve.points ? 1.0F : 2.0F) * kDrawn);

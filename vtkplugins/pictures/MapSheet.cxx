@@ -23,24 +23,9 @@ constexpr int kTitle = 56;
 constexpr double kEdge = 20.0;
 constexpr double kBar = 52.0;
 
-struct ValueRange {
-    double low = 0.0;
-    double high = 1.0;
-};
-
-/// Of the values that are there, without the outermost ones; never empty.
-ValueRange rangeOf(const std::vector<double>& values) {
-    constexpr double kOuter = 0.01;
-    std::vector<double> known;
-    std::ranges::copy_if(values, std::back_inserter(known),
-                         [](double value) { return std::isfinite(value); });
-    if (known.empty()) {
-        return {};
-    }
-    std::ranges::sort(known);
-    const auto last = static_cast<double>(known.size() - 1);
-    ValueRange range{known[static_cast<std::size_t>(std::floor(kOuter * last))],
-                     known[static_cast<std::size_t>(std::ceil((1.0 - kOuter) * last))]};
+/// Never empty.
+CentralRange colorsOf(const std::vector<double>& values) {
+    CentralRange range = centralRange(values);
     const double least = 1e-6 * std::max(std::abs(range.low), std::abs(range.high));
     if (range.high - range.low <= least) {
         const double around = least > 0.0 ? least : 1.0;
@@ -49,10 +34,16 @@ ValueRange rangeOf(const std::vector<double>& values) {
     return range;
 }
 
-/// As far to either side of zero as the values go.
-ValueRange aroundZero(const ValueRange& range) {
+/// As far to either side of zero as the values go, to a number at which the bar has ticks.
+CentralRange aroundZero(const CentralRange& range) {
     const double limit = std::max(std::abs(range.low), std::abs(range.high));
-    return {-limit, limit};
+    const double decade = std::pow(10.0, std::floor(std::log10(limit)));
+    for (const double round : {1.0, 1.5, 2.0, 3.0, 4.0, 5.0, 7.0}) {
+        if (limit <= round * decade) {
+            return {-round * decade, round * decade};
+        }
+    }
+    return {-10.0 * decade, 10.0 * decade};
 }
 
 /// A map in its place on the sheet.
@@ -61,7 +52,7 @@ public:
     SheetPainter(const SheetMap& map, const PixelRect& area)
         : map_(map)
         , area_(area)
-        , range_(map.isSigned ? aroundZero(rangeOf(map.values)) : rangeOf(map.values))
+        , range_(map.isSigned ? aroundZero(colorsOf(map.values)) : colorsOf(map.values))
         , colors_(map.isSigned ? divergingTable(range_.high)
                                : heightTable(range_.low, range_.high)) {}
 
@@ -108,7 +99,7 @@ private:
 
     const SheetMap& map_;
     PixelRect area_;
-    ValueRange range_;
+    CentralRange range_;
     vtkSmartPointer<vtkLookupTable> colors_;
 };
 
@@ -154,6 +145,20 @@ private:
 };
 
 }  // namespace
+
+CentralRange centralRange(const std::vector<double>& values) {
+    constexpr double kOuter = 0.01;
+    std::vector<double> known;
+    std::ranges::copy_if(values, std::back_inserter(known),
+                         [](double value) { return std::isfinite(value); });
+    if (known.empty()) {
+        return {};
+    }
+    std::ranges::sort(known);
+    const auto last = static_cast<double>(known.size() - 1);
+    return {known[static_cast<std::size_t>(std::floor(kOuter * last))],
+            known[static_cast<std::size_t>(std::ceil((1.0 - kOuter) * last))]};
+}
 
 void writeMapSheet(const std::filesystem::path& path, const std::string& title,
                    std::span<const SheetMap> maps, const Chart* chart) {

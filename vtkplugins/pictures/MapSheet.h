@@ -20,8 +20,16 @@ struct SheetMap {
     bool isSigned = false;       ///< colors diverge from zero
 };
 
-/// Draws up to six maps side by side, each with its color bar. Colors span 98 % of a map's values,
-/// from the 1st to the 99th percentile; pixels without data are gray. The same maps give the same
+/// What 98 % of values span, from the 1st to the 99th percentile.
+struct CentralRange {
+    double low = 0.0;
+    double high = 1.0;
+};
+/// Of the values that are finite; 0 to 1 where none is.
+[[nodiscard]] CentralRange centralRange(const std::vector<double>& values);
+
+/// Draws up to six maps side by side, each with its color bar. Colors span the central range
+/// of a map's values; pixels without data are gray. The same maps give the same
 /// bytes.
 /// @param chart takes what is left of the last row of three, or a row of its own; null: none
 /// @throw Error when there is no map or a map has another number of values than rows times columns,

@@ -176,7 +176,8 @@ def check_other_material(maps):
         line = check(channels[keys[name]], predicted, measured, end)
         check_layers(images, name, name, predicted, measured, line)
         share = channels[keys[name]]["share_explained_by_line"]
-        assert share > 0.9, (name, share)  # the true material is homogeneous, too
+        if name != "indentation":  # in valleys it depends on the material in other ways
+            assert share > 0.9, (name, share)  # the true material is the same everywhere, too
         assert channels[keys[name]]["rms_difference" + end] > 0.0
     return truth, images
 
