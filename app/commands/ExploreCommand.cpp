@@ -217,7 +217,7 @@ Prepared prepare(const ExploreOptions& options) {
 FinishedRun finishedRun(const Prepared& prepared, const std::filesystem::path& out) {
     const auto& [loaded, plan] = prepared;
     const Scene& scene = loaded.scene;
-    RunKeeper keeper{.recorder = RunRecorder(out), .events = {}, .curves = {}};
+    RunKeeper keeper{.recorder = RunRecorder(out, scene.belief.field), .events = {}, .curves = {}};
     const std::optional<double> missed = run(scene, plan, *instrumentOf(scene), keeper);
     keeper.recorder.close();
 

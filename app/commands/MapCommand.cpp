@@ -12,6 +12,7 @@
 #include "core/FormattedText.h"
 #include "core/PrintableText.h"
 #include "core/TemporaryFile.h"
+#include "core/scene/SceneFiles.h"
 
 #include <chrono>
 #include <iostream>
@@ -45,14 +46,16 @@ PartUse useOf(const MapOptions& options) {
 /// Refuses files that cannot be written, or that the user may want to keep, before long work is
 /// done for them. An unfinished map's own files may go.
 void requireTargets(const MapOptions& options, const MapFiles& files, const MapPlan& plan,
-                    const std::string& scan) {
+                    const SceneDescription& scene) {
+    std::vector<std::string> inputs{options.scene};
+    forEachFile(scene, [&inputs](const std::string& file) { inputs.push_back(file); });
     std::vector<std::filesystem::path> targets{files.gwy(), files.vti(), files.exr()};
     for (int sheet = 1; !options.noPictures && sheet <= sheetCount(plan); ++sheet) {
         targets.push_back(files.sheet(sheet));
     }
     std::error_code none;
     for (const std::filesystem::path& file : targets) {
-        for (const std::string& input : {options.scene, scan}) {
+        for (const std::string& input : inputs) {
             if (std::filesystem::equivalent(input, file, none)) {
                 throw Error(file.string() + ": this is an input; give another output file");
             }
@@ -132,7 +135,7 @@ std::string speedText(const MapPlan& plan, int rows, double seconds) {
 void lead(const MapOptions& options, const MpiJob& job) {
     const MapFiles files(options.out);
     const auto [loaded, plan] = loadedInput(options);
-    requireTargets(options, files, plan, loaded.scene.description.sample.file);
+    requireTargets(options, files, plan, loaded.scene.description);
     std::optional<VirtualDisplay> display;  // before long work is done
     if (!options.noPictures) {
         display.emplace();

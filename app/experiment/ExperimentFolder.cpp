@@ -4,6 +4,7 @@
 #include "core/FormattedText.h"
 #include "core/io/experiment/StudyFile.h"
 #include "core/io/experiment/TrialTable.h"
+#include "core/scene/SceneFiles.h"
 
 #include <algorithm>
 #include <utility>
@@ -30,8 +31,9 @@ bool isBefore(const TrialRecord& one, const TrialRecord& other) {
 
 /// The same study, wherever its files lie.
 Study comparable(Study study) {
-    std::string& file = study.scene.sample.file;
-    file = file.empty() ? file : std::filesystem::weakly_canonical(file).string();
+    forEachFile(study.scene, [](std::string& file) {
+        file = file.empty() ? file : std::filesystem::weakly_canonical(file).string();
+    });
     return study;
 }
 

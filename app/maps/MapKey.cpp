@@ -5,6 +5,7 @@
 #include "core/io/TextValue.h"
 #include "core/io/scene/SceneFile.h"
 #include "core/scene/BelievedModel.h"
+#include "core/scene/SceneFiles.h"
 
 namespace asperity {
 
@@ -27,7 +28,7 @@ std::string textOf(const MapPlan& plan) {
 
 std::string mapKey(const LoadedScene& loaded, const MapPlan& plan) {
     SceneDescription scene = settled(loaded.scene.description, loaded.scene.model);
-    scene.sample.file.clear();  // its content counts, not its place
+    forEachFile(scene, [](std::string& file) { file.clear(); });  // contents count, not places
     Sha256 hash;
     for (const std::string& part :
          {std::string(kVersion), loaded.sha256, sceneText(scene), textOf(plan)}) {

@@ -3,6 +3,7 @@
 #include "app/program/SurfaceImages.h"
 #include "core/Error.h"
 #include "core/io/heightmap/ScanFile.h"
+#include "core/io/materials/MaterialMapFiles.h"
 #include "core/io/scene/SceneFile.h"
 #include "core/scene/SceneTruth.h"
 #include "core/surface/MergedScale.h"
@@ -25,7 +26,9 @@ LoadedScene shapeScene(const SceneDescription& description, const SceneOverrides
             "a scene with a shape has no height map whose channel, scale, crop, leveling or "
             "smoothing to choose");
     }
-    return {.scene = buildScene(description),
+    SceneDescription read = description;
+    const SceneMaps maps = readSceneMaps(read, shapeArea(description.sample.shape->size));
+    return {.scene = buildScene(read, maps),
             .format = "shape",
             .sha256 = "",
             .notes = {},
@@ -47,19 +50,23 @@ LoadedScene mapScene(SceneDescription description, const SceneOverrides& overrid
     sample.file = std::filesystem::absolute(sample.file).lexically_normal().string();
     ProgressPart reading(progress, 0.0, 0.2);
     const ScanFile file(sample.file, sample.scale);
-    sample.crop =
-        properPart(sample.crop, heightChannel(file.contents(), sample.file, sample.channel));
+    const ScanChannel& heights = heightChannel(file.contents(), sample.file, sample.channel);
+    sample.crop = properPart(sample.crop, heights);
     SceneScan scan = file.readSceneScan(sample.channel, sample.crop, &reading);
     sample.channel = scan.channel;
-    ProgressPart hashing(progress, 0.2, 0.4);
+    ProgressPart hashing(progress, 0.2, 0.3);
     std::string hash = file.sha256(&hashing);
+    ProgressPart mapping(progress, 0.3, 0.4);
+    const SceneMaps maps = readSceneMaps(description, mapArea(heights.map, sample.crop), &mapping);
     ProgressPart building(progress, 0.4, 1.0);
     const std::size_t holes = std::visit(
         [](const auto& map) {
             return static_cast<std::size_t>(std::ranges::count(map.invalid, true));
         },
         scan.map);
-    const auto build = [&](auto map) { return buildScene(description, std::move(map), &building); };
+    const auto build = [&](auto map) {
+        return buildScene(description, std::move(map), &building, maps);
+    };
     return {.scene = std::visit(build, std::move(scan.map)),
             .format = std::move(scan.format),
             .sha256 = std::move(hash),

@@ -37,12 +37,31 @@ constexpr std::size_t kMostName = 255;               // that file systems take [
 struct BundledFile {
     std::string name;            ///< in the bundle
     std::filesystem::path file;  ///< on the disk
+    std::string sha256 = {};     ///< that it must have; empty: any
 };
 
-/// The scan's own name, where an archive can hold it.
-std::string scanEntry(const std::filesystem::path& scan) {
-    const std::string name = scan.filename().string();
-    return std::string(kScanFolder) + (isUtf8(name) ? name : "scan" + scan.extension().string());
+/// A scan's or map's own name, where an archive can hold it and has no other file of that name.
+std::string scanEntry(const std::filesystem::path& scan, const std::vector<BundledFile>& files) {
+    const std::string own = scan.filename().string();
+    const std::string name = isUtf8(own) ? own : "scan" + scan.extension().string();
+    std::string entry = std::string(kScanFolder) + name;
+    for (int next = 2; std::ranges::find(files, entry, &BundledFile::name) != files.end(); ++next) {
+        entry = std::string(kScanFolder) + std::to_string(next) + "_" + name;
+    }
+    return entry;
+}
+
+/// Adds a file that the scene is read from; one that is there already is taken once.
+/// @return its name in the bundle
+std::string addInput(const std::string& file, const std::string& sha256,
+                     std::vector<BundledFile>& files) {
+    const std::filesystem::path input = file;
+    const auto same = std::ranges::find(files, input, &BundledFile::file);
+    if (same != files.end()) {
+        return same->name;
+    }
+    files.push_back({scanEntry(input, files), input, sha256});
+    return files.back().name;
 }
 
 /// The files of a bundle, but for its directory. The scene, which names another place of the scan,
@@ -58,9 +77,12 @@ std::vector<BundledFile> filesOf(const std::filesystem::path& run,
     }
     SceneDescription scene = sceneFromInput(run / run_files::kScene);
     if (!scene.sample.shape) {
-        const std::filesystem::path scan = scene.sample.file;
-        scene.sample.file = scanEntry(scan);
-        files.push_back({scene.sample.file, scan});
+        scene.sample.file = addInput(scene.sample.file, recordedHash(run), files);
+    }
+    for (MaterialSources* maps : {&scene.sample.material.maps, &scene.truth.material.maps}) {
+        forEachSource(*maps, [&files](MapSource& source) {
+            source.file = addInput(source.file, source.sha256, files);
+        });
     }
     writeTextFile(folder / run_files::kScene, sceneText(scene));
     files.push_back({run_files::kScene, folder / run_files::kScene});
@@ -86,16 +108,14 @@ nlohmann::ordered_json directoryOf(const std::vector<BundledFile>& files, Progre
             {"files", list}};
 }
 
-/// @throw InputError where the scan in a bundle is not the one that the run was made on
-void requireOwnScan(const std::filesystem::path& run, const nlohmann::ordered_json& directory,
-                    const std::vector<BundledFile>& files) {
-    const std::string recorded = recordedHash(run);
-    for (const auto& entry : directory.at("files")) {
-        const std::string name = entry.at("name");
-        if (name.starts_with(kScanFolder) && entry.at("sha256") != recorded) {
-            const auto scan = std::ranges::find(files, name, &BundledFile::name);
-            throw InputError(scan->file.string(), "",
-                             "the scan has changed since the run was recorded (its hash differs)");
+/// @throw InputError where a scan or map in a bundle is not the one that the run was made on
+void requireOwnScans(const nlohmann::ordered_json& directory,
+                     const std::vector<BundledFile>& files) {
+    for (std::size_t i = 0; i < files.size(); ++i) {
+        const std::string& wanted = files[i].sha256;
+        if (!wanted.empty() && directory.at("files").at(i).at("sha256") != wanted) {
+            throw InputError(files[i].file.string(), "",
+                             "this file has changed since the run was recorded (its hash differs)");
         }
     }
 }
@@ -193,7 +213,7 @@ void writeBundle(const std::filesystem::path& run, const std::filesystem::path& 
     std::vector<BundledFile> files = filesOf(run, picture, folder.path());
     ProgressPart hashing(progress, 0.0, 0.4);
     const nlohmann::ordered_json directory = directoryOf(files, &hashing);
-    requireOwnScan(run, directory, files);
+    requireOwnScans(directory, files);
     writeTextFile(folder.path() / kDirectory, jsonText(directory) + "\n");
     files.insert(files.begin(), {kDirectory, folder.path() / kDirectory});
     ZipWriter zip(bundle);

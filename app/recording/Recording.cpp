@@ -18,7 +18,7 @@ Recording::Recording(const RecordingPlace& place, const LoadedScene& loaded,
     : begin_(place.folder, place.replace)
     , loaded_(loaded)
     , format_(place.format)
-    , recorder_(folder())
+    , recorder_(folder(), loaded.scene.belief.field)
     , energy_(folder() / run_files::kEnergy, loaded.scene.timeStep(), delay) {
     writeTickMemory(folder() / run_files::kMemory, memory);
     writeScene(loaded.scene.settings);

@@ -96,7 +96,7 @@ void replayTicks(const Scene& scene, const RecordedRun& run, const TickSink& sin
 
 CsvTable replay(const Scene& scene, const RecordedRun& run, const std::filesystem::path& out,
                 const TickSink& sink) {
-    RunRecorder recorder(out);
+    RunRecorder recorder(out, scene.belief.field);
     replayTicks(scene, run, [&](const TickSample& sample) {
         recorder.take(sample);
         if (sink) {

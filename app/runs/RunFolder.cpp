@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <system_error>
+#include <utility>
 
 namespace asperity {
 
@@ -51,8 +52,9 @@ FolderContent replayedLogs() {
         .marks = {logs.front()}, .own = {logs.back()}, .guarded = without(runFileNames(), logs)};
 }
 
-RunRecorder::RunRecorder(const std::filesystem::path& folder)
-    : log_(folder / run_files::kLog), input_(folder / run_files::kInput) {}
+RunRecorder::RunRecorder(const std::filesystem::path& folder,
+                         std::shared_ptr<const MaterialField> field)
+    : log_(folder / run_files::kLog, std::move(field)), input_(folder / run_files::kInput) {}
 
 void RunRecorder::take(const TickSample& sample) {
     log_.take(sample);

@@ -5,6 +5,7 @@
 #include "core/io/recording/TickLog.h"
 
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -38,8 +39,9 @@ inline constexpr const char* kForces = "forces.png";
 /// Writes the two tables of a run tick by tick; they grow in their place.
 class RunRecorder {
 public:
-    /// @throw Error when a table is there or cannot be made
-    explicit RunRecorder(const std::filesystem::path& folder);
+    /// @param field as ForceLogWriter takes it @throw Error when a table is there or cannot be made
+    explicit RunRecorder(const std::filesystem::path& folder,
+                         std::shared_ptr<const MaterialField> field = nullptr);
 
     void take(const TickSample& sample);
     /// Hands all ticks so far to the system. @throw Error

@@ -7,6 +7,7 @@
 #include "core/TemporaryFile.h"
 #include "core/io/scene/SceneFile.h"
 #include "core/io/scene/SceneSaving.h"
+#include "core/scene/SceneFiles.h"
 #include "core/scene/SettingFields.h"
 #include "ui/window/LayoutMemory.h"
 #include "ui/window/MainWindow.h"
@@ -182,11 +183,9 @@ void SessionControl::keep() {
 }
 
 SceneDescription SessionControl::scene() const {
-    SceneDescription scene = runs_.run()->scene().description;
+    SceneDescription scene = withoutHashes(runs_.run()->scene().description);
     scene.settings = ofScene(runs_.run()->sensingSettings());
-    if (!scene.sample.shape) {
-        scene.sample.file = std::filesystem::absolute(scene.sample.file).string();
-    }
+    forEachFile(scene, [](std::string& file) { file = std::filesystem::absolute(file).string(); });
     return scene;
 }
 

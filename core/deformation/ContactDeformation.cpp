@@ -38,17 +38,23 @@ TipContact tipContact(const Scene& scene, const TipState& state) {
             .indentation = state.contact.indentation};
 }
 
-double shareOfSample(const Scene& scene, DeformationModel model) {
+double shareOfSample(const Scene& scene, const TipState& state, DeformationModel model) {
+    if (!sharesDisplacement(model)) {
+        return 1.0;
+    }
     const SceneDescription& description = scene.description;
-    return sharesDisplacement(model)
-               ? sampleShare(description.sample.material.elastic, description.tip.elastic)
-               : 1.0;
+    Elastic sample = description.sample.material.elastic;
+    if (const MaterialField* const field = scene.belief.field.get()) {
+        const Vector3& place = state.closest.point;
+        sample.youngsModulus = field->at(place.x(), place.y()).youngsModulus;
+    }
+    return sampleShare(sample, description.tip.elastic);
 }
 
 ContactDeformation::ContactDeformation(const Scene& scene, const TipState& state,
                                        DeformationModel model, const HalfSpaceAnswer* halfSpace)
     : contact_(tipContact(scene, state))
-    , share_(shareOfSample(scene, model))
+    , share_(shareOfSample(scene, state, model))
     , closedForm_(sharesDisplacement(model) ? displacementTable(scene, state) : nullptr)
     , field_(
           fieldFor(scene.surface, model,

@@ -44,7 +44,9 @@ private:
 /// Tip and surface at a state, as they are drawn.
 [[nodiscard]] TipContact tipContact(const Scene& scene, const TipState& state);
 
-/// The sample's part of the displacement; the tip takes the rest, of models that share it.
-[[nodiscard]] double shareOfSample(const Scene& scene, DeformationModel model);
+/// The sample's part of the displacement where the tip is; the tip takes the rest, of models that
+/// share it.
+[[nodiscard]] double shareOfSample(const Scene& scene, const TipState& state,
+                                   DeformationModel model);
 
 }  // namespace asperity

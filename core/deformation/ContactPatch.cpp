@@ -18,7 +18,7 @@ SurfacePatch exactPatch(const Scene& scene, const TipState& state, DeformationMo
         }
     }
     return deformedPatch(scene.surface, tipContact(scene, state), grid, model,
-                         [&state, share = shareOfSample(scene, model),
+                         [&state, share = shareOfSample(scene, state, model),
                           model = contactModelAt(scene, state)](double distance) {
                              return share * surfaceDisplacement(model, state.contact, distance);
                          });
@@ -27,14 +27,14 @@ SurfacePatch exactPatch(const Scene& scene, const TipState& state, DeformationMo
 SurfacePatch halfSpacePatch(const Scene& scene, const HalfSpaceAnswer& answer,
                             const PatchGrid& grid) {
     const TipContact contact = tipContact(scene, answer.state);
-    const double share = shareOfSample(scene, DeformationModel::HalfSpace);
+    const double share = shareOfSample(scene, answer.state, DeformationModel::HalfSpace);
     return deformedPatch(scene.surface, contact, grid,
                          halfSpaceField(contact, answer.field, share));
 }
 
 Vector3 displacedPoint(const Scene& scene, const TipState& state, DeformationModel model) {
     return state.closest.point -
-           shareOfSample(scene, model) * state.contact.indentation * state.closest.normal;
+           shareOfSample(scene, state, model) * state.contact.indentation * state.closest.normal;
 }
 
 }  // namespace asperity

@@ -24,13 +24,14 @@ bool isSolved(const TipState& model) { return model.converged && !model.locked; 
 /// @param staleness of the signals [rad]
 DecouplingInput decouplingInput(const Scene& scene, const TickInput& input, const TickOutput& out,
                                 const LeverSignals& staleness) {
+    const Friction friction = scene.belief.frictionAt(out.model.closest.point);
     return {.signals = input.measurement.signals,
             .sigma = {.bending = std::hypot(scene.signalSigma.bending, staleness.bending),
                       .torsion = std::hypot(scene.signalSigma.torsion, staleness.torsion)},
             .normal = out.model.normal,
             .velocity = out.base.velocity,
-            .frictionCoefficient = scene.belief.friction.coefficient,
-            .shearStrength = scene.belief.friction.shearStrength,
+            .frictionCoefficient = friction.coefficient,
+            .shearStrength = friction.shearStrength,
             .contactArea = out.model.contactArea,
             .normalForceModel = out.model.normalForce,
             .normalForceSigma = kModelSpread * std::abs(out.model.normalForce) + kModelFloor};

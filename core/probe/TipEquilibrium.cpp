@@ -21,19 +21,21 @@ namespace {
 
 constexpr int kMaxSweeps = 48;
 constexpr double kPositionTolerance =
-    1e-15;                            // [m]: a millionth of an atom's radius, above rounding
-constexpr double kSameRadius = 1e-6;  // relative change of R_eff that needs no new solution
-constexpr double kFlatEnough = 0.1;   // relative change of R_eff that a flat sample may stand for
-constexpr double kReach = 10e-9;      // [m]: attraction across a wider gap is below a piconewton
-constexpr double kSameSlot = 0.25;    // of the tip's radius: a point moves less from tick to tick
-constexpr double kMainPoint = 1.5;    // another point becomes the main one with so much more force
-constexpr double kBears = 1e-3;       // share of the main point's force from which a point counts
+    1e-15;                           // [m]: a millionth of an atom's radius, above rounding
+constexpr double kSamePlace = 1e-6;  // relative change of R_eff, E*, w or mu that needs no new
+                                     // solution
+constexpr double kFlatEnough = 0.1;  // relative change of R_eff that a flat sample may stand for
+constexpr double kReach = 10e-9;     // [m]: attraction across a wider gap is below a piconewton
+constexpr double kSameSlot = 0.25;   // of the tip's radius: a point moves less from tick to tick
+constexpr double kMainPoint = 1.5;   // another point becomes the main one with so much more force
+constexpr double kBears = 1e-3;      // share of the main point's force from which a point counts
 
 /// One closest point with the contact law of its place and the force it bears.
 struct TipContactPoint {
     ClosestPoint place;
     ClosestPointMemory memory;
     ContactModel model;
+    Friction friction;
     EffectiveRadius radius;
     ContactState contact;
     Vector3 slip = Vector3::Zero();
@@ -54,6 +56,14 @@ TipState nowhere() {
     TipState state;
     state.contact.status = ContactStatus::ApproachOutOfRange;
     return state;
+}
+
+bool differ(double now, double used) { return std::abs(now - used) > kSamePlace * used; }
+
+bool differ(const ContactPair& now, const ContactPair& used) {
+    return differ(now.tipRadius, used.tipRadius) ||
+           differ(now.reducedModulus, used.reducedModulus) ||
+           differ(now.workOfAdhesion, used.workOfAdhesion);
 }
 
 double areaOf(const ContactState& contact) {
@@ -100,7 +110,7 @@ public:
             }
             dropDoubledPoints();
             const bool still = (deflection_ - before).norm() <= kPositionTolerance;
-            state_.converged = still && !followCurvature() && !findMorePoints(memory);
+            state_.converged = still && !followSample() && !findMorePoints(memory);
         }
         putMainPointFirst();
         report();
@@ -126,7 +136,7 @@ private:
             known.push_back(memory.points[i].guess);
         }
         addPoints({known.data(), known.size()}, memory);
-        followCurvature();
+        followSample();
     }
 
     /// Where the tip has moved by much since the last look, there may be closest points that nobody
@@ -141,7 +151,7 @@ private:
         }
         const std::size_t before = points_.size();
         addPoints({known.data(), known.size()}, memory);
-        followCurvature();
+        followSample();
         return points_.size() > before;
     }
 
@@ -155,6 +165,7 @@ private:
                 points_.push_back({.place = place,
                                    .memory = takeMemory(place, memory),
                                    .model = system_.contact,
+                                   .friction = system_.friction,
                                    .radius = {},
                                    .contact = {}});
             }
@@ -199,17 +210,20 @@ private:
         return effectiveRadius(system_.tipRadius(), bend.largest, bend.smallest);
     }
 
-    /// Updates the effective radius at each closest point; whether one of them changed.
-    bool followCurvature() {
+    /// Updates effective radius and material at each closest point; whether one of them changed.
+    bool followSample() {
         bool changed = false;
         for (TipContactPoint& closest : points_) {
             closest.radius = radiusAt(closest.place);
             if (isSphere(system_.contact.law())) {
                 closest.radius = takenAsFlat(closest.radius, system_.tipRadius());
             }
-            const double used = closest.model.pair().tipRadius;
-            if (std::abs(closest.radius.radius - used) > kSameRadius * used) {
-                closest.model = system_.contact.withTipRadius(closest.radius.radius);
+            const ContactPair pair = system_.pairAt(closest.place.point, closest.radius.radius);
+            const Friction friction = system_.frictionAt(closest.place.point);
+            if (differ(pair, closest.model.pair()) ||
+                differ(friction.coefficient, closest.friction.coefficient)) {
+                closest.model = system_.contact.withPair(pair);
+                closest.friction = friction;
                 changed = true;
             }
         }
@@ -242,14 +256,14 @@ private:
         const Lever lever = leverOf(closest);
         const double along = normal.dot(lever.compliance * normal);
         const double across = normal.dot(lever.compliance * closest.slip);
-        const double withFriction = along + system_.friction.coefficient * across;
+        const double withFriction = along + closest.friction.coefficient * across;
         // Friction that drags the tip deeper faster than the lever lifts it locks it.
         const bool locks = along > 0.0 && withFriction <= 0.0;
         state_.locked |= locks;
         // The part mu N of friction is solved with N, as a change of the lever's compliance
         // (1 / k_n of docs/theory.md 7.2); the rest, of the area, is that of the last sweep.
         const bool slides = closest.memory.friction > 0.0 && !locks;
-        const double ofLoad = slides ? system_.friction.coefficient * closest.contact.force : 0.0;
+        const double ofLoad = slides ? closest.friction.coefficient * closest.contact.force : 0.0;
         // Approach of the undeflected tip towards the tangent plane of the present closest point.
         const double approach = system_.tipRadius() - closest.place.distance +
                                 normal.dot(deflection_ - lever.offset) -
@@ -257,7 +271,7 @@ private:
         closest.contact = closest.model.equilibrium(approach, slides ? withFriction : along,
                                                     closest.memory.contact);
         closest.memory.contact.coordinate = closest.contact.coordinate;
-        closest.memory.friction = frictionForce(system_.friction, closest.contact);
+        closest.memory.friction = frictionForce(closest.friction, closest.contact);
         closest.force = closest.contact.force * normal + closest.memory.friction * closest.slip;
         deflection_ = lever.offset + lever.compliance * closest.force;
     }

@@ -2,6 +2,7 @@
 
 #include "core/Error.h"
 #include "core/scene/BelievedModel.h"
+#include "core/scene/SampleMaterials.h"
 #include "core/scene/SceneTruth.h"
 #include "core/scene/ShapeSample.h"
 #include "core/surface/InvalidPixels.h"
@@ -94,72 +95,104 @@ Ground groundOf(const SampleDescription& sample, Map map, Progress* progress) {
     return {std::move(level.removed), fitSurface(std::move(level.map), smoothing, &rest), {}};
 }
 
-Scene assemble(const SceneDescription& description, Ground ground) {
+/// With the model's friction or none.
+std::shared_ptr<const MaterialField> believedField(const Scene& scene) {
+    const SceneDescription& description = scene.description;
+    MaterialMaps maps = scene.maps.sample;
+    if (!scene.model.friction) {
+        maps.friction = nullptr;
+    }
+    return materialField(std::move(maps), description.sample.material, scene.belief.friction,
+                         description.tip.elastic);
+}
+
+Scene assemble(SceneDescription description, Ground ground, const SceneMaps& read) {
+    SampleMaterial& believed = description.sample.material;
+    SampleMaterial& actual = description.truth.material;
+    const SceneMaps maps{.sample = mapsOf(believed, read.sample, "[sample]"),
+                         .truth = mapsOf(actual, read.truth, "[truth]")};
+    believed = withLargest(std::move(believed), maps.sample);
+    actual = withLargest(std::move(actual), maps.truth);
+    checkScene(description);
     const ForceModelOptions model = usualModel(description);
-    return {.description = description,
-            .removedBySteps = ground.removed,
-            .removedPlane = sumOfPlanes(ground.removed),
-            .surface = std::move(ground.surface),
-            .certainty = std::move(ground.certainty),
-            .shape = std::move(ground.shape),
-            .model = model,
-            .belief = believedSystem(description, model),
-            .truth = trueSystem(description),
-            .signalSigma = {.bending = description.signalSigma, .torsion = description.signalSigma},
-            .settings = description.settings};
+    Scene scene{
+        .description = description,
+        .removedBySteps = ground.removed,
+        .removedPlane = sumOfPlanes(ground.removed),
+        .surface = std::move(ground.surface),
+        .certainty = std::move(ground.certainty),
+        .shape = std::move(ground.shape),
+        .maps = maps,
+        .model = model,
+        .belief = believedSystem(description, model),
+        .truth = trueSystem(description),
+        .signalSigma = {.bending = description.signalSigma, .torsion = description.signalSigma},
+        .settings = description.settings};
+    scene.belief.field = believedField(scene);
+    scene.truth.field =
+        materialField(maps.truth, actual, scene.truth.friction, description.tip.elastic);
+    return scene;
 }
 
 template <class Map>
-Scene sceneOn(const SceneDescription& description, Map map, Progress* progress) {
+Scene sceneOn(const SceneDescription& description, Map map, Progress* progress,
+              const SceneMaps& maps) {
     checkScene(description);
     checkMap(map);
-    return assemble(description, groundOf(description.sample, std::move(map), progress));
+    return assemble(description, groundOf(description.sample, std::move(map), progress), maps);
 }
 
 }  // namespace
 
 ContactModel contactModelAt(const ProbeSystem& system, const TipState& state) noexcept {
     const double radius = state.effectiveRadius;
-    return radius > 0.0 ? system.contact.withTipRadius(radius) : system.contact;
+    return radius > 0.0 ? system.contact.withPair(system.pairAt(state.closest.point, radius))
+                        : system.contact;
 }
 
 ContactModel contactModelAt(const Scene& scene, const TipState& state) noexcept {
     return contactModelAt(scene.belief, state);
 }
 
-Scene buildScene(const SceneDescription& description, ScanMap map, Progress* progress) {
-    return sceneOn(description, std::move(map), progress);
+Scene buildScene(const SceneDescription& description, ScanMap map, Progress* progress,
+                 const SceneMaps& maps) {
+    return sceneOn(description, std::move(map), progress, maps);
 }
 
-Scene buildScene(const SceneDescription& description, HeightMap map, Progress* progress) {
-    return sceneOn(description, std::move(map), progress);
+Scene buildScene(const SceneDescription& description, HeightMap map, Progress* progress,
+                 const SceneMaps& maps) {
+    return sceneOn(description, std::move(map), progress, maps);
 }
 
-Scene buildScene(const SceneDescription& description) {
+Scene buildScene(const SceneDescription& description, const SceneMaps& maps) {
     checkScene(description);
     if (!description.sample.shape) {
         throw Error("[sample]: a scene without a height map needs a shape");
     }
     const ShapeDescription& shape = *description.sample.shape;
-    return assemble(description, {{}, fitSurface(shapeMap(shape)), {}, shapeSurface(shape)});
+    return assemble(description, {{}, fitSurface(shapeMap(shape)), {}, shapeSurface(shape)}, maps);
 }
 
 Scene withMaterial(Scene scene, const SampleMaterial& material) {
     const SceneDescription description = withMaterial(scene.description, material);
     checkScene(description);
-    return assemble(description, {std::move(scene.removedBySteps), std::move(scene.surface),
-                                  std::move(scene.certainty), std::move(scene.shape)});
+    return assemble(description,
+                    {std::move(scene.removedBySteps), std::move(scene.surface),
+                     std::move(scene.certainty), std::move(scene.shape)},
+                    scene.maps);
 }
 
 Scene withDescription(const Scene& scene, const SceneDescription& description) {
     checkScene(description);
     return assemble(description,
-                    {scene.removedBySteps, scene.surface, scene.certainty, scene.shape});
+                    {scene.removedBySteps, scene.surface, scene.certainty, scene.shape},
+                    scene.maps);
 }
 
 void setModel(Scene& scene, const ForceModelOptions& model) {
     scene.belief = believedSystem(scene.description, model);
     scene.model = model;
+    scene.belief.field = believedField(scene);
 }
 
 }  // namespace asperity

@@ -19,6 +19,12 @@
 
 namespace asperity {
 
+/// The maps that the materials of a description name, as they were read.
+struct SceneMaps {
+    MaterialMaps sample;
+    MaterialMaps truth;
+};
+
 /// Everything that stays constant while the loop runs. A new scan or material is a new scene.
 struct Scene {
     SceneDescription description;
@@ -27,6 +33,7 @@ struct Scene {
     BSplineSurface surface;                     ///< as drawn; the tip touches it without `shape`
     CertaintyMap certainty;                     ///< of the surface, where its imaging tip is known
     std::optional<NurbsSurface> shape;          ///< what the tip touches in place of `surface`
+    SceneMaps maps;                             ///< of materials that are not the same everywhere
     ForceModelOptions model;                    ///< with which the believed force is computed
     ProbeSystem belief;        ///< what the operator's side takes tip, lever and sample to be
     ProbeSystem truth;         ///< what they are inside the simulated instrument
@@ -44,7 +51,7 @@ struct Scene {
     [[nodiscard]] double timeStep() const noexcept { return 1.0 / description.tickRate; }  ///< [s]
 };
 
-/// The contact law of a system with the effective radius of the tip's place.
+/// The contact law of a system with material and effective radius of the tip's place.
 [[nodiscard]] ContactModel contactModelAt(const ProbeSystem& system,
                                           const TipState& state) noexcept;
 /// The believed contact law, likewise.
@@ -52,21 +59,23 @@ struct Scene {
 
 /// Levels, fills, smooths, on request erodes, and fits the map, and sets up both sides of the
 /// instrument. In the map's precision: a ScanMap is for scans that are too large for double.
-/// @throw Error when a value of the description is outside its range; Canceled
+/// @param maps all that the description's materials name
+/// @throw Error when a value of the description is outside its range, or a map is missing; Canceled
 [[nodiscard]] Scene buildScene(const SceneDescription& description, ScanMap map,
-                               Progress* progress = nullptr);
+                               Progress* progress = nullptr, const SceneMaps& maps = {});
 [[nodiscard]] Scene buildScene(const SceneDescription& description, HeightMap map,
-                               Progress* progress = nullptr);
+                               Progress* progress = nullptr, const SceneMaps& maps = {});
 
 /// The scene of a description whose sample is a shape.
 /// @throw Error when it is none, or a value of the description is outside its range
-[[nodiscard]] Scene buildScene(const SceneDescription& description);
+[[nodiscard]] Scene buildScene(const SceneDescription& description, const SceneMaps& maps = {});
 
 /// The same scan of another material. The instrument's truth goes along where it was the same as
 /// what the scene said. @throw Error as buildScene()
 [[nodiscard]] Scene withMaterial(Scene scene, const SampleMaterial& material);
 
-/// A copy of the same surface under another tip, lever and material. Reads nothing but the surface.
+/// A copy of the same surface under another tip, lever and material. Reads nothing but the surface
+/// and the maps of its materials, which the new one may have, too.
 /// @throw Error as buildScene()
 [[nodiscard]] Scene withDescription(const Scene& scene, const SceneDescription& description);
 

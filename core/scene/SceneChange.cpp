@@ -9,13 +9,18 @@ bool haveSameSurface(SampleDescription a, const SampleDescription& b) {
     return a == b;
 }
 
+bool haveSameMaps(const SceneDescription& a, const SceneDescription& b) {
+    return a.sample.material.maps == b.sample.material.maps &&
+           a.truth.material.maps == b.truth.material.maps;
+}
+
 }  // namespace
 
 SceneChange changeBetween(const SceneDescription& from, const SceneDescription& to) {
     if (from == to) {
         return SceneChange::None;
     }
-    if (!haveSameSurface(from.sample, to.sample)) {
+    if (!haveSameSurface(from.sample, to.sample) || !haveSameMaps(from, to)) {
         return SceneChange::Surface;
     }
     SceneDescription shown = from;

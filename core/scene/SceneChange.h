@@ -11,7 +11,7 @@ enum class SceneChange : std::uint8_t {
     None,     ///< nothing: it is the same
     Shown,    ///< nothing that acts: markers, view, setpoint, knobs that a run starts with
     Model,    ///< tip, lever, material or model, on the surface that is there
-    Surface,  ///< the surface, from the file or the shape
+    Surface,  ///< the surface and the maps of its materials, from files or the shape
 };
 
 /// @param from of the scene that is there

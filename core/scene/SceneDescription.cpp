@@ -41,6 +41,9 @@ void check(const SampleMaterial& material, const std::string& where) {
             where + ": hardness_pa must be zero or a positive number of pascals");
     require(std::isfinite(material.filmThickness) && material.filmThickness >= 0.0,
             where + ": film_thickness_m must be zero or a positive number of meters");
+    require(material.filmThickness == 0.0 || !(material.maps.youngsModulus || material.maps.mask),
+            where + ": film_thickness_m must be 0 where the modulus has a map: the law of a film "
+                    "holds for one modulus");
 }
 
 void check(const Meniscus& meniscus) {

@@ -8,6 +8,7 @@
 #include "core/probe/DetectorCalibration.h"
 #include "core/probe/Friction.h"
 #include "core/scene/Marker.h"
+#include "core/scene/MaterialSources.h"
 #include "core/scene/ModelChoices.h"
 #include "core/scene/Settings.h"
 #include "core/surface/GivenScale.h"
@@ -29,6 +30,9 @@ struct SampleMaterial {
     Friction friction{.coefficient = 0.3, .shearStrength = 0.0};
     double hardness = 0.0;       ///< mean pressure under a plastic indent [Pa]; 0: not known
     double filmThickness = 0.0;  ///< of a film on a rigid base [m]; 0: a half-space
+    /// Of what is not the same everywhere. Once they are read, the quantity above is the map's
+    /// largest: it stands for the sample where one number must.
+    MaterialSources maps;
 
     bool operator==(const SampleMaterial&) const = default;
 };

@@ -51,6 +51,14 @@ CantileverGeometry calibrated(const CantileverGeometry& before, const Cantilever
     return fitted;
 }
 
+/// Whether the quantity of a material's field is not the same everywhere.
+bool isMapped(const SceneField& field, const MaterialSources& maps) {
+    const bool masked = maps.mask.has_value();
+    return (isKey(field, "youngs_modulus_pa") && (masked || maps.youngsModulus)) ||
+           (isKey(field, "work_of_adhesion_j_m2") && (masked || maps.workOfAdhesion)) ||
+           (isKey(field, "friction_coefficient") && (masked || maps.friction));
+}
+
 void nameEdited(SampleMaterial& material) {
     if (!material.name.ends_with(kEditedSuffix)) {
         material.name += kEditedSuffix;
@@ -125,6 +133,13 @@ std::string whyIdle(const SceneField& field, const SceneDescription& scene) {
         }
         if (isKey(field, "shape_slope_rad") != isPlane && !isKey(field, "shape_size_m")) {
             return isPlane ? "A plane has no radius" : "Of a plane only";
+        }
+    }
+    if (field.group == SceneGroup::Material || field.group == SceneGroup::Truth) {
+        const bool isTruth = field.group == SceneGroup::Truth;
+        const MaterialSources& maps = (isTruth ? scene.truth.material : scene.sample.material).maps;
+        if (isMapped(field, maps)) {
+            return "Has a map: the largest value in it";
         }
     }
     if (isKey(field, "erode") && scene.sample.imagingTipRadius == 0.0) {

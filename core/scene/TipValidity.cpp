@@ -25,6 +25,10 @@ ValidityFlags tipValidity(const Scene& scene, const ProbeSystem& system,
     flags.set(Validity::SeveralContactPoints, state.points > 1);
     flags.set(Validity::SearchNotExhaustive, mayMissPoints(state.proof));
     if (state.contact.contactRadius > 0.0) {
+        flags.set(
+            Validity::VariedMaterial,
+            system.field != nullptr &&
+                system.field->variesWithin(closest.x(), closest.y(), state.contact.contactRadius));
         flags.add(contactValidity(contactModelAt(system, state), state.contact, material));
     }
     return flags;

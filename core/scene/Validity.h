@@ -31,8 +31,9 @@ enum class Validity : std::uint32_t {
         1U << 17U,  ///< other places may be as near to the tip as the closest points found
     LawOutOfRange = 1U << 18U,  ///< the contact law leaves out what acts here, see LawRange
     EstimateInconsistent =
-        1U << 19U,             ///< friction law or noise are not as stated: InnovationMonitor
-    StaleSignals = 1U << 20U,  ///< measured so long ago that the lever may have bent since
+        1U << 19U,               ///< friction law or noise are not as stated: InnovationMonitor
+    StaleSignals = 1U << 20U,    ///< measured so long ago that the lever may have bent since
+    VariedMaterial = 1U << 21U,  ///< the sample's material varies within the contact
 };
 
 /// What a flag means for a result, the mildest first.
@@ -121,6 +122,9 @@ inline constexpr std::array kValidityTraits{
     ValidityTraits{Validity::StaleSignals, "stale_signals", "instrument signals late",
                    "instrument signals late: weighted less", Severity::Approximate,
                    FlagBasis::Tick},
+    ValidityTraits{Validity::VariedMaterial, "varied_material", "two materials in contact",
+                   "the material varies by more than a tenth within the contact",
+                   Severity::Approximate, FlagBasis::Contact},
 };
 
 inline constexpr std::size_t kValidityFlagCount = kValidityTraits.size();

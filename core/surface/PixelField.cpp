@@ -46,6 +46,10 @@ PixelField::PixelField(const BasicHeightMap<Heights>& map, std::string unit)
                                                        : std::numeric_limits<float>::quiet_NaN());
         }
     }
+    for (const float value : values_) {
+        lowest_ = std::fmin(lowest_, value);
+        highest_ = std::fmax(highest_, value);
+    }
 }
 
 template PixelField::PixelField(const BasicHeightMap<std::vector<double>>& map, std::string unit);

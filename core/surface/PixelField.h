@@ -2,6 +2,7 @@
 
 #include "core/surface/HeightMap.h"
 
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -23,6 +24,9 @@ public:
     [[nodiscard]] double at(double x, double y) const noexcept;
 
     [[nodiscard]] const std::string& unit() const noexcept { return unit_; }
+    /// Of all values; not a number where there is none.
+    [[nodiscard]] double lowest() const noexcept { return lowest_; }
+    [[nodiscard]] double highest() const noexcept { return highest_; }
     [[nodiscard]] int columns() const noexcept { return columns_; }
     [[nodiscard]] int rows() const noexcept { return rows_; }
     [[nodiscard]] double sizeX() const noexcept { return columns_ * pitchX_; }  ///< [m]
@@ -40,6 +44,8 @@ private:
     double pitchY_;              ///< [m]
     std::vector<float> values_;  ///< row 0 is the top row
     std::string unit_;
+    double lowest_ = std::numeric_limits<double>::quiet_NaN();
+    double highest_ = std::numeric_limits<double>::quiet_NaN();
 };
 
 }  // namespace asperity

@@ -4,6 +4,7 @@
 #include "core/surface/fit/GaussianFilter.h"
 #include "core/surface/synthetic/SyntheticSurface.h"
 
+#include <algorithm>
 #include <numbers>
 
 namespace asperity {
@@ -36,20 +37,39 @@ HeightMap grating() {
     return smoothed(sampledMap(square(600.0_nm), shape), kCornerRounding);
 }
 
-/// Gold nanoparticles on softly rolling ground, as a 10 nm tip would have scanned them.
-HeightMap particles() {
-    constexpr double kRimRounding = 1.5;  // [pixel]
+constexpr double kRimRounding = 1.5;  // of particles [pixel]
+
+/// Gold nanoparticles as a 10 nm tip would have scanned them.
+HeightMap particlesAlone() {
     const ScanSize size = square(400.0_nm);
-    HeightMap map = sampledMap(size, Nanoparticles({.count = 15,
-                                                    .medianRadius = 14.0_nm,
-                                                    .spread = 0.35,
-                                                    .smallest = 8.0_nm,
-                                                    .largest = 25.0_nm,
-                                                    .scanTipRadius = 10.0_nm,
-                                                    .clearance = 12.0_nm,
-                                                    .seed = 5},
-                                                   size));
+    return sampledMap(size, Nanoparticles({.count = 15,
+                                           .medianRadius = 14.0_nm,
+                                           .spread = 0.35,
+                                           .smallest = 8.0_nm,
+                                           .largest = 25.0_nm,
+                                           .scanTipRadius = 10.0_nm,
+                                           .clearance = 12.0_nm,
+                                           .seed = 5},
+                                          size));
+}
+
+/// Where the particles stand: 1, and 0 on the ground between them.
+HeightMap particleMask() {
+    HeightMap map = particlesAlone();
+    for (double& value : map.heights) {
+        value = value > 0.0 ? 1.0 : 0.0;
+    }
     map = smoothed(map, kRimRounding);
+    for (double& value : map.heights) {
+        value = std::clamp(value, 0.0, 1.0);
+    }
+    return map;
+}
+
+/// The particles on softly rolling ground.
+HeightMap particles() {
+    HeightMap map = smoothed(particlesAlone(), kRimRounding);
+    const ScanSize size = square(400.0_nm);
     add(map, selfAffineMap(size, {.rms = 1.6_nm,
                                   .hurst = 0.9,
                                   .longestWave = 400.0_nm,
@@ -115,6 +135,7 @@ std::vector<SampleScan> makeSampleScans() {
         {"egg_box.gsf", "Egg box, 10 nm high, period 100 nm", eggBox()},
         {"grating.gsf", "Trapezoid grating, pitch 200 nm, depth 30 nm", grating()},
         {"particles.gsf", "Nanoparticles of 8-25 nm radius on rolling ground", particles()},
+        {"particle_mask.gsf", "Where the nanoparticles of particles.gsf stand", particleMask(), ""},
         {"self_affine.gsf", "Self-affine roughness, rms 6 nm, Hurst exponent 0.8", selfAffine()},
         {"steps.gsf", "Vicinal Au(111), steps of 0.235 nm", steps()},
         {"spherulite.gsf", "Banded polymer spherulites", spherulite()}};

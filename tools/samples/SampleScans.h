@@ -12,6 +12,7 @@ struct SampleScan {
     std::string fileName;  ///< "particles.gsf"
     std::string title;
     HeightMap map;
+    std::string unit = "m";  ///< empty: the map holds shares, no heights
 };
 
 /// All scans of data/samples, made anew: the same numbers on every call.

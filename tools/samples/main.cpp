@@ -11,7 +11,8 @@ namespace {
 void writeSamples(const std::filesystem::path& folder) {
     std::filesystem::create_directories(folder);
     for (const asperity::SampleScan& sample : asperity::makeSampleScans()) {
-        asperity::writeHeightMap(folder / sample.fileName, sample.map, {.title = sample.title});
+        asperity::writeHeightMap(folder / sample.fileName, sample.map,
+                                 {.title = sample.title, .unit = sample.unit});
     }
 }
 

@@ -91,9 +91,23 @@ ContactModel::Checked ContactModel::checked(ContactLaw law, const ContactPair& p
 }
 
 ContactModel ContactModel::withTipRadius(double tipRadius) const noexcept {
+    ContactPair pair = given_.pair;
+    pair.tipRadius = tipRadius;
+    return withPair(pair);
+}
+
+ContactModel ContactModel::withPair(const ContactPair& pair) const noexcept {
     Checked given = given_;
-    if (!std::isnan(tipRadius)) {
-        given.pair.tipRadius = std::clamp(tipRadius, kMinTipRadius, kMaxTipRadius);
+    given.pair = pair;
+    given.pair.tipRadius = std::isnan(pair.tipRadius)
+                               ? given_.pair.tipRadius
+                               : std::clamp(pair.tipRadius, kMinTipRadius, kMaxTipRadius);
+    const double adhesion = given_.pair.workOfAdhesion;
+    if (pair.workOfAdhesion != adhesion) {
+        given.options.cohesiveStress =
+            adhesion >= kMinAdhesion
+                ? given_.options.cohesiveStress * (pair.workOfAdhesion / adhesion)
+                : defaultStress(pair);
     }
     return ContactModel(given);
 }

@@ -30,6 +30,10 @@ public:
     /// covers a tenth of the first radius to ten times that; beyond, the exact law answers.
     [[nodiscard]] ContactModel withTipRadius(double tipRadius) const noexcept;
 
+    /// The same law for another pair that the constructor would take, its radius as in
+    /// withTipRadius(). The range of the cohesive zone stays, its stress goes with the adhesion.
+    [[nodiscard]] ContactModel withPair(const ContactPair& pair) const noexcept;
+
     /// Stable equilibrium at `approach` = indentation + compliance x force [m], the approach of the
     /// undeflected tip; `compliance` is the lever's along the normal [m/N] (0: displacement
     /// control). `memory` is of the previous state: its branch is kept while it is stable.

@@ -8,6 +8,7 @@
 
 #include <cmath>
 #include <string>
+#include <utility>
 
 namespace asperity {
 
@@ -42,6 +43,14 @@ void listLog(const TickSample& sample, CurveBranch branch, const Cell& cell) {
     cell({"flags"}, validityText(out.flags));
     cell({"indentation_m"}, out.model.contact.indentation);
     cell({"branch"}, keyOf(branch));
+}
+
+/// Those that a sample adds which is not the same everywhere.
+template <class Cell>
+void listMaterial(const PlaceMaterial& material, const Cell& cell) {
+    cell({"youngs_modulus_pa"}, material.youngsModulus);
+    cell({"work_of_adhesion_j_m2"}, material.workOfAdhesion);
+    cell({"friction_coefficient"}, material.frictionCoefficient);
 }
 
 /// The columns of tick_input.csv.
@@ -95,13 +104,25 @@ TickTable::TickTable(const std::filesystem::path& path, const char* what,
                      const std::vector<std::string>& columns)
     : csv_(GrowingFile(path), comments(what), columns) {}
 
-ForceLogWriter::ForceLogWriter(const std::filesystem::path& path)
-    : TickTable(path, "what the run did, one row a tick",
-                columnNames([](const auto& cell) { listLog({}, {}, cell); })) {}
+ForceLogWriter::ForceLogWriter(const std::filesystem::path& path,
+                               std::shared_ptr<const MaterialField> field)
+    : TickTable(path, "what the run did, one row a tick", columnNames([&field](const auto& cell) {
+                    listLog({}, {}, cell);
+                    if (field != nullptr) {
+                        listMaterial({}, cell);
+                    }
+                }))
+    , field_(std::move(field)) {}
 
 void ForceLogWriter::take(const TickSample& sample) {
     const CurveBranch branch = branch_.take(sample.input, sample.output);
-    addCells(csv_, [&](const auto& cell) { listLog(sample, branch, cell); });
+    addCells(csv_, [&](const auto& cell) {
+        listLog(sample, branch, cell);
+        if (field_ != nullptr) {
+            const Vector3& place = sample.output.model.closest.point;
+            listMaterial(field_->at(place.x(), place.y()), cell);
+        }
+    });
     csv_.endRow();
 }
 

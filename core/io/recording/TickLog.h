@@ -4,8 +4,10 @@
 #include "core/haptics/cycle/CurveBranch.h"
 #include "core/io/tables/CsvTable.h"
 #include "core/io/tables/CsvWriter.h"
+#include "core/probe/MaterialMaps.h"
 
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -33,11 +35,15 @@ protected:
 /// the approach branch, wherever in a run it begins, so that its replay says the same.
 class ForceLogWriter : public TickTable {
 public:
+    /// @param field of a sample that is not the same everywhere: columns of what it is made of at
+    ///        the contact point are added; null: there are none
     /// @throw Error when the file is there or cannot be made
-    explicit ForceLogWriter(const std::filesystem::path& path);
+    explicit ForceLogWriter(const std::filesystem::path& path,
+                            std::shared_ptr<const MaterialField> field = nullptr);
     void take(const TickSample& sample);
 
 private:
+    std::shared_ptr<const MaterialField> field_;
     BranchTracker branch_;
 };
 

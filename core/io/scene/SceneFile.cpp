@@ -6,6 +6,7 @@
 #include "core/io/scene/HapticsKeys.h"
 #include "core/io/scene/LevelingKeys.h"
 #include "core/io/scene/MarkerKeys.h"
+#include "core/io/scene/MaterialMapKeys.h"
 #include "core/io/scene/NamedChoice.h"
 #include "core/io/scene/ProbeFile.h"
 #include "core/io/scene/TomlFile.h"
@@ -41,7 +42,15 @@ SampleMaterial readMaterial(TomlSection& section, const SampleMaterial& otherwis
 /// A material by the key `material` (a file), with single keys of the section over it.
 SampleMaterial readMaterialOf(TomlSection& section, const SampleMaterial& otherwise) {
     const std::filesystem::path file = section.path("material");
-    return readMaterial(section, file.empty() ? otherwise : readMaterialFile(file));
+    SampleMaterial material =
+        readMaterial(section, file.empty() ? otherwise : readMaterialFile(file));
+    material.maps = readMaterialSources(section, [](const std::filesystem::path& masked) {
+        const SampleMaterial given = readMaterialFile(masked);
+        return MaskedMaterial{.youngsModulus = given.elastic.youngsModulus,
+                              .workOfAdhesion = given.workOfAdhesion,
+                              .frictionCoefficient = given.friction.coefficient};
+    });
+    return material;
 }
 
 /// By pixels or by length.
@@ -147,6 +156,7 @@ void readProbeSection(TomlSection section, SceneDescription& scene) {
 TruthDescription readTruth(TomlSection section, const SceneDescription& scene) {
     TruthDescription truth;
     truth.material = readMaterialOf(section, scene.sample.material);
+    truth.material.maps = trueSources(section, truth.material.maps, scene.sample.material.maps);
     truth.stiffness = section.number("stiffness_n_m", Cantilever(scene.probe).stiffness());
     truth.signalNoise = section.number("signal_noise_rad", scene.signalSigma);
     truth.noiseSeed = section.count("noise_seed", truth.noiseSeed);
@@ -239,6 +249,7 @@ void insertShape(const ShapeDescription& shape, toml::table& table) {
 
 toml::table sampleTable(const SampleDescription& sample) {
     toml::table table = materialTable(sample.material);
+    insertMaterialSources(sample.material.maps, table);
     if (sample.shape) {
         insertShape(*sample.shape, table);
         return table;
@@ -287,6 +298,7 @@ toml::table fidelityTable(const SceneDescription& scene) {
 
 toml::table truthTable(const TruthDescription& truth) {
     toml::table table = materialTable(truth.material);
+    insertMaterialSources(truth.material.maps, table);
     table.insert("stiffness_n_m", truth.stiffness);
     table.insert("signal_noise_rad", truth.signalNoise);
     table.insert("noise_seed", static_cast<std::int64_t>(truth.noiseSeed));

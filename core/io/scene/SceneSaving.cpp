@@ -2,6 +2,7 @@
 
 #include "core/TemporaryFile.h"
 #include "core/io/scene/SceneFile.h"
+#include "core/scene/SceneFiles.h"
 
 namespace asperity {
 
@@ -21,11 +22,13 @@ bool haveFolderInCommon(const std::filesystem::path& a, const std::filesystem::p
 void saveScene(const SceneDescription& scene, const std::filesystem::path& file,
                const std::string& window) {
     const std::filesystem::path folder = std::filesystem::absolute(file).parent_path();
-    SceneDescription saved = scene;
-    const std::filesystem::path scan = scene.sample.file;
-    if (scan.is_absolute() && haveFolderInCommon(scan.parent_path(), folder)) {
-        saved.sample.file = scan.lexically_relative(folder.lexically_normal()).string();
-    }
+    SceneDescription saved = withoutHashes(scene);
+    forEachFile(saved, [&folder](std::string& name) {
+        const std::filesystem::path read = name;
+        if (read.is_absolute() && haveFolderInCommon(read.parent_path(), folder)) {
+            name = read.lexically_relative(folder.lexically_normal()).string();
+        }
+    });
     OutputFile output(file);
     output.stream() << sceneText(saved) << window;
     output.commitToDisk();

@@ -69,6 +69,10 @@ bool TomlSection::has(const std::string& key) const {
     return table_ != nullptr && table_->contains(key);
 }
 
+bool TomlSection::isText(const std::string& key) const {
+    return has(key) && table_->get(key)->is_string();
+}
+
 double TomlSection::number(const std::string& key, double otherwise) {
     const toml::node* node = find(key);
     if (node == nullptr) {
@@ -172,6 +176,17 @@ std::vector<std::int64_t> TomlSection::integers(const std::string& key) {
         numbers.push_back(*entry.value<std::int64_t>());
     }
     return numbers;
+}
+
+std::optional<TomlSection> TomlSection::table(const std::string& key) {
+    const toml::node* node = find(key);
+    if (node == nullptr) {
+        return std::nullopt;
+    }
+    if (!node->is_table()) {
+        refuse(key, "a table in braces");
+    }
+    return TomlSection(*table_, file_, key);
 }
 
 std::filesystem::path TomlSection::path(const std::string& key) {

@@ -28,6 +28,7 @@ public:
     TomlSection(const toml::table& root, std::filesystem::path file, std::string name);
 
     [[nodiscard]] bool has(const std::string& key) const;
+    [[nodiscard]] bool isText(const std::string& key) const;
     [[nodiscard]] double number(const std::string& key, double otherwise);
     [[nodiscard]] std::uint64_t count(const std::string& key, std::uint64_t otherwise);
     [[nodiscard]] bool flag(const std::string& key, bool otherwise);
@@ -38,6 +39,9 @@ public:
     [[nodiscard]] std::vector<Vector2> places(const std::string& key);
     /// Whole numbers, written [1, 2, 3]; empty where there are none.
     [[nodiscard]] std::vector<std::int64_t> integers(const std::string& key);
+    /// A table within the section, read as a section of the name of its key; none where there is
+    /// no such key.
+    [[nodiscard]] std::optional<TomlSection> table(const std::string& key);
     /// A path as pathText() writes it, resolved against the folder of the file.
     [[nodiscard]] std::filesystem::path path(const std::string& key);
 

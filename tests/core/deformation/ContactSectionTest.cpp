@@ -33,7 +33,7 @@ TEST(ContactSection, OfAFlatSampleIsTheContactLawsOwn) {
     const TipState state = pressed(scene);
     const ContactDeformation deformation(scene, state, DeformationModel::ClosedForm);
     const ContactSection section = contactSection(scene, deformation, kPlane);
-    const double share = shareOfSample(scene, DeformationModel::ClosedForm);
+    const double share = shareOfSample(scene, state, DeformationModel::ClosedForm);
     ASSERT_EQ(section.rest.size(), 401U);
     for (std::size_t i = 0; i < section.rest.size(); ++i) {
         EXPECT_NEAR(section.rest[i].y(), 0.0, 1e-18);

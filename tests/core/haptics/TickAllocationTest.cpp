@@ -48,6 +48,25 @@ TEST(TickAllocation, NorDoesAShape) {
     expectNoAllocation(buildScene(description));
 }
 
+TEST(TickAllocation, NorDoesASampleOfSeveralMaterials) {
+    const HeightMap scan = test::hillyMap();
+    HeightMap values = scan;
+    for (std::size_t i = 0; i < values.heights.size(); ++i) {
+        values.heights[i] = 1e9 + 3e9 * static_cast<double>(i % 64) / 64.0;
+    }
+    const MaterialMaps maps{.youngsModulus = std::make_shared<const PixelField>(values, "Pa"),
+                            .workOfAdhesion = nullptr,
+                            .friction = nullptr};
+    SceneDescription description = test::plainScene();
+    description.sample.material.maps.youngsModulus =
+        MapSource{.file = "modulus.gwy", .channel = "", .sha256 = ""};
+    description.truth.material = description.sample.material;
+    for (const SolverSetting solver : {SolverSetting::Newton, SolverSetting::Table}) {
+        description.choices.solver = solver;
+        expectNoAllocation(buildScene(description, scan, nullptr, {.sample = maps, .truth = maps}));
+    }
+}
+
 TEST(TickAllocation, NorDoesAnyLawSolverOrControl) {
     SceneDescription description = test::plainScene();
     description.sample.material.filmThickness = 100.0_nm;

@@ -27,7 +27,8 @@ TEST(SampleScans, AreThoseInTheRepositoryByteForByte) {
         std::filesystem::path(testing::TempDir()) / "asperity_sample_scans";
     std::filesystem::create_directories(folder);
     for (const SampleScan& sample : makeSampleScans()) {
-        writeHeightMap(folder / sample.fileName, sample.map, {.title = sample.title});
+        writeHeightMap(folder / sample.fileName, sample.map,
+                       {.title = sample.title, .unit = sample.unit});
         const std::string stored =
             bytesOf(std::filesystem::path(ASPERITY_DATA_DIR) / "samples" / sample.fileName);
         EXPECT_GT(stored.size(), 4U * 256U * 256U) << sample.fileName;

@@ -2,6 +2,7 @@
 
 #include "core/Error.h"
 #include "core/io/heightmap/ScanFile.h"
+#include "core/io/materials/MaterialMapFiles.h"
 #include "core/io/scene/SceneFile.h"
 
 #include <utility>
@@ -10,10 +11,12 @@ namespace asperity {
 
 namespace {
 
-Scene built(const SceneDescription& description, std::variant<HeightMap, ScanMap> heights,
-            Progress* progress) {
-    return std::visit([&](auto map) { return buildScene(description, std::move(map), progress); },
-                      std::move(heights));
+Scene built(SceneDescription description, std::variant<HeightMap, ScanMap> heights,
+            const MapArea& area, Progress* progress) {
+    const SceneMaps maps = readSceneMaps(description, area);
+    return std::visit(
+        [&](auto map) { return buildScene(description, std::move(map), progress, maps); },
+        std::move(heights));
 }
 
 }  // namespace
@@ -25,21 +28,26 @@ Scene sceneOf(const std::string& file, std::variant<HeightMap, ScanMap> heights,
         throw Error(file + ": its sample is a shape; expected a scene of a height map");
     }
     description.sample.crop.reset();
-    return built(description, std::move(heights), progress);
+    const MapArea area = std::visit([](const auto& map) { return mapArea(map); }, heights);
+    return built(std::move(description), std::move(heights), area, progress);
 }
 
 Scene sceneOf(const std::string& file, Progress* progress) {
     SceneDescription description = sceneFromInput(file);
     SampleDescription& sample = description.sample;
     if (sample.shape) {
-        return buildScene(description);
+        const double size = sample.shape->size;
+        const SceneMaps maps = readSceneMaps(description, shapeArea(size));
+        return buildScene(description, maps);
     }
     ProgressPart reading(progress, 0.0, 0.4);
     ProgressPart building(progress, 0.4, 1.0);
-    SceneScan scan =
-        ScanFile(sample.file, sample.scale).readSceneScan(sample.channel, sample.crop, &reading);
+    const ScanFile scanFile(sample.file, sample.scale);
+    SceneScan scan = scanFile.readSceneScan(sample.channel, sample.crop, &reading);
     sample.channel = scan.channel;
-    return built(description, std::move(scan.map), &building);
+    const ScanChannel& heights = heightChannel(scanFile.contents(), sample.file, sample.channel);
+    const MapArea area = mapArea(heights.map, sample.crop);
+    return built(std::move(description), std::move(scan.map), area, &building);
 }
 
 }  // namespace asperity

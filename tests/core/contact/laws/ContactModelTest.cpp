@@ -331,5 +331,30 @@ TEST(ContactModel, MeetsAndPartsWithoutAJumpWhereNothingAttracts) {
     }
 }
 
+/// The law of a place is that of a uniform sample of its material.
+TEST(ContactModel, WithAnotherPairIsTheModelOfThatPair) {
+    const ContactPair usual{.tipRadius = 15e-9, .reducedModulus = 3e9, .workOfAdhesion = 0.06};
+    const ContactPair other{.tipRadius = 22e-9, .reducedModulus = 0.4e9, .workOfAdhesion = 0.015};
+    const auto optionsOf = [](const ContactPair& pair) {
+        return ContactOptions{.cohesiveStress = pair.workOfAdhesion / 0.5e-9,
+                              .filmThickness = 100e-9};
+    };
+    for (const ContactLaw law : kValues<ContactLaw>) {
+        SCOPED_TRACE(keyOf(law));
+        const ContactModel made = ContactModel(law, usual, optionsOf(usual)).withPair(other);
+        const ContactModel expected(law, other, optionsOf(other));
+        EXPECT_NEAR(made.cohesiveStress(), expected.cohesiveStress(),
+                    1e-12 * expected.cohesiveStress());
+        for (const double approach : {-3e-9, 0.1e-9, 2e-9}) {
+            const ContactMemory bonded{ContactBranch::Bonded, 0.0};
+            const ContactState state = made.equilibrium(approach, 0.05, bonded);
+            const ContactState wanted = expected.equilibrium(approach, 0.05, bonded);
+            EXPECT_NEAR(state.force, wanted.force, 1e-9 * std::abs(wanted.force)) << approach;
+        }
+    }
+    const ContactModel dry = ContactModel(ContactLaw::Maugis, usual).withPair({15e-9, 3e9, 0.0});
+    EXPECT_EQ(dry.lastBonded(0.0).force, 0.0) << "no adhesion where the material has none";
+}
+
 }  // namespace
 }  // namespace asperity

@@ -1,0 +1,224 @@
+#include "core/io/materials/MaterialMapFiles.h"
+
+#include "core/Error.h"
+#include "core/FormattedText.h"
+#include "core/io/heightmap/PhysicalUnit.h"
+#include "core/io/heightmap/ScanFile.h"
+#include "core/surface/InvalidPixels.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace asperity {
+
+namespace {
+
+constexpr double kSameSize =
+    0.01;  // relative difference of lateral sizes that instruments round to
+
+/// What the values of a map may be.
+struct MapQuantityRange {
+    const char* name;                ///< for people
+    std::vector<std::string> units;  ///< base units; empty: any
+    double low;
+    double high;
+    const char* expected;
+};
+
+const MapQuantityRange kModulus{"a modulus", {"Pa"}, 1e3, 2e12, "1e3 to 2e12 Pa"};
+const MapQuantityRange kAdhesion{
+    "a work of adhesion", {"J/m^2", "J/m²", "N/m"}, 0.0, 10.0, "0 to 10 J/m^2"};
+const MapQuantityRange kFriction{"a coefficient of friction", {""}, 0.0, 10.0, "0 to 10"};
+const MapQuantityRange kMask{"a mask", {}, 0.0, 1e300, "0 or more"};
+
+bool hasUnit(const ScanChannel& channel, const MapQuantityRange& quantity) {
+    const std::vector<std::string>& units = quantity.units;
+    return units.empty() || std::ranges::find(units, parseUnit(channel.unit).base) != units.end();
+}
+
+/// The channel that is asked for, or the only one that may be meant.
+const ScanChannel& channelOf(const HeightMapFile& file, const MapSource& source,
+                             const MapQuantityRange& quantity) {
+    std::vector<const ScanChannel*> fitting;
+    std::string names;
+    for (const ScanChannel& channel : file.channels) {
+        if (hasUnit(channel, quantity) &&
+            (source.channel.empty() || channel.name == source.channel)) {
+            fitting.push_back(&channel);
+        }
+        names += (names.empty() ? "'" : ", '") + channel.name + "' (" +
+                 (channel.unit.empty() ? "no unit" : channel.unit) + ")";
+    }
+    if (fitting.empty() || (fitting.size() > 1 && source.channel.empty())) {
+        const std::string wanted = source.channel.empty() ? "" : " named '" + source.channel + "'";
+        throw InputError(source.file, "channel",
+                         std::string("expected ") +
+                             (fitting.empty() ? "a channel" : "a choice of one channel") + " of " +
+                             quantity.name + wanted + "; the file has " + names);
+    }
+    return *fitting.front();
+}
+
+bool isNear(double size, double other) { return std::abs(size - other) <= kSameSize * other; }
+
+/// The pixels of a map that lie over the loaded part of the scan.
+PixelRectangle coveredPart(const HeightMap& map, bool hasSize, const MapArea& area,
+                           const std::string& file) {
+    const PixelRectangle all{0, 0, map.columns, map.rows};
+    const PixelRectangle& part = area.part;
+    const bool hasScansPixels = map.columns == area.columns && map.rows == area.rows;
+    const bool isPart = part.columns != area.columns || part.rows != area.rows;
+    if (!hasSize) {
+        return isPart && hasScansPixels ? part : all;
+    }
+    const auto covers = [&map](double sizeX, double sizeY) {
+        return isNear(map.sizeX(), sizeX) && isNear(map.sizeY(), sizeY);
+    };
+    if (covers(part.columns * area.pitchX, part.rows * area.pitchY)) {
+        return all;
+    }
+    const double sizeX = area.columns * area.pitchX;
+    const double sizeY = area.rows * area.pitchY;
+    if (!covers(sizeX, sizeY)) {
+        throw InputError(file, "",
+                         formatted("expected a map of %.6g x %.6g m, the size of the scan; it is "
+                                   "%.6g x %.6g m",
+                                   sizeX, sizeY, map.sizeX(), map.sizeY()));
+    }
+    if (!hasScansPixels) {
+        throw InputError(file, "",
+                         formatted("expected a map of the scan's %d x %d pixels, since a part of "
+                                   "it is loaded; it has %d x %d",
+                                   area.columns, area.rows, map.columns, map.rows));
+    }
+    return part;
+}
+
+void requireRange(double value, int row, int column, const MapQuantityRange& quantity,
+                  const MapSource& source) {
+    if (isFiniteHeight(value) && !(value >= quantity.low && value <= quantity.high)) {
+        throw InputError(
+            source.file, formatted("%s, row %d, column %d", source.channel.c_str(), row, column),
+            formatted("%.6g is not %s: expected %s", value, quantity.name, quantity.expected));
+    }
+}
+
+/// Checks the file against the hash that the description has of it, and keeps that.
+void settleHash(const ScanFile& file, MapSource& source, Progress* progress) {
+    std::string hash = file.sha256(progress);
+    if (!source.sha256.empty() && source.sha256 != hash) {
+        throw InputError(source.file, "",
+                         "the map has changed since the run was recorded (its hash differs)");
+    }
+    source.sha256 = std::move(hash);
+}
+
+/// A map over the loaded part of the scan, in SI base units, a value in each pixel.
+HeightMap readMap(MapSource& source, const MapQuantityRange& quantity, const MapArea& area,
+                  Progress* progress) {
+    source.file = std::filesystem::absolute(source.file).lexically_normal().string();
+    const ScanFile file(source.file);
+    const ScanChannel& channel = channelOf(file.contents(), source, quantity);
+    source.channel = channel.name;
+    const PixelRectangle part = coveredPart(channel.map, channel.hasSize(), area, source.file);
+    const double factor = parseUnit(channel.unit).factor;
+    HeightMap map{.columns = part.columns,
+                  .rows = part.rows,
+                  .pitchX = area.part.columns * area.pitchX / part.columns,
+                  .pitchY = area.part.rows * area.pitchY / part.rows,
+                  .heights = {},
+                  .invalid = {}};
+    map.heights.reserve(map.index(map.rows, 0));
+    ProgressPart reading(progress, 0.0, 0.6);
+    file.forEachRow(channel, [&](int row, std::span<const double> line) {
+        if (row >= part.row && row < part.row + part.rows) {
+            for (int column = part.column; column < part.column + part.columns; ++column) {
+                const double value = factor * line[static_cast<std::size_t>(column)];
+                requireRange(value, row, column, quantity, source);
+                map.heights.push_back(value);
+            }
+        }
+        reportTo(&reading, static_cast<double>(row) / channel.map.rows);
+    });
+    ProgressPart hashing(progress, 0.6, 1.0);
+    settleHash(file, source, &hashing);
+    if (std::ranges::none_of(map.heights, [](double value) { return isFiniteHeight(value); })) {
+        throw InputError(source.file, source.channel, "expected a map with data; no pixel has any");
+    }
+    map = withInvalidPixelsFilled(std::move(map));
+    map.invalid.clear();
+    return map;
+}
+
+std::shared_ptr<const PixelField> fieldOf(const HeightMap& map, const char* unit) {
+    return std::make_shared<const PixelField>(map, unit);
+}
+
+std::shared_ptr<const PixelField> readField(std::optional<MapSource>& source,
+                                            const MapQuantityRange& quantity, const char* unit,
+                                            const MapArea& area, Progress* progress) {
+    return source ? fieldOf(readMap(*source, quantity, area, progress), unit) : nullptr;
+}
+
+/// Shares of the second material; a mask that goes beyond 1 counts in shares of its largest value.
+HeightMap readShares(MapSource& source, const MapArea& area, Progress* progress) {
+    HeightMap mask = readMap(source, kMask, area, progress);
+    const double most = std::max(1.0, std::ranges::max(mask.heights));
+    for (double& value : mask.heights) {
+        value /= most;
+    }
+    return mask;
+}
+
+MaterialMaps mixedBy(const HeightMap& shares, const MaterialMask& mask) {
+    const auto between = [&shares](double zero, double one, const char* unit) {
+        HeightMap mixed = shares;
+        for (double& value : mixed.heights) {
+            value = zero + value * (one - zero);
+        }
+        return fieldOf(mixed, unit);
+    };
+    return {.youngsModulus = between(mask.zero.youngsModulus, mask.one.youngsModulus, "Pa"),
+            .workOfAdhesion = between(mask.zero.workOfAdhesion, mask.one.workOfAdhesion, "J/m^2"),
+            .friction = between(mask.zero.frictionCoefficient, mask.one.frictionCoefficient, "")};
+}
+
+MaterialMaps readMaps(MaterialSources& sources, const MapArea& area, Progress* progress) {
+    if (sources.mask) {
+        return mixedBy(readShares(sources.mask->source, area, progress), *sources.mask);
+    }
+    ProgressPart first(progress, 0.0, 1.0 / 3.0);
+    ProgressPart second(progress, 1.0 / 3.0, 2.0 / 3.0);
+    ProgressPart third(progress, 2.0 / 3.0, 1.0);
+    MaterialMaps maps;
+    maps.youngsModulus = readField(sources.youngsModulus, kModulus, "Pa", area, &first);
+    maps.workOfAdhesion = readField(sources.workOfAdhesion, kAdhesion, "J/m^2", area, &second);
+    maps.friction = readField(sources.friction, kFriction, "", area, &third);
+    return maps;
+}
+
+}  // namespace
+
+SceneMaps readSceneMaps(SceneDescription& description, const MapArea& area, Progress* progress) {
+    MaterialSources& believed = description.sample.material.maps;
+    MaterialSources& actual = description.truth.material.maps;
+    const bool areSame = actual == believed;
+    ProgressPart first(progress, 0.0, areSame ? 1.0 : 0.5);
+    SceneMaps maps{.sample = readMaps(believed, area, &first), .truth = {}};
+    if (areSame) {
+        actual = believed;
+        maps.truth = maps.sample;
+    } else {
+        ProgressPart second(progress, 0.5, 1.0);
+        maps.truth = readMaps(actual, area, &second);
+    }
+    return maps;
+}
+
+}  // namespace asperity

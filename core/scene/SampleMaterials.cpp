@@ -1,0 +1,59 @@
+#include "core/scene/SampleMaterials.h"
+
+#include "core/Error.h"
+
+#include <utility>
+
+namespace asperity {
+
+namespace {
+
+using Map = std::shared_ptr<const PixelField>;
+
+Map named(bool isNamed, const Map& read, const std::string& what) {
+    if (isNamed && read == nullptr) {
+        throw Error(what + ": its file has not been read");
+    }
+    return isNamed ? read : nullptr;
+}
+
+}  // namespace
+
+MaterialMaps mapsOf(const SampleMaterial& material, const MaterialMaps& read,
+                    const std::string& where) {
+    const MaterialSources& sources = material.maps;
+    const bool masked = sources.mask.has_value();
+    return {.youngsModulus = named(masked || sources.youngsModulus, read.youngsModulus,
+                                   where + ": youngs_modulus_map"),
+            .workOfAdhesion = named(masked || sources.workOfAdhesion, read.workOfAdhesion,
+                                    where + ": work_of_adhesion_map"),
+            .friction = named(masked || sources.friction, read.friction, where + ": friction_map")};
+}
+
+SampleMaterial withLargest(SampleMaterial material, const MaterialMaps& maps) {
+    if (maps.youngsModulus != nullptr) {
+        material.elastic.youngsModulus = maps.youngsModulus->highest();
+    }
+    if (maps.workOfAdhesion != nullptr) {
+        material.workOfAdhesion = maps.workOfAdhesion->highest();
+    }
+    if (maps.friction != nullptr) {
+        material.friction.coefficient = maps.friction->highest();
+    }
+    return material;
+}
+
+std::shared_ptr<const MaterialField> materialField(MaterialMaps maps,
+                                                   const SampleMaterial& material,
+                                                   const Friction& friction, const Elastic& tip) {
+    if (!maps.any()) {
+        return nullptr;
+    }
+    const PlaceMaterial usual{.youngsModulus = material.elastic.youngsModulus,
+                              .workOfAdhesion = material.workOfAdhesion,
+                              .frictionCoefficient = friction.coefficient};
+    return std::make_shared<const MaterialField>(std::move(maps), usual,
+                                                 material.elastic.poissonRatio, tip);
+}
+
+}  // namespace asperity
