@@ -350,7 +350,7 @@ TEST_F(ForceMap, IsLockedWhileTheSceneIsFixed) {
 TEST_F(ForceMap, ReplacesNoScanAndNoFileUnasked) {
     map(3, 3);
     maps().saveTo(hills());
-    EXPECT_NE(complaint().find("this is the scan"), std::string::npos);
+    EXPECT_NE(complaint().find("the scene is made of this"), std::string::npos);
     maps().saveTo(folder.file("map.txt"));
     EXPECT_NE(complaint().find(".gwy"), std::string::npos);
     const std::filesystem::path kept = folder.write("other.vti", "mine");
