@@ -50,6 +50,9 @@ double ColorRange::smallest(SurfaceQuantity quantity) {
         return 1e-3;  // [rad]
     case SurfaceQuantity::Certainty:
         return 1.0;
+    case SurfaceQuantity::YoungsModulus:
+    case SurfaceQuantity::WorkOfAdhesion:
+    case SurfaceQuantity::FrictionCoefficient:
     case SurfaceQuantity::Channel:
     case SurfaceQuantity::ForceMap:
         break;

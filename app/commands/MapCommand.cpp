@@ -3,6 +3,8 @@
 #include "app/commands/MapOptions.h"
 #include "app/commands/ProgressLine.h"
 #include "app/commands/VirtualDisplay.h"
+#include "app/maps/ComparisonReport.h"
+#include "app/maps/ComparisonSheets.h"
 #include "app/maps/MapJob.h"
 #include "app/maps/MapKey.h"
 #include "app/maps/MapRun.h"
@@ -43,18 +45,40 @@ PartUse useOf(const MapOptions& options) {
     return options.resume ? PartUse::Resume : options.force ? PartUse::Replace : PartUse::New;
 }
 
+bool isCompared(const MapOptions& options) { return !options.compare.empty(); }
+
+/// Channels that the map is compared with.
+std::size_t comparedCount(const MapOptions& options) {
+    return isCompared(options) ? options.channels.size() : 0;
+}
+
+/// All files that a map writes.
+std::vector<std::filesystem::path> targetsOf(const MapOptions& options, const MapFiles& files,
+                                             const MapPlan& plan) {
+    std::vector<std::filesystem::path> targets{files.gwy(), files.vti(), files.exr()};
+    if (isCompared(options)) {
+        targets.push_back(files.comparison());
+    }
+    if (options.noPictures) {
+        return targets;
+    }
+    for (int sheet = 1; sheet <= sheetCount(plan); ++sheet) {
+        targets.push_back(files.sheet(sheet));
+    }
+    for (std::size_t sheet = 1; sheet <= comparedCount(options); ++sheet) {
+        targets.push_back(files.comparisonSheet(static_cast<int>(sheet)));
+    }
+    return targets;
+}
+
 /// Refuses files that cannot be written, or that the user may want to keep, before long work is
 /// done for them. An unfinished map's own files may go.
 void requireTargets(const MapOptions& options, const MapFiles& files, const MapPlan& plan,
                     const SceneDescription& scene) {
-    std::vector<std::string> inputs{options.scene};
+    std::vector<std::string> inputs{options.scene, options.compare};
     forEachFile(scene, [&inputs](const std::string& file) { inputs.push_back(file); });
-    std::vector<std::filesystem::path> targets{files.gwy(), files.vti(), files.exr()};
-    for (int sheet = 1; !options.noPictures && sheet <= sheetCount(plan); ++sheet) {
-        targets.push_back(files.sheet(sheet));
-    }
     std::error_code none;
-    for (const std::filesystem::path& file : targets) {
+    for (const std::filesystem::path& file : targetsOf(options, files, plan)) {
         for (const std::string& input : inputs) {
             if (std::filesystem::equivalent(input, file, none)) {
                 throw Error(file.string() + ": this is an input; give another output file");
@@ -92,11 +116,15 @@ struct MapInput {
 };
 
 MapInput inputOf(const MapOptions& options, Progress& progress) {
+    SceneOverrides overrides;
+    if (!isCompared(options) && !options.channels.empty()) {
+        overrides.channel = options.channels.front();
+    }
     // With all terms of the model: no map has to keep up with a tick.
-    LoadedScene loaded = loadScene(options.scene, options.overrides, &progress, ModelFit::Later);
+    LoadedScene loaded = loadScene(options.scene, overrides, &progress, ModelFit::Later);
     reportTo(&progress, 1.0);
     MapPlan plan = planMap(loaded.scene, options.request);
-    requireMapFits(plan);
+    requireMapFits(plan, comparedCount(options));
     return {std::move(loaded), std::move(plan)};
 }
 
@@ -105,14 +133,38 @@ MapInput loadedInput(const MapOptions& options) {
     return inputOf(options, line);
 }
 
+MeasuredFile measuredInput(const MapOptions& options, const MapInput& input) {
+    if (!isCompared(options)) {
+        return {};
+    }
+    ProgressLine line("reading " + options.compare);
+    return readMeasured(options.compare, options.channels, input.loaded.scene, input.plan, &line);
+}
+
+void writeComparison(const MapFiles& files, const std::string& json) {
+    OutputFile file(files.comparison());
+    file.stream() << json << '\n';
+    file.commit();
+}
+
 /// A canceled map is written, too, whatever the signal: what it lacks holds no data.
-void writeAll(const MapFiles& files, const LoadedScene& loaded, const MapPlan& plan,
+void writeAll(const MapFiles& files, const MapInput& input, MeasuredFile measured,
               const MapPart& part, bool withPictures) {
     const CancelOnSignal deaf;
+    const MapPlan& plan = input.plan;
+    const std::vector<ComparedMap> compared =
+        comparedMaps(std::move(measured.channels), plan, part);
     if (withPictures) {
         writeMapSheets(files, plan, part);
+        writeComparisonSheets(files, plan, part, compared);
     }
-    writeMapFiles(files, loaded, plan, part, nullptr);
+    if (!compared.empty()) {
+        writeComparison(files, comparisonJson(measured, plan, compared));
+    }
+    writeMapFiles(files, input.loaded, plan, part, nullptr, compared);
+    for (const ComparedMap& map : compared) {
+        std::cout << printable(sentenceOn(map)) << '\n';
+    }
 }
 
 std::string speedText(const MapPlan& plan, int rows, double seconds) {
@@ -134,8 +186,10 @@ std::string speedText(const MapPlan& plan, int rows, double seconds) {
 /// Of rank 0, or of the only process.
 void lead(const MapOptions& options, const MpiJob& job) {
     const MapFiles files(options.out);
-    const auto [loaded, plan] = loadedInput(options);
+    const MapInput input = loadedInput(options);
+    const auto& [loaded, plan] = input;
     requireTargets(options, files, plan, loaded.scene.description);
+    MeasuredFile measured = measuredInput(options, input);
     std::optional<VirtualDisplay> display;  // before long work is done
     if (!options.noPictures) {
         display.emplace();
@@ -145,13 +199,16 @@ void lead(const MapOptions& options, const MpiJob& job) {
     for (const std::string& note : notesOn(loaded)) {
         std::cerr << "note: " << printable(note) << '\n';
     }
+    for (const std::string& note : measured.notes) {
+        std::cerr << "note: " << printable(options.compare + ": " + note) << '\n';
+    }
     job.requireSame(key, "the map");
     const int before = part.count();
     const auto begin = std::chrono::steady_clock::now();
     const bool isWhole = compute(options, job, loaded.scene, plan, part);
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
     if (isWhole || job.isAlone()) {
-        writeAll(files, loaded, plan, part, !options.noPictures);
+        writeAll(files, input, std::move(measured), part, !options.noPictures);
     }
     if (!isWhole) {
         endCanceled(job, files, part);
@@ -169,6 +226,9 @@ void follow(const MapOptions& options, const MpiJob& job) {
 }
 
 void map(const MapOptions& options) {
+    if (!isCompared(options) && options.channels.size() > 1) {
+        throw CLI::ValidationError("--channel", "a scan has one; several need --compare");
+    }
     const MpiJob job;
     try {
         job.rank() == 0 ? lead(options, job) : follow(options, job);

@@ -75,6 +75,22 @@ void addRequest(CLI::App& command, MapRequest& request) {
                      "the model");
 }
 
+void addCompare(CLI::App& command, MapOptions& options) {
+    CLI::Option* const channel =
+        command
+            .add_option("--channel", options.channels,
+                        "channel of the height-map file SCENE; default: as in the scene. With "
+                        "--compare: channel of that file, as NAME or NAME:QUANTITY, once for each")
+            ->allow_extra_args(false);
+    command
+        .add_option("--compare", options.compare,
+                    "measured maps of the same area, in any format of height maps; writes "
+                    "difference, correlation and the share of variance that the prediction "
+                    "explains of each --channel")
+        ->needs(channel)
+        ->check(notEmpty());
+}
+
 }  // namespace
 
 std::optional<MapGrid> parseGrid(const std::string& text) {
@@ -101,8 +117,7 @@ void addMapOptions(CLI::App& command, MapOptions& options) {
         ->required()
         ->check(gwyName());
     addRequest(command, options.request);
-    command.add_option("--channel", options.overrides.channel,
-                       "channel of the height-map file; default: as in the scene");
+    addCompare(command, options);
     command
         .add_option("--threads", options.threads, "threads; default: as many as there are cores")
         ->check(CLI::Range(1, 1024));

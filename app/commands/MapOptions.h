@@ -1,11 +1,11 @@
 #pragma once
 
-#include "app/program/LoadedScene.h"
 #include "core/map/MapPlan.h"
 
 #include <CLI/CLI.hpp>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace asperity {
 
@@ -14,8 +14,9 @@ struct MapOptions {
     std::string scene;
     std::string out;
     MapRequest request;
-    SceneOverrides overrides;
-    int threads = 0;  ///< 0: as many as the machine has cores
+    std::vector<std::string> channels;  ///< of the scan, or of the measured file if there is one
+    std::string compare;                ///< measured file; empty: none
+    int threads = 0;                    ///< 0: as many as the machine has cores
     bool resume = false;
     bool force = false;
     bool noPictures = false;

@@ -8,16 +8,15 @@
 #include "core/io/heightmap/gwy/GwyWriter.h"
 #include "core/io/heightmap/vti/VtiWriter.h"
 
+#include <cstdint>
 #include <exception>
 #include <limits>
 #include <map>
-#include <span>
+#include <utility>
 
 namespace asperity {
 
 namespace {
-
-using Title = const char* MapQuantityRow::*;
 
 std::map<std::string, std::string> metadataOf(const LoadedScene& loaded, const MapPlan& plan) {
     std::map<std::string, std::string> texts{{"program", std::string("Asperity ") + kVersion},
@@ -30,27 +29,51 @@ std::map<std::string, std::string> metadataOf(const LoadedScene& loaded, const M
     return texts;
 }
 
-/// The quantities of a map as images.
-/// @param title by name, for people, or by key
+/// What a channel is called in a file.
+enum class Naming : std::uint8_t { ByKey, ByName };
+
+/// The channels of a map as images, all of the same pixels.
+class MapImages {
+public:
+    MapImages(const LoadedScene& loaded, const MapPlan& plan)
+        : plan_(plan), metadata_(metadataOf(loaded, plan)) {}
+
+    void add(const std::string& title, const char* unit, RowReader readRow) {
+        images_.push_back({.rows = {.columns = plan_.grid.columns,
+                                    .rows = plan_.grid.rows,
+                                    .pitchX = plan_.pitchX(),
+                                    .pitchY = plan_.pitchY(),
+                                    .readRow = std::move(readRow)},
+                           .meta = {.title = title,
+                                    .originX = plan_.region.left,
+                                    .originY = plan_.region.bottom,
+                                    .unit = unit,
+                                    .metadata = metadata_}});
+    }
+    [[nodiscard]] std::vector<WrittenImage> take() { return std::move(images_); }
+
+private:
+    const MapPlan& plan_;
+    std::map<std::string, std::string> metadata_;
+    std::vector<WrittenImage> images_;
+};
+
 std::vector<WrittenImage> imagesOf(const LoadedScene& loaded, const MapPlan& plan,
-                                   const MapPart& part, Title title) {
-    std::vector<WrittenImage> images;
+                                   const MapPart& part, std::span<const ComparedMap> compared,
+                                   Naming naming) {
+    MapImages images(loaded, plan);
     for (std::size_t i = 0; i < plan.quantities.size(); ++i) {
         const MapQuantityRow& quantity = *rowOf(plan.quantities[i]);
-        images.push_back(
-            {.rows = {.columns = plan.grid.columns,
-                      .rows = plan.grid.rows,
-                      .pitchX = plan.pitchX(),
-                      .pitchY = plan.pitchY(),
-                      .readRow = [&part, i](int row,
-                                            double* values) { part.read(row, i, values); }},
-             .meta = {.title = quantity.*title,
-                      .originX = plan.region.left,
-                      .originY = plan.region.bottom,
-                      .unit = quantity.unit,
-                      .metadata = metadataOf(loaded, plan)}});
+        images.add(naming == Naming::ByKey ? quantity.key : quantity.name, quantity.unit,
+                   [&part, i](int row, double* values) { part.read(row, i, values); });
     }
-    return images;
+    for (const ComparedMap& map : compared) {
+        for (ComparisonLayer& layer : layersOf(map, part)) {
+            images.add(naming == Naming::ByKey ? layer.key : layer.name, rowOf(map.quantity)->unit,
+                       std::move(layer.readRow));
+        }
+    }
+    return images.take();
 }
 
 using ImagesWriter = void (*)(const std::filesystem::path&, std::span<const WrittenImage>,
@@ -71,24 +94,24 @@ void writeImages(const std::filesystem::path& path, std::span<const WrittenImage
 
 }  // namespace
 
-bool mapFits(const MapPlan& plan) {
+bool mapFits(const MapPlan& plan, std::size_t compared) {
     constexpr double kChannelAndMask = 2.0 * sizeof(double);
     const double bytes = kChannelAndMask * plan.grid.columns * plan.grid.rows *
-                         static_cast<double>(plan.quantities.size());
+                         static_cast<double>(plan.quantities.size() + 2 * compared);
     return bytes <= static_cast<double>(std::numeric_limits<std::uint32_t>::max());
 }
 
-void requireMapFits(const MapPlan& plan) {
-    if (!mapFits(plan)) {
+void requireMapFits(const MapPlan& plan, std::size_t compared) {
+    if (!mapFits(plan, compared)) {
         throw Error("a .gwy file holds at most 4 GiB, and these channels with their masks may need "
                     "more: ask for fewer --quantities, a coarser --grid or a --region");
     }
 }
 
 void writeMapFiles(const MapFiles& files, const LoadedScene& loaded, const MapPlan& plan,
-                   const MapPart& part, Progress* progress) {
-    const std::vector<WrittenImage> byKey = imagesOf(loaded, plan, part, &MapQuantityRow::key);
-    const std::vector<WrittenImage> byName = imagesOf(loaded, plan, part, &MapQuantityRow::name);
+                   const MapPart& part, Progress* progress, std::span<const ComparedMap> compared) {
+    const std::vector<WrittenImage> byKey = imagesOf(loaded, plan, part, compared, Naming::ByKey);
+    const std::vector<WrittenImage> byName = imagesOf(loaded, plan, part, compared, Naming::ByName);
     ProgressPart first(progress, 0.0, 0.3);
     writeImages(files.vti(), byKey, writeVtiImages, &first);
     ProgressPart second(progress, 0.3, 0.6);

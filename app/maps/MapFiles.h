@@ -1,10 +1,13 @@
 #pragma once
 
+#include "app/maps/ComparedMap.h"
 #include "app/maps/MapPart.h"
 #include "app/program/LoadedScene.h"
 #include "core/Progress.h"
 
+#include <cstddef>
 #include <filesystem>
+#include <span>
 #include <vector>
 
 namespace asperity {
@@ -22,6 +25,12 @@ public:
     [[nodiscard]] std::filesystem::path sheet(int number) const {
         return beside("_" + std::to_string(number) + ".png");
     }
+    /// Numbers of a comparison with measured maps.
+    [[nodiscard]] std::filesystem::path comparison() const { return beside(".compare.json"); }
+    /// The sheet of a compared channel, from 1.
+    [[nodiscard]] std::filesystem::path comparisonSheet(int number) const {
+        return beside("_compare_" + std::to_string(number) + ".png");
+    }
     [[nodiscard]] std::filesystem::path part() const { return gwy_.string() + ".part"; }
 
 private:
@@ -33,16 +42,19 @@ private:
 };
 
 /// Whether the .gwy of a map stays below its 4 GiB.
-[[nodiscard]] bool mapFits(const MapPlan& plan);
+/// @param compared channels that it is compared with: each adds two
+[[nodiscard]] bool mapFits(const MapPlan& plan, std::size_t compared = 0);
 
 /// Refuses a map that its files cannot hold, before long work is done for it.
-/// @throw Error unless mapFits()
-void requireMapFits(const MapPlan& plan);
+/// @param compared as in mapFits() @throw Error unless it does
+void requireMapFits(const MapPlan& plan, std::size_t compared = 0);
 
 /// Writes every quantity as a channel with its unit to .gwy, .vti and .exr, one row after the other
-/// from the part; each file whole or not at all, the .gwy last. Rows that the part lacks hold no
-/// data. @param progress may be null @throw Error; Canceled
+/// from the part, and difference and residual of each comparison; each file whole or not at all,
+/// the .gwy last. Rows that the part lacks hold no data.
+/// @param progress may be null @throw Error; Canceled
 void writeMapFiles(const MapFiles& files, const LoadedScene& loaded, const MapPlan& plan,
-                   const MapPart& part, Progress* progress);
+                   const MapPart& part, Progress* progress,
+                   std::span<const ComparedMap> compared = {});
 
 }  // namespace asperity

@@ -1,6 +1,5 @@
 #include "app/maps/MapJob.h"
 
-#include "app/maps/RowCrew.h"
 #include "core/AllowedCores.h"
 #include "core/map/MapRow.h"
 
@@ -8,6 +7,7 @@
 #include <deque>
 #include <optional>
 #include <thread>
+#include <utility>
 
 namespace asperity {
 
@@ -33,6 +33,11 @@ std::vector<double> messageOf(const FinishedRow& made) {
     std::vector<double> numbers{static_cast<double>(made.row)};
     numbers.insert(numbers.end(), made.values.begin(), made.values.end());
     return numbers;
+}
+
+/// Needs both.
+RowCrew::Compute rowsOf(const MapInstrument& instrument, const MapPlan& plan) {
+    return [&](int row, const CancelCheck& check) { return mapRow(instrument, plan, row, check); };
 }
 
 /// What rank 0 hands out and keeps.
@@ -94,13 +99,10 @@ private:
 
 }  // namespace
 
-void leadMap(const MpiJob& job, const Scene& scene, const MapPlan& plan, MapPart& part, int threads,
-             Progress* progress) {
-    const MapInstrument instrument(scene, plan.truth);
+void leadRows(const MpiJob& job, MapPart& part, RowCrew::Compute compute, int threads,
+              Progress* progress) {
     RowLedger ledger(job, part, progress);
-    RowCrew crew(crewSize(threads), [&](int row, const CancelCheck& check) {
-        return mapRow(instrument, plan, row, check);
-    });
+    RowCrew crew(crewSize(threads), std::move(compute));
     const auto giveOne = [&] {
         if (const std::optional<int> row = ledger.next()) {
             crew.give(*row);
@@ -123,12 +125,9 @@ void leadMap(const MpiJob& job, const Scene& scene, const MapPlan& plan, MapPart
     }
 }
 
-void followMap(const MpiJob& job, const Scene& scene, const MapPlan& plan, int threads,
-               const Progress* progress) {
-    const MapInstrument instrument(scene, plan.truth);
-    RowCrew crew(crewSize(threads), [&](int row, const CancelCheck& check) {
-        return mapRow(instrument, plan, row, check);
-    });
+void followRows(const MpiJob& job, RowCrew::Compute compute, int threads,
+                const Progress* progress) {
+    RowCrew crew(crewSize(threads), std::move(compute));
     int asked = crewSize(threads);
     job.send(0, {static_cast<double>(-asked)});
     while (asked > 0) {
@@ -147,6 +146,18 @@ void followMap(const MpiJob& job, const Scene& scene, const MapPlan& plan, int t
             std::this_thread::sleep_for(kPause);
         }
     }
+}
+
+void leadMap(const MpiJob& job, const Scene& scene, const MapPlan& plan, MapPart& part, int threads,
+             Progress* progress) {
+    const MapInstrument instrument(scene, plan.truth);
+    leadRows(job, part, rowsOf(instrument, plan), threads, progress);
+}
+
+void followMap(const MpiJob& job, const Scene& scene, const MapPlan& plan, int threads,
+               const Progress* progress) {
+    const MapInstrument instrument(scene, plan.truth);
+    followRows(job, rowsOf(instrument, plan), threads, progress);
 }
 
 }  // namespace asperity

@@ -2,6 +2,7 @@
 
 #include "app/maps/MapPart.h"
 #include "app/maps/MpiJob.h"
+#include "app/maps/RowCrew.h"
 #include "core/Progress.h"
 #include "core/map/MapPlan.h"
 
@@ -12,11 +13,18 @@ namespace asperity {
 /// gets fewer.
 /// @param threads of this rank; 0: as many as it may use cores @param progress may be null
 /// @throw Canceled, Error; the rows finished until then are kept
-void leadMap(const MpiJob& job, const Scene& scene, const MapPlan& plan, MapPart& part, int threads,
-             Progress* progress);
+void leadRows(const MpiJob& job, MapPart& part, RowCrew::Compute compute, int threads,
+              Progress* progress);
 
 /// The part of the other ranks: computes rows that rank 0 hands out, until there are no more.
 /// @param progress is asked for cancellation alone; may be null @throw Canceled, Error
+void followRows(const MpiJob& job, RowCrew::Compute compute, int threads, const Progress* progress);
+
+/// leadRows() of a map.
+void leadMap(const MpiJob& job, const Scene& scene, const MapPlan& plan, MapPart& part, int threads,
+             Progress* progress);
+
+/// followRows() of a map.
 void followMap(const MpiJob& job, const Scene& scene, const MapPlan& plan, int threads,
                const Progress* progress);
 

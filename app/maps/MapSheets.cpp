@@ -1,7 +1,6 @@
 #include "app/maps/MapSheets.h"
 
 #include "core/SiFormat.h"
-#include "vtkplugins/pictures/MapSheet.h"
 
 #include <algorithm>
 #include <span>
@@ -20,24 +19,9 @@ int strideOf(const MapGrid& grid) {
 
 /// @param place of the quantity in the plan
 SheetMap sheetMap(const MapPlan& plan, const MapPart& part, std::size_t place) {
-    const int stride = strideOf(plan.grid);
     const MapQuantityRow& quantity = *rowOf(plan.quantities[place]);
-    SheetMap map{.quantity = quantity.name,
-                 .unit = quantity.unit,
-                 .columns = (plan.grid.columns + stride - 1) / stride,
-                 .rows = (plan.grid.rows + stride - 1) / stride,
-                 .aspect = (plan.region.right - plan.region.left) /
-                           (plan.region.top - plan.region.bottom),
-                 .values = {}};
-    std::vector<double> values(static_cast<std::size_t>(plan.grid.columns));
-    for (int drawn = 0; drawn < plan.grid.rows; drawn += stride) {
-        part.read(drawn, place, values.data());
-        for (std::size_t column = 0; column < values.size();
-             column += static_cast<std::size_t>(stride)) {
-            map.values.push_back(values[column]);
-        }
-    }
-    return map;
+    return sheetMap(plan, quantity.name, quantity.unit,
+                    [&](int row, double* values) { part.read(row, place, values); });
 }
 
 /// Places in the plan of the quantities that are drawn.
@@ -60,6 +44,27 @@ std::string titleOf(const MapPlan& plan) {
 }
 
 }  // namespace
+
+SheetMap sheetMap(const MapPlan& plan, const std::string& name, const char* unit,
+                  const RowReader& readRow) {
+    const int stride = strideOf(plan.grid);
+    SheetMap map{.quantity = name,
+                 .unit = unit,
+                 .columns = (plan.grid.columns + stride - 1) / stride,
+                 .rows = (plan.grid.rows + stride - 1) / stride,
+                 .aspect = (plan.region.right - plan.region.left) /
+                           (plan.region.top - plan.region.bottom),
+                 .values = {}};
+    std::vector<double> values(static_cast<std::size_t>(plan.grid.columns));
+    for (int drawn = 0; drawn < plan.grid.rows; drawn += stride) {
+        readRow(drawn, values.data());
+        for (std::size_t column = 0; column < values.size();
+             column += static_cast<std::size_t>(stride)) {
+            map.values.push_back(values[column]);
+        }
+    }
+    return map;
+}
 
 int sheetCount(const MapPlan& plan) {
     return static_cast<int>((shownOf(plan).size() + kMapsPerSheet - 1) / kMapsPerSheet);

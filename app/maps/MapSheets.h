@@ -1,14 +1,21 @@
 #pragma once
 
+#include "app/maps/ComparedMap.h"
 #include "app/maps/MapFiles.h"
+#include "vtkplugins/pictures/MapSheet.h"
+
+#include <string>
 
 namespace asperity {
 
 /// How many sheets of pictures a map has.
 [[nodiscard]] int sheetCount(const MapPlan& plan);
 
-/// Draws every quantity but the flags, whose numbers are no amounts, on sheets of six, thinned to
-/// at most 1024 pixels along each side.
+/// A map as a sheet shows it, thinned to at most 1024 pixels along each side.
+[[nodiscard]] SheetMap sheetMap(const MapPlan& plan, const std::string& name, const char* unit,
+                                const RowReader& readRow);
+
+/// Draws every quantity but the flags, whose numbers are no amounts, on sheets of six.
 /// @throw Error when no display answers, or a file cannot be written
 void writeMapSheets(const MapFiles& files, const MapPlan& plan, const MapPart& part);
 

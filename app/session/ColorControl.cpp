@@ -6,6 +6,7 @@
 #include "ui/window/WindowMenus.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <sstream>
 #include <utility>
@@ -17,6 +18,29 @@ namespace {
 QString nameOfImage(const SurfaceLook& look) {
     return look.quantity == SurfaceQuantity::Channel ? look.channel
                                                      : QObject::tr(nameOf(look.quantity));
+}
+
+/// What a map of the sample's material holds; null where it is no such quantity, or the same
+/// everywhere.
+std::shared_ptr<const PixelField> materialMap(SurfaceQuantity quantity, const Scene& scene) {
+    const MaterialMaps& maps = scene.maps.sample;
+    switch (quantity) {
+    case SurfaceQuantity::YoungsModulus:
+        return maps.youngsModulus;
+    case SurfaceQuantity::WorkOfAdhesion:
+        return maps.workOfAdhesion;
+    case SurfaceQuantity::FrictionCoefficient:
+        return maps.friction;
+    default:
+        return nullptr;
+    }
+}
+
+constexpr std::array kOfMaterial{SurfaceQuantity::YoungsModulus, SurfaceQuantity::WorkOfAdhesion,
+                                 SurfaceQuantity::FrictionCoefficient};
+
+bool isOfMaterial(SurfaceQuantity quantity) {
+    return std::ranges::find(kOfMaterial, quantity) != kOfMaterial.end();
 }
 
 }  // namespace
@@ -116,6 +140,10 @@ SurfaceField ColorControl::field() const {
     if (look_.quantity == SurfaceQuantity::Certainty) {
         return hasScene ? SurfaceField(runs_.run()->scene().certainty) : SurfaceField();
     }
+    if (isOfMaterial(look_.quantity)) {
+        const auto map = hasScene ? materialMap(look_.quantity, runs_.run()->scene()) : nullptr;
+        return map != nullptr ? SurfaceField(look_.quantity, map) : SurfaceField();
+    }
     return isOfFile() ? SurfaceField() : SurfaceField(look_.quantity);
 }
 
@@ -185,7 +213,7 @@ bool ColorControl::isMissing() const {
     case SurfaceQuantity::ForceMap:
         return !forceMap_;
     default:
-        return false;
+        return isOfMaterial(look_.quantity) && materialMap(look_.quantity, scene) == nullptr;
     }
 }
 
@@ -204,6 +232,13 @@ void ColorControl::offer() {
     ColorsMenu& menu = window_.menus().colors();
     menu.refuse(SurfaceQuantity::ForceMap,
                 forceMap_ ? QString() : tr("There is no force map: Measure > Force map"));
+    for (const SurfaceQuantity quantity : kOfMaterial) {
+        const bool hasMap =
+            runs_.run() != nullptr && materialMap(quantity, runs_.run()->scene()) != nullptr;
+        menu.refuse(quantity, hasMap ? QString()
+                                     : tr("The material is the same everywhere: the scene names no "
+                                          "map of it"));
+    }
     if (runs_.run() == nullptr) {
         menu.refuse(SurfaceQuantity::Residual, tr("No scan is open"));
         menu.refuse(SurfaceQuantity::Certainty, tr("No scan is open"));

@@ -36,6 +36,9 @@ double SurfaceField::at(const Vector3& rest, const Vector3& normal) const noexce
     case SurfaceQuantity::Displacement:
         return 0.0;
     case SurfaceQuantity::Residual:
+    case SurfaceQuantity::YoungsModulus:
+    case SurfaceQuantity::WorkOfAdhesion:
+    case SurfaceQuantity::FrictionCoefficient:
     case SurfaceQuantity::Channel:
         return pixels_ != nullptr ? pixels_->at(rest.x(), rest.y()) : kUndefined;
     case SurfaceQuantity::Certainty:

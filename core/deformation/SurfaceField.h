@@ -24,7 +24,8 @@ public:
     /// Certainty. @param certainty outlives the field; known
     explicit SurfaceField(const CertaintyMap& certainty)
         : quantity_(SurfaceQuantity::Certainty), certainty_(&certainty) {}
-    /// Residual, or another channel. @param name for people, of a channel
+    /// Residual, a quantity of the material, or another channel. @param name for people, of a
+    /// channel
     SurfaceField(SurfaceQuantity quantity, std::shared_ptr<const PixelField> pixels,
                  std::string name = {});
     /// A quantity that a part of the surface has. @param name for people

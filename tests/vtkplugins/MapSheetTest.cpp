@@ -51,6 +51,37 @@ TEST_F(MapSheets, ShowPixelsInTheirColorsAndPlaces) {
     EXPECT_NEAR(gray, countOf(image, high[0], high[1], high[2]), 0.05 * gray);
 }
 
+TEST_F(MapSheets, ShowSignsByColor) {
+    ASPERITY_NEEDS_DISPLAY();
+    SheetMap map = halves();
+    map.values = {-1e-9, 3e-9, 0.0, kNoData};
+    map.isSigned = true;
+    writeMapSheet(folder / "sheet.png", "A map", std::vector{map});
+    const test::Image image(folder / "sheet.png");
+    const auto negative = image.at(160, 420);
+    const auto positive = image.at(400, 420);
+    EXPECT_GT(negative[2], negative[0]) << "bluish";
+    EXPECT_GT(positive[0], positive[2] + 50) << "orange";
+    const auto zero = image.at(160, 200);
+    EXPECT_LT(std::abs(zero[0] - zero[2]), 12) << "neutral";
+}
+
+TEST_F(MapSheets, HaveRoomForAChart) {
+    ASPERITY_NEEDS_DISPLAY();
+    const Chart chart{.title = "all over all",
+                      .xLabel = "x",
+                      .yLabel = "y",
+                      .curves = {{.label = {}, .x = {0.0, 1.0}, .y = {0.0, 1.0}}}};
+    const auto sizeWith = [&](std::size_t maps) {
+        writeMapSheet(folder / "sheet.png", "Maps", std::vector(maps, halves()), &chart);
+        const test::Image image(folder / "sheet.png");
+        return std::pair(image.width(), image.height());
+    };
+    EXPECT_EQ(sizeWith(4), std::pair(3 * 560, 56 + 2 * 560)) << "beside the fourth map";
+    EXPECT_EQ(sizeWith(3), std::pair(3 * 560, 56 + 2 * 560)) << "in a row of its own";
+    EXPECT_EQ(sizeWith(1), std::pair(3 * 560, 56 + 560));
+}
+
 TEST_F(MapSheets, RefuseWhatIsNoMap) {
     SheetMap uneven = halves();
     uneven.values.pop_back();

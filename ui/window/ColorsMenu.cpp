@@ -50,6 +50,12 @@ QString meaningOf(SurfaceQuantity quantity) {
         return QObject::tr("What smoothing and fit left out: data minus surface");
     case SurfaceQuantity::Certainty:
         return QObject::tr("1 where the imaging tip has certainly touched the surface, else 0");
+    case SurfaceQuantity::YoungsModulus:
+        return QObject::tr("Young's modulus of a sample that is not the same everywhere");
+    case SurfaceQuantity::WorkOfAdhesion:
+        return QObject::tr("Work of adhesion of a sample that is not the same everywhere");
+    case SurfaceQuantity::FrictionCoefficient:
+        return QObject::tr("Friction coefficient of a sample that is not the same everywhere");
     case SurfaceQuantity::Channel:
         return QObject::tr("Another image of the same file, in its own unit");
     case SurfaceQuantity::ForceMap:

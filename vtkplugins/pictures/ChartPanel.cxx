@@ -155,7 +155,7 @@ void ChartPanel::addPlots(OffscreenPicture& picture) const {
         drawn->GetPen()->SetLineType(curve.dashed ? vtkPen::DASH_LINE : vtkPen::SOLID_LINE);
         if (auto* dots = vtkPlotPoints::SafeDownCast(drawn); dots != nullptr && curve.points) {
             dots->SetMarkerStyle(vtkPlotPoints::CIRCLE);
-            dots->SetMarkerSize(static_cast<float>(kDot * kDrawn));
+            dots->SetMarkerSize(static_cast<float>(curve.dotSize * kDrawn));
         }
     }
     picture.addItem(chart);

@@ -20,6 +20,7 @@ struct Curve {
     std::optional<Color> color = {};  ///< empty: the next color that goes with the others
     bool dashed = false;
     bool points = false;                        ///< a dot a sample instead of a line
+    double dotSize = 9.0;                       ///< diameter of a dot [pixel]
     std::vector<std::string> pointLabels = {};  ///< beside the dots; empty, or as many as `x`
 };
 

@@ -1,6 +1,7 @@
 #include "vtkplugins/pictures/MapSheet.h"
 
 #include "core/Error.h"
+#include "vtkplugins/pictures/ChartPanel.h"
 #include "vtkplugins/pictures/ColorBar.h"
 #include "vtkplugins/pictures/OffscreenPicture.h"
 
@@ -8,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 namespace asperity {
 
@@ -47,14 +49,21 @@ ValueRange rangeOf(const std::vector<double>& values) {
     return range;
 }
 
+/// As far to either side of zero as the values go.
+ValueRange aroundZero(const ValueRange& range) {
+    const double limit = std::max(std::abs(range.low), std::abs(range.high));
+    return {-limit, limit};
+}
+
 /// A map in its place on the sheet.
 class SheetPainter {
 public:
     SheetPainter(const SheetMap& map, const PixelRect& area)
         : map_(map)
         , area_(area)
-        , range_(rangeOf(map.values))
-        , colors_(heightTable(range_.low, range_.high)) {}
+        , range_(map.isSigned ? aroundZero(rangeOf(map.values)) : rangeOf(map.values))
+        , colors_(map.isSigned ? divergingTable(range_.high)
+                               : heightTable(range_.low, range_.high)) {}
 
     void paint(Painter& painter) const {
         painter.image(place(), image());
@@ -117,25 +126,51 @@ void check(std::span<const SheetMap> maps) {
     }
 }
 
+/// Where maps and chart lie on a sheet.
+class SheetLayout {
+public:
+    SheetLayout(std::size_t maps, bool hasChart)
+        : maps_(static_cast<int>(maps))
+        , columns_(hasChart ? kMapsPerRow : std::min(maps_, kMapsPerRow))
+        , rows_((maps_ + (hasChart ? 1 : 0) + kMapsPerRow - 1) / kMapsPerRow) {}
+
+    [[nodiscard]] PictureSize size() const {
+        return {.width = kWidth * columns_, .height = kTitle + kHeight * rows_};
+    }
+    [[nodiscard]] PixelRect map(int number) const {
+        return {static_cast<double>(kWidth * (number % kMapsPerRow)),
+                static_cast<double>(kHeight * (rows_ - 1 - number / kMapsPerRow)), kWidth, kHeight};
+    }
+    [[nodiscard]] PixelRect chart() const {
+        PixelRect area = map(maps_);
+        area.width = kWidth * columns_ - area.left - kEdge;
+        return area;
+    }
+
+private:
+    int maps_;
+    int columns_;
+    int rows_;
+};
+
 }  // namespace
 
 void writeMapSheet(const std::filesystem::path& path, const std::string& title,
-                   std::span<const SheetMap> maps) {
+                   std::span<const SheetMap> maps, const Chart* chart) {
     check(maps);
-    const int count = static_cast<int>(maps.size());
-    const int rows = (count + kMapsPerRow - 1) / kMapsPerRow;
-    const PictureSize size{.width = kWidth * std::min(count, kMapsPerRow),
-                           .height = kTitle + kHeight * rows};
+    const SheetLayout layout(maps.size(), chart != nullptr);
+    const PictureSize size = layout.size();
     OffscreenPicture picture(size);
+    if (chart != nullptr) {
+        const auto panel = std::make_shared<ChartPanel>(picture, *chart, layout.chart());
+        picture.paint([panel](Painter& painter) { panel->paint(painter); });
+    }
     picture.paint([&](Painter& painter) {
         painter.paragraph(
             {kEdge, size.height - kTitle + 4.0, size.width - 2.0 * kEdge, kTitle - 20.0}, title,
             {.size = 18.0, .bold = true});
-        for (int i = 0; i < count; ++i) {
-            const PixelRect area{static_cast<double>(kWidth * (i % kMapsPerRow)),
-                                 static_cast<double>(kHeight * (rows - 1 - i / kMapsPerRow)),
-                                 kWidth, kHeight};
-            SheetPainter(maps[static_cast<std::size_t>(i)], area).paint(painter);
+        for (std::size_t i = 0; i < maps.size(); ++i) {
+            SheetPainter(maps[i], layout.map(static_cast<int>(i))).paint(painter);
         }
     });
     picture.writePng(path);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "vtkplugins/pictures/PictureSize.h"
+#include "vtkplugins/pictures/Charts.h"
 
 #include <filesystem>
 #include <span>
@@ -17,14 +17,16 @@ struct SheetMap {
     int rows = 0;
     double aspect = 1.0;         ///< width over height of the mapped area
     std::vector<double> values;  ///< row by row, the top row first; NaN: no data
+    bool isSigned = false;       ///< colors diverge from zero
 };
 
 /// Draws up to six maps side by side, each with its color bar. Colors span 98 % of a map's values,
 /// from the 1st to the 99th percentile; pixels without data are gray. The same maps give the same
 /// bytes.
+/// @param chart takes what is left of the last row of three, or a row of its own; null: none
 /// @throw Error when there is no map or a map has another number of values than rows times columns,
 ///        no display answers, or the file cannot be written
 void writeMapSheet(const std::filesystem::path& path, const std::string& title,
-                   std::span<const SheetMap> maps);
+                   std::span<const SheetMap> maps, const Chart* chart = nullptr);
 
 }  // namespace asperity

@@ -1,0 +1,125 @@
+#include "app/maps/ComparisonSheets.h"
+
+#include "app/maps/ComparisonReport.h"
+#include "app/maps/MapSheets.h"
+#include "core/FormattedText.h"
+#include "core/SiFormat.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace asperity {
+
+namespace {
+
+/// Values of the pixels that hold data in both maps.
+struct ValuePairs {
+    std::vector<double> predicted;
+    std::vector<double> measured;
+};
+
+ValuePairs pairsOf(const ComparedMap& compared, const MapPlan& plan, const MapPart& part) {
+    ValuePairs pairs;
+    std::vector<double> predicted(static_cast<std::size_t>(plan.grid.columns));
+    auto measured = compared.values.measured.begin();
+    for (int row = 0; row < plan.grid.rows; ++row) {
+        part.read(row, compared.place, predicted.data());
+        for (const double value : predicted) {
+            if (std::isfinite(value) && std::isfinite(*measured)) {
+                pairs.predicted.push_back(value);
+                pairs.measured.push_back(*measured);
+            }
+            ++measured;
+        }
+    }
+    return pairs;
+}
+
+/// Every so many pixels one is drawn; odd, so that it meets all columns of a usual map.
+std::size_t strideOf(std::size_t pixels) {
+    constexpr std::size_t kMaxDots = 3000;
+    const std::size_t stride = (pixels + kMaxDots - 1) / kMaxDots;
+    return stride % 2 == 0 ? stride + 1 : stride;
+}
+
+Curve dotsOf(const ValuePairs& pairs) {
+    const std::size_t stride = strideOf(pairs.predicted.size());
+    Curve dots{.label = stride > 1 ? formatted("one of %zu pixels", stride) : "pixels",
+               .x = {},
+               .y = {},
+               .points = true,
+               .dotSize = 4.0};
+    for (std::size_t i = 0; i < pairs.predicted.size(); i += stride) {
+        dots.x.push_back(pairs.predicted[i]);
+        dots.y.push_back(pairs.measured[i]);
+    }
+    return dots;
+}
+
+Chart chartOf(const ComparedMap& compared, const ValuePairs& pairs) {
+    const MapComparison& numbers = compared.values.numbers;
+    const MapQuantityRow& quantity = *rowOf(compared.quantity);
+    Chart chart{.title = findingOn(numbers),
+                .xLabel = std::string("predicted ") + quantity.name,
+                .yLabel = "measured",
+                .curves = {dotsOf(pairs)},
+                .xUnit = quantity.unit,
+                .yUnit = quantity.unit};
+    if (pairs.predicted.empty()) {
+        return chart;
+    }
+    const auto [low, high] = std::ranges::minmax(pairs.predicted);
+    chart.curves.push_back(
+        {.label = "measured = predicted", .x = {low, high}, .y = {low, high}, .dashed = true});
+    if (std::isfinite(numbers.slope)) {
+        chart.curves.push_back(
+            {.label = "measured = " + formatSi(numbers.offset, quantity.unit) +
+                      formatted(" + %.3g predicted", numbers.slope),
+             .x = {low, high},
+             .y = {numbers.offset + numbers.slope * low, numbers.offset + numbers.slope * high}});
+    }
+    return chart;
+}
+
+std::string titleOf(const ComparedMap& compared, const MapPlan& plan) {
+    std::string title = "Measured '" + compared.channel + "' against the predicted " +
+                        rowOf(compared.quantity)->name + ", setpoint " +
+                        formatSi(plan.setpoint, "N");
+    if (compared.values.plane) {
+        title += "; a plane is removed from the measured map";
+    }
+    return title;
+}
+
+std::vector<SheetMap> mapsOf(const ComparedMap& compared, const MapPlan& plan,
+                             const MapPart& part) {
+    const char* unit = rowOf(compared.quantity)->unit;
+    const auto columns = static_cast<std::ptrdiff_t>(plan.grid.columns);
+    const std::vector<ComparisonLayer> layers = layersOf(compared, part);
+    std::vector<SheetMap> maps{
+        sheetMap(plan, "measured", unit,
+                 [&](int row, double* values) {
+                     std::copy_n(compared.values.measured.begin() + row * columns, columns, values);
+                 }),
+        sheetMap(plan, "predicted", unit,
+                 [&](int row, double* values) { part.read(row, compared.place, values); }),
+        sheetMap(plan, "difference", unit, layers[0].readRow),
+        sheetMap(plan, "residual", unit, layers[1].readRow)};
+    maps[2].isSigned = true;
+    maps[3].isSigned = true;
+    return maps;
+}
+
+}  // namespace
+
+void writeComparisonSheets(const MapFiles& files, const MapPlan& plan, const MapPart& part,
+                           std::span<const ComparedMap> maps) {
+    int number = 0;
+    for (const ComparedMap& compared : maps) {
+        const Chart chart = chartOf(compared, pairsOf(compared, plan, part));
+        writeMapSheet(files.comparisonSheet(++number), titleOf(compared, plan),
+                      mapsOf(compared, plan, part), &chart);
+    }
+}
+
+}  // namespace asperity

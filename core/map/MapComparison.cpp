@@ -1,0 +1,160 @@
+#include "core/map/MapComparison.h"
+
+#include <cmath>
+
+namespace asperity {
+
+namespace {
+
+/// The line through fewer pixels explains everything.
+constexpr std::size_t kMinPixels = 3;
+
+bool isConstant(double mean, double deviation) {
+    constexpr double kRounding = 1e-9;
+    return !(deviation > kRounding * std::hypot(mean, deviation));
+}
+
+bool isRecordedHeight(MapQuantity quantity) {
+    return quantity == MapQuantity::Height || quantity == MapQuantity::HeightTrace ||
+           quantity == MapQuantity::HeightRetrace;
+}
+
+/// Calls visit(predicted, measured) for each pixel that holds data in both.
+template <class Visit>
+void forEachCompared(std::span<const double> predicted, std::span<const double> measured,
+                     const Visit& visit) {
+    for (std::size_t i = 0; i < predicted.size(); ++i) {
+        if (std::isfinite(predicted[i]) && std::isfinite(measured[i])) {
+            visit(predicted[i], measured[i]);
+        }
+    }
+}
+
+void count(MapComparison& result, std::span<const double> predicted,
+           std::span<const double> measured) {
+    result.pixels = predicted.size();
+    for (std::size_t i = 0; i < predicted.size(); ++i) {
+        const bool isPredicted = std::isfinite(predicted[i]);
+        const bool isMeasured = std::isfinite(measured[i]);
+        result.compared += isPredicted && isMeasured ? 1U : 0U;
+        result.withoutPrediction += isPredicted ? 0U : 1U;
+        result.withoutMeasurement += isMeasured ? 0U : 1U;
+    }
+}
+
+/// Mean squares about the means, and of the difference.
+struct Spread {
+    double predicted = 0.0;
+    double measured = 0.0;
+    double both = 0.0;
+    double difference = 0.0;  ///< about its mean
+};
+
+Spread spreadOf(const MapComparison& means, std::span<const double> predicted,
+                std::span<const double> measured) {
+    Spread sum;
+    forEachCompared(predicted, measured, [&](double p, double m) {
+        const double x = p - means.predictedMean;
+        const double y = m - means.measuredMean;
+        const double d = m - p - means.meanDifference;
+        sum.predicted += x * x;
+        sum.measured += y * y;
+        sum.both += x * y;
+        sum.difference += d * d;
+    });
+    const auto n = static_cast<double>(means.compared);
+    return {sum.predicted / n, sum.measured / n, sum.both / n, sum.difference / n};
+}
+
+void takeMeans(MapComparison& result, std::span<const double> predicted,
+               std::span<const double> measured) {
+    double sumPredicted = 0.0;
+    double sumMeasured = 0.0;
+    double sumDifference = 0.0;
+    forEachCompared(predicted, measured, [&](double p, double m) {
+        sumPredicted += p;
+        sumMeasured += m;
+        sumDifference += m - p;
+    });
+    const auto n = static_cast<double>(result.compared);
+    result.predictedMean = sumPredicted / n;
+    result.measuredMean = sumMeasured / n;
+    result.meanDifference = sumDifference / n;
+}
+
+void fitLine(MapComparison& result, const Spread& spread, std::span<const double> predicted,
+             std::span<const double> measured) {
+    result.slope = spread.both / spread.predicted;
+    result.offset = result.measuredMean - result.slope * result.predictedMean;
+    double squares = 0.0;
+    forEachCompared(predicted, measured, [&](double p, double m) {
+        const double residual = result.residual(m, p);
+        squares += residual * residual;
+    });
+    result.rmsResidual = std::sqrt(squares / static_cast<double>(result.compared));
+}
+
+}  // namespace
+
+bool MapComparison::isMeasuredConstant() const {
+    return isConstant(measuredMean, measuredDeviation);
+}
+
+bool MapComparison::isPredictedConstant() const {
+    return isConstant(predictedMean, predictedDeviation);
+}
+
+MapComparison compareMaps(std::span<const double> predicted, std::span<const double> measured) {
+    MapComparison result;
+    count(result, predicted, measured);
+    if (result.compared == 0) {
+        return result;
+    }
+    takeMeans(result, predicted, measured);
+    const Spread spread = spreadOf(result, predicted, measured);
+    result.predictedDeviation = std::sqrt(spread.predicted);
+    result.measuredDeviation = std::sqrt(spread.measured);
+    result.rmsDifference =
+        std::sqrt(spread.difference + result.meanDifference * result.meanDifference);
+    if (!result.isMeasuredConstant()) {
+        result.shareAsPredicted = 1.0 - spread.difference / spread.measured;
+    }
+    if (result.compared >= kMinPixels && !result.isPredictedConstant()) {
+        fitLine(result, spread, predicted, measured);
+        if (!result.isMeasuredConstant()) {
+            result.correlation = spread.both / std::sqrt(spread.predicted * spread.measured);
+            result.shareByLine = result.correlation * result.correlation;
+        }
+    }
+    return result;
+}
+
+ComparedQuantity compareQuantity(const MapPlan& plan, MapQuantity quantity,
+                                 std::span<const double> predicted, std::vector<double> measured) {
+    ComparedQuantity result{.measured = std::move(measured), .plane = {}, .numbers = {}};
+    result.numbers = compareMaps(predicted, result.measured);
+    if (!isRecordedHeight(quantity) || result.numbers.compared == 0) {
+        return result;
+    }
+    HeightMap map{.columns = plan.grid.columns,
+                  .rows = plan.grid.rows,
+                  .pitchX = plan.pitchX(),
+                  .pitchY = plan.pitchY(),
+                  .heights = {},
+                  .invalid = PixelMask(predicted.size(), false)};
+    for (std::size_t i = 0; i < predicted.size(); ++i) {
+        map.heights.push_back(result.measured[i] - predicted[i]);
+        map.invalid[i] = !std::isfinite(map.heights[i]);
+    }
+    result.plane = fitPlane(map);
+    for (int row = 0; row < map.rows; ++row) {
+        for (int column = 0; column < map.columns; ++column) {
+            result.measured[map.index(row, column)] -=
+                result.plane->at((column + 0.5) * map.pitchX, (map.rows - row - 0.5) * map.pitchY);
+        }
+    }
+    result.numbers = compareMaps(predicted, result.measured);
+    return result;
+}
+
+}  // namespace asperity
