@@ -248,9 +248,11 @@ MapRegion ForceMapForm::region() const {
 }
 
 QRectF ForceMapForm::rectangle() const {
-    return area() == Area::Rectangle ? QRectF(QPointF(rectangle_.left, rectangle_.bottom),
-                                              QPointF(rectangle_.right, rectangle_.top))
-                                     : QRectF();
+    const MapRegion whole{0.0, 0.0, scan_.width(), scan_.height()};
+    return area() != Area::Rectangle || rectangle_ == whole
+               ? QRectF()
+               : QRectF(QPointF(rectangle_.left, rectangle_.bottom),
+                        QPointF(rectangle_.right, rectangle_.top));
 }
 
 void ForceMapForm::showRegion() {

@@ -44,7 +44,8 @@ public:
     /// What was typed half counts now.
     void takeTyped();
     [[nodiscard]] MapRequest request() const;
-    /// The rectangle that is asked for, for its tool; empty: the whole scan, or the part in view.
+    /// The rectangle that is asked for, for its tool: empty where it is the whole scan, or the part
+    /// in view.
     [[nodiscard]] QRectF rectangle() const;
 
 Q_SIGNALS:
