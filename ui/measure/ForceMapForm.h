@@ -9,7 +9,6 @@
 #include <array>
 
 class QComboBox;
-class QLabel;
 class QSpinBox;
 class QToolButton;
 
@@ -35,11 +34,6 @@ public:
     void setRectangle(const QRectF& rectangle);
     /// Shows whether a drag on the whole scan draws the rectangle.
     void setDrawing(bool drawing);
-
-    /// Says how long the map will take.
-    void setEstimate(const QString& words);
-    /// Says why it cannot be computed; empty: it can.
-    void setRefusal(const QString& reason);
 
     /// What was typed half counts now.
     void takeTyped();
@@ -79,8 +73,6 @@ private:
     QSpinBox* columns_;
     QSpinBox* rows_;
     QComboBox* instrument_;
-    QLabel* estimate_;
-    QLabel* refusal_;
 };
 
 }  // namespace asperity

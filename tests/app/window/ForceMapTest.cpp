@@ -157,7 +157,7 @@ TEST_F(ForceMap, AClickShowsThePixelsCurve) {
     ASSERT_TRUE(button("pickPixel").isChecked());
     clickPixel(5, 2);
     EXPECT_TRUE(
-        pixel().title().startsWith(QStringLiteral("Pixel 6, row 3: x 88.00 nm, y 88.00 nm")))
+        pixel().title().startsWith(QStringLiteral("Pixel 6, row 3: x 88.00, y 88.00 nm")))
         << pixel().title().toStdString();
     const MapValues values = maps().map()->valuesAt(2, 5);
     const std::vector<DrawnCycle>& curves = pixel().plot().cycles();

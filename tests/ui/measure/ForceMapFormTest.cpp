@@ -4,7 +4,6 @@
 #include "ui/panels/NumberBox.h"
 
 #include <QComboBox>
-#include <QLabel>
 #include <QLineEdit>
 #include <QSignalSpy>
 #include <QSpinBox>
@@ -114,16 +113,6 @@ TEST_F(ForceMapFormTest, DrawingChoosesARectangle) {
     EXPECT_EQ(part<NumberBox>("mapLeft").value(), 20.0);
     part<QComboBox>("mapArea").setCurrentIndex(0);
     EXPECT_FALSE(part<QToolButton>("drawMapRegion").isChecked());
-}
-
-TEST_F(ForceMapFormTest, AReasonTakesThePlaceOfTheEstimate) {
-    form.setEstimate(QStringLiteral("about 4 s"));
-    form.setRefusal(QStringLiteral("no"));
-    EXPECT_TRUE(part<QLabel>("mapEstimate").isHidden());
-    EXPECT_EQ(part<QLabel>("mapRefusal").text(), QStringLiteral("no"));
-    form.setRefusal({});
-    EXPECT_FALSE(part<QLabel>("mapEstimate").isHidden());
-    EXPECT_TRUE(part<QLabel>("mapRefusal").isHidden());
 }
 
 }  // namespace
