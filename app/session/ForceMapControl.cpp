@@ -264,7 +264,7 @@ void ForceMapControl::take(bool isWhole) {
     }
     pixels_.setPart(std::nullopt);  // its pixel was of the map before
     page_->setQuantities(amounts, shown_);
-    page_->pixel().clear(tr("A click on the map, on the whole scan, shows a pixel"));
+    page_->pixel().clear(tr("Click a pixel on the whole scan"));
     showLayer();
     Q_EMIT layerWanted();
     if (page_->isVisible()) {
@@ -303,7 +303,7 @@ void ForceMapControl::showPixel(const QPoint& pixel) {
     const MapPlan& plan = map_->plan();
     const Vector2 place = plan.place(pixel.y(), pixel.x());
     const MapInstrument instrument(map_->loaded().scene, plan.truth);
-    QString title = tr("Pixel %1, row %2: x %3, y %4 nm")
+    QString title = tr("Pixel %1, %2: x %3, y %4 nm")
                         .arg(pixel.x() + 1)
                         .arg(pixel.y() + 1)
                         .arg(1e9 * place.x(), 0, 'f', 2)

@@ -132,9 +132,7 @@ void ForceMapForm::connectParts() {
     }
     connect(area_, qOverload<int>(&QComboBox::currentIndexChanged), this, [this] {
         showRegion();
-        if (area() != Area::Rectangle) {
-            draw_->setChecked(false);
-        }
+        draw_->setChecked(area() == Area::Rectangle);
         Q_EMIT changed();
     });
     connect(draw_, &QToolButton::toggled, this, [this](bool drawing) {

@@ -75,7 +75,6 @@ ForceMapPage::ForceMapPage(QWidget* parent)
     column->setContentsMargins(6, 4, 6, 4);
     column->setSpacing(4);
     column->addWidget(newBar());
-    column->addWidget(state_);
     column->addLayout(middle, 1);
     connectParts();
     setQuantities({}, MapQuantity::AdhesionForce);
@@ -94,8 +93,12 @@ QWidget* ForceMapPage::newBar() {
     row->addWidget(pick_);
     row->addWidget(save_);
     row->addSpacing(8);
-    row->addWidget(estimate_, 1);
-    row->addWidget(refusal_, 1);
+    auto* words = new QVBoxLayout;
+    words->setSpacing(0);
+    for (QLabel* const line : {state_, estimate_, refusal_}) {
+        words->addWidget(line);
+    }
+    row->addLayout(words, 1);
     return bar;
 }
 

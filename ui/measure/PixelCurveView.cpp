@@ -29,7 +29,7 @@ constexpr int kDigits = 4;
 constexpr double kFreeShare = 0.5;  ///< of the width of the contact: how much of the way beside it
 constexpr double kLeastContact =
     0.5e-9;                      ///< width of one, so that a stiff one shows its attraction
-constexpr int kMinHeight = 110;  ///< [px]
+constexpr int kMinHeight = 100;  ///< [px]
 
 /// "4.3 nN", or a dash.
 QString valueText(MapQuantity quantity, double value) {
@@ -79,7 +79,7 @@ PixelCurveView::PixelCurveView(QWidget* parent)
     title_->setToolTip(tr("Which pixel of the map the curve and the values are of"));
     title_->setWordWrap(true);
     axis_->setObjectName(QStringLiteral("pixelAxis"));
-    axis_->addItems({tr("tip height"), tr("base height")});
+    axis_->addItems({tr("tip z"), tr("base z")});
     axis_->setToolTip(tr("Distance axis: height of the tip as the instrument records it, base plus "
                          "deflection along z; or of the base"));
     axis_->setFont(theme::textFont(theme::kSmallSize));

@@ -156,8 +156,7 @@ TEST_F(ForceMap, AClickShowsThePixelsCurve) {
     map(8, 8);
     ASSERT_TRUE(button("pickPixel").isChecked());
     clickPixel(5, 2);
-    EXPECT_TRUE(
-        pixel().title().startsWith(QStringLiteral("Pixel 6, row 3: x 88.00, y 88.00 nm")))
+    EXPECT_TRUE(pixel().title().startsWith(QStringLiteral("Pixel 6, 3: x 88.00, y 88.00 nm")))
         << pixel().title().toStdString();
     const MapValues values = maps().map()->valuesAt(2, 5);
     const std::vector<DrawnCycle>& curves = pixel().plot().cycles();

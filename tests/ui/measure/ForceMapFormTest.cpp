@@ -100,6 +100,13 @@ TEST_F(ForceMapFormTest, ThePartInViewEndsAtTheScan) {
     EXPECT_EQ(form.request().region->left, 10e-9) << "it follows the view";
 }
 
+TEST_F(ForceMapFormTest, ARectangleThatIsChosenIsToBeDrawn) {
+    part<QComboBox>("mapArea").setCurrentIndex(2);
+    EXPECT_TRUE(part<QToolButton>("drawMapRegion").isChecked());
+    EXPECT_TRUE(form.rectangle().isEmpty())
+        << "a drag begins one, and moves none as large as the scan";
+}
+
 TEST_F(ForceMapFormTest, DrawingChoosesARectangle) {
     QSignalSpy drawing(&form, &ForceMapForm::drawingChosen);
     part<QToolButton>("drawMapRegion").click();
