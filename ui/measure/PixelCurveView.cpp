@@ -56,7 +56,7 @@ QScrollArea* newScrolled(QWidget& readings) {
     area->setFrameShape(QFrame::NoFrame);
     area->setWidgetResizable(true);
     area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    area->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Expanding);
+    area->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Ignored);
     area->setWidget(&readings);
     area->setFixedWidth(readings.sizeHint().width() +
                         area->verticalScrollBar()->sizeHint().width());
@@ -88,6 +88,7 @@ PixelCurveView::PixelCurveView(QWidget* parent)
     plot_->heading().addWidget(axis_);
     plot_->setObjectName(QStringLiteral("pixelPlot"));
     plot_->setMinimumHeight(theme::scaled(kMinHeight));
+    plot_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Ignored);  // as high as there is room
     plot_->setToolTip(tr("Force along z over height, approach and retract at one pixel; rings mark "
                          "the snap-in and the pull-off") +
                       QLatin1Char('\n') + PlotNavigation::help());
