@@ -50,18 +50,24 @@ QString valueText(MapQuantity quantity, double value) {
     return flags.isEmpty() ? PixelCurveView::tr("none") : flags.join(QLatin1Char('\n'));
 }
 
-/// As wide as it is, and as high as there is room.
-QScrollArea* newScrolled(QWidget& readings) {
-    auto* area = new QScrollArea;
-    area->setFrameShape(QFrame::NoFrame);
-    area->setWidgetResizable(true);
-    area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    area->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Ignored);
-    area->setWidget(&readings);
-    area->setFixedWidth(readings.sizeHint().width() +
-                        area->verticalScrollBar()->sizeHint().width());
-    return area;
-}
+/// As wide as what it holds, and as high as there is room.
+class ReadingScroll : public QScrollArea {
+public:
+    explicit ReadingScroll(QWidget& readings) {
+        setFrameShape(QFrame::NoFrame);
+        setWidgetResizable(true);
+        setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+        setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Ignored);
+        setWidget(&readings);
+    }
+    [[nodiscard]] QSize sizeHint() const override {
+        return {widget()->sizeHint().width() + verticalScrollBar()->sizeHint().width(),
+                QScrollArea::sizeHint().height()};
+    }
+    [[nodiscard]] QSize minimumSizeHint() const override {
+        return {sizeHint().width(), QScrollArea::minimumSizeHint().height()};
+    }
+};
 
 QString titleOf(const MapQuantityRow& row) {
     return coreWords(row.value == MapQuantity::Validity ? "flags" : row.name);
@@ -103,7 +109,7 @@ PixelCurveView::PixelCurveView(QWidget* parent)
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(12);
     row->addLayout(left, 1);
-    row->addWidget(newScrolled(*stack_));
+    row->addWidget(new ReadingScroll(*stack_));
     connect(axis_, qOverload<int>(&QComboBox::currentIndexChanged), this, [this] {
         plot_->forgetRange();
         draw();
