@@ -10,6 +10,7 @@
 #include "ui/panels/PlotNavigation.h"
 
 #include <QComboBox>
+#include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QScrollArea>
@@ -61,11 +62,24 @@ public:
         setWidget(&readings);
     }
     [[nodiscard]] QSize sizeHint() const override {
-        return {widget()->sizeHint().width() + verticalScrollBar()->sizeHint().width(),
-                QScrollArea::sizeHint().height()};
+        const int held =
+            std::max(widget()->sizeHint().width(), widget()->minimumSizeHint().width());
+        return {held + verticalScrollBar()->sizeHint().width(), QScrollArea::sizeHint().height()};
     }
     [[nodiscard]] QSize minimumSizeHint() const override {
         return {sizeHint().width(), QScrollArea::minimumSizeHint().height()};
+    }
+    bool eventFilter(QObject* watched, QEvent* event) override {
+        if (watched == widget() && event->type() == QEvent::LayoutRequest) {
+            updateGeometry();  // texts are wider, or have their fonts now
+        }
+        return QScrollArea::eventFilter(watched, event);
+    }
+
+protected:
+    void showEvent(QShowEvent* event) override {
+        QScrollArea::showEvent(event);
+        updateGeometry();
     }
 };
 
