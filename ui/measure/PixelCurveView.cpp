@@ -10,6 +10,7 @@
 #include "ui/panels/PlotNavigation.h"
 
 #include <QComboBox>
+#include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QScrollArea>
@@ -50,18 +51,37 @@ QString valueText(MapQuantity quantity, double value) {
     return flags.isEmpty() ? PixelCurveView::tr("none") : flags.join(QLatin1Char('\n'));
 }
 
-/// As wide as it is, and as high as there is room.
-QScrollArea* newScrolled(QWidget& readings) {
-    auto* area = new QScrollArea;
-    area->setFrameShape(QFrame::NoFrame);
-    area->setWidgetResizable(true);
-    area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    area->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Expanding);
-    area->setWidget(&readings);
-    area->setFixedWidth(readings.sizeHint().width() +
-                        area->verticalScrollBar()->sizeHint().width());
-    return area;
-}
+/// As wide as what it holds, and as high as there is room.
+class ReadingScroll : public QScrollArea {
+public:
+    explicit ReadingScroll(QWidget& readings) {
+        setFrameShape(QFrame::NoFrame);
+        setWidgetResizable(true);
+        setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+        setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Ignored);
+        setWidget(&readings);
+    }
+    [[nodiscard]] QSize sizeHint() const override {
+        const int held =
+            std::max(widget()->sizeHint().width(), widget()->minimumSizeHint().width());
+        return {held + verticalScrollBar()->sizeHint().width(), QScrollArea::sizeHint().height()};
+    }
+    [[nodiscard]] QSize minimumSizeHint() const override {
+        return {sizeHint().width(), QScrollArea::minimumSizeHint().height()};
+    }
+    bool eventFilter(QObject* watched, QEvent* event) override {
+        if (watched == widget() && event->type() == QEvent::LayoutRequest) {
+            updateGeometry();  // texts are wider, or have their fonts now
+        }
+        return QScrollArea::eventFilter(watched, event);
+    }
+
+protected:
+    void showEvent(QShowEvent* event) override {
+        QScrollArea::showEvent(event);
+        updateGeometry();
+    }
+};
 
 QString titleOf(const MapQuantityRow& row) {
     return coreWords(row.value == MapQuantity::Validity ? "flags" : row.name);
@@ -88,6 +108,7 @@ PixelCurveView::PixelCurveView(QWidget* parent)
     plot_->heading().addWidget(axis_);
     plot_->setObjectName(QStringLiteral("pixelPlot"));
     plot_->setMinimumHeight(theme::scaled(kMinHeight));
+    plot_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Ignored);  // as high as there is room
     plot_->setToolTip(tr("Force along z over height, approach and retract at one pixel; rings mark "
                          "the snap-in and the pull-off") +
                       QLatin1Char('\n') + PlotNavigation::help());
@@ -102,7 +123,7 @@ PixelCurveView::PixelCurveView(QWidget* parent)
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(12);
     row->addLayout(left, 1);
-    row->addWidget(newScrolled(*stack_));
+    row->addWidget(new ReadingScroll(*stack_));
     connect(axis_, qOverload<int>(&QComboBox::currentIndexChanged), this, [this] {
         plot_->forgetRange();
         draw();
