@@ -37,6 +37,10 @@ SiScale shownScale(double magnitude, const QString& unit) {
     if (name == "1") {
         return {1.0, ""};
     }
+    constexpr double kSmallEnergy = 1e-14;  // [J]
+    if (name == "J" && std::abs(magnitude) < kSmallEnergy) {
+        return {1e18, "aJ"};  // 1 aJ is 1 nN nm
+    }
     if (std::ranges::find(kPrefixed, name) != kPrefixed.end()) {
         return siScaleFor(magnitude, name);
     }

@@ -79,12 +79,11 @@ ForceMapControl::ForceMapControl(MainWindow& window, RunControl& runs)
     , page_(new ForceMapPage(&window))
     , line_(loadingLine(window))
     , saving_(window)
-    , trial_({.progressed = [](double) {},
-              .finished = [this](double& pixelTime) { showEstimate(pixelTime); },
-              .failed =
-                  [this](const std::exception_ptr& reason) {
-                      page_->form().setEstimate(reasonOf(reason));
-                  }})
+    , trial_(
+          {.progressed = [](double) {},
+           .finished = [this](double& pixelTime) { showEstimate(pixelTime); },
+           .failed =
+               [this](const std::exception_ptr& reason) { page_->setEstimate(reasonOf(reason)); }})
     , work_({.progressed = [this](double share) { showProgress(share); },
              .finished = [this](std::shared_ptr<HeldMap>&) { take(true); },
              .failed =
@@ -162,7 +161,7 @@ void ForceMapControl::follow() {
     QString refusal;
     (void)plan(refusal);
     page_->setRefusal(refusal);
-    page_->form().setEstimate({});
+    page_->setEstimate({});
     trial_.cancel();
     due_ = true;
     if (page_->isVisible() && refusal.isEmpty() && !making_) {
@@ -177,7 +176,7 @@ void ForceMapControl::estimate() {
         return;
     }
     due_ = false;
-    page_->form().setEstimate(tr("Measuring how long it takes …"));
+    page_->setEstimate(tr("Measuring how long it takes …"));
     trial_.start([subject = MapSubject{runs_.run()->shared(), runs_.run()->scene().description,
                                        *plan}](Progress& progress) mutable {
         return measuredPixelTime(std::move(subject), progress);
@@ -188,7 +187,7 @@ void ForceMapControl::showEstimate(double pixelTime) {
     QString refusal;
     if (const std::optional<MapPlan> plan = this->plan(refusal)) {
         const double pixels = static_cast<double>(plan->grid.columns) * plan->grid.rows;
-        page_->form().setEstimate(
+        page_->setEstimate(
             tr("%1 pixels: %2")
                 .arg(QLocale::c().toString(pixels, 'f', 0),
                      durationOf(pixels * pixelTime / std::min(mapThreads(), plan->grid.rows))));
@@ -265,7 +264,7 @@ void ForceMapControl::take(bool isWhole) {
     }
     pixels_.setPart(std::nullopt);  // its pixel was of the map before
     page_->setQuantities(amounts, shown_);
-    page_->pixel().clear(tr("A click on the map, on the whole scan, shows a pixel"));
+    page_->pixel().clear(tr("Click a pixel on the whole scan"));
     showLayer();
     Q_EMIT layerWanted();
     if (page_->isVisible()) {
@@ -304,7 +303,7 @@ void ForceMapControl::showPixel(const QPoint& pixel) {
     const MapPlan& plan = map_->plan();
     const Vector2 place = plan.place(pixel.y(), pixel.x());
     const MapInstrument instrument(map_->loaded().scene, plan.truth);
-    QString title = tr("Pixel %1, row %2: x %3 nm, y %4 nm")
+    QString title = tr("Pixel %1, %2: x %3, y %4 nm")
                         .arg(pixel.x() + 1)
                         .arg(pixel.y() + 1)
                         .arg(1e9 * place.x(), 0, 'f', 2)

@@ -6,6 +6,7 @@
 #include "core/PrintableText.h"
 #include "core/TemporaryFile.h"
 #include "core/io/TextValue.h"
+#include "core/scene/SceneFiles.h"
 #include "ui/window/Dialogs.h"
 #include "ui/window/MainWindow.h"
 
@@ -29,14 +30,16 @@ std::vector<std::filesystem::path> filesOf(const MapFiles& files, const MapPlan&
     return all;
 }
 
-/// @throw Error where a file is the scan itself, or cannot be written
+/// @throw Error where a file is an input of the scene, or cannot be written
 void requireTargets(const HeldMap& map, const MapFiles& files) {
-    std::error_code none;
-    for (const std::filesystem::path& file : filesOf(files, map.plan())) {
-        if (std::filesystem::equivalent(map.loaded().scene.description.sample.file, file, none)) {
-            throw Error(file.string() + ": this is the scan; give another name");
-        }
-        requireWritable(file);
+    for (const std::filesystem::path& target : filesOf(files, map.plan())) {
+        forEachFile(map.loaded().scene.description, [&target](const std::string& input) {
+            std::error_code none;
+            if (std::filesystem::equivalent(input, target, none)) {
+                throw Error(target.string() + ": the scene is made of this; give another name");
+            }
+        });
+        requireWritable(target);
     }
 }
 

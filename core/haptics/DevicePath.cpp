@@ -1,5 +1,6 @@
 #include "core/haptics/DevicePath.h"
 
+#include "core/scene/SampleMaterials.h"
 #include "core/surface/MeasuredPlace.h"
 #include "core/surface/deformation/ContactHeight.h"
 #include "core/surface/deformation/HighestPlace.h"
@@ -19,8 +20,11 @@ constexpr int kRasterLines = 8;
 /// The base must rise by more than the lever holds back before the tip lets go.
 double clearanceFor(const Scene& scene, const PathPlan& plan) {
     const Cantilever& cantilever = scene.belief.cantilever;
-    const double pullOff = scene.belief.contact.pullOffApproach(cantilever.compliance()(2, 2));
-    return std::max(plan.clearance, plan.clearance + 1.5 * std::abs(pullOff));
+    const double compliance = cantilever.compliance()(2, 2);
+    const double pullOff =
+        std::max(std::abs(scene.belief.contact.pullOffApproach(compliance)),
+                 std::abs(softestContact(scene.belief).pullOffApproach(compliance)));
+    return std::max(plan.clearance, plan.clearance + 1.5 * pullOff);
 }
 
 /// Between points of a path in contact [m]: fine enough for the lattice of a scan under a sharp

@@ -12,10 +12,10 @@ constexpr double kDescentShare = 0.36;  // to the setpoint, as expected
 constexpr double kLimitShare = 0.45;    // at most
 constexpr double kDwellShare = 0.05;
 
-/// Of the base below first touch, for a force without adhesion [m]: Hertz and the lever.
+/// Of the base below first touch at a place, for a force without adhesion [m]: Hertz and the lever.
 /// Source: docs/theory.md 2.2.
-double expectedDepth(const Scene& scene, double force) {
-    const ContactPair& pair = scene.belief.contact.pair();
+double expectedDepth(const Scene& scene, const Vector3& place, double force) {
+    const ContactPair pair = scene.belief.pairAt(place, scene.belief.tipRadius());
     const double stiffness = 4.0 / 3.0 * pair.reducedModulus * std::sqrt(pair.tipRadius);
     const double compliance = scene.belief.cantilever.compliance()(2, 2);
     return std::pow(force / stiffness, 2.0 / 3.0) + compliance * force;
@@ -27,7 +27,7 @@ PlannedApproach planApproach(const Scene& scene, const PathPlan& plan) {
     const Vector3 start = pathStart(scene, plan);
     const double clearance = start.z() - touchHeight(scene, start.x(), start.y());
     const double setpoint = plan.setpoint.value_or(scene.description.setpoint);
-    const double descent = clearance + expectedDepth(scene, setpoint);
+    const double descent = clearance + expectedDepth(scene, start, setpoint);
     const double speed = descent / (kDescentShare * plan.duration);
     return {.start = start,
             .plan = {.setpoint = setpoint,

@@ -90,17 +90,20 @@ void takeRetract(const VerticalPath& path, const RetractCurve& states, PixelCurv
     points.back() = before;
     // The strongest pull may lie between two steps; there the law has it.
     if (const std::optional<RetractPoint> strongest = strongestOfLaw(path, states)) {
-        PixelCurvePoint point = pointOf(path, *strongest);
-        point.base = std::min(point.base, before.base);
-        points.insert(std::ranges::upper_bound(points, point.base, {}, &PixelCurvePoint::base),
-                      point);
+        points.push_back(pointOf(path, *strongest));
+        points.back().base = std::min(points.back().base, before.base);
     }
+    // Near to the jump its search goes back and forth by some picometers.
+    std::ranges::stable_sort(points, {}, &PixelCurvePoint::base);
     if (states.pullOff.jumps()) {
         curve.pullOff = before;
         points.push_back(after);
     }
     for (const RetractPoint& point : states.free) {
-        points.push_back(pointOf(path, point));
+        const PixelCurvePoint free = pointOf(path, point);
+        if (free.base >= points.back().base) {
+            points.push_back(free);
+        }
     }
 }
 

@@ -43,6 +43,19 @@ SampleMaterial withLargest(SampleMaterial material, const MaterialMaps& maps) {
     return material;
 }
 
+ContactModel softestContact(const ProbeSystem& system) noexcept {
+    const MaterialField* const field = system.field.get();
+    if (field == nullptr || field->maps().youngsModulus == nullptr) {
+        return system.contact;
+    }
+    ContactPair pair = system.contact.pair();
+    pair.reducedModulus =
+        field->reducedModulus({.youngsModulus = field->maps().youngsModulus->lowest(),
+                               .workOfAdhesion = pair.workOfAdhesion,
+                               .frictionCoefficient = 0.0});
+    return system.contact.withPair(pair);
+}
+
 std::shared_ptr<const MaterialField> materialField(MaterialMaps maps,
                                                    const SampleMaterial& material,
                                                    const Friction& friction, const Elastic& tip) {

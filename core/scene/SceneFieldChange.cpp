@@ -141,6 +141,9 @@ std::string whyIdle(const SceneField& field, const SceneDescription& scene) {
         if (isMapped(field, maps)) {
             return "Has a map: the largest value in it";
         }
+        if (maps.mask && std::string_view(field.key).ends_with("_map")) {
+            return "A mask has it, by material_mask of the scene file";
+        }
     }
     if (isKey(field, "erode") && scene.sample.imagingTipRadius == 0.0) {
         return "Needs the radius of the imaging tip";

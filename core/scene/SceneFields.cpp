@@ -1,6 +1,7 @@
 #include "core/scene/SceneFields.h"
 
 #include "core/probe/CantileverModes.h"
+#include "core/scene/MaterialMapFields.h"
 #include "core/scene/SampleFields.h"
 #include "core/scene/SceneFieldOf.h"
 
@@ -31,8 +32,8 @@ constexpr Limits kStiffness{1e-3, 1e4, "lie between 1e-3 and 1e4"};
 
 /// @param place of a SampleMaterial in a scene
 template <class Place>
-std::vector<SceneField> materialFields(SceneGroup group, Place /*place*/) {
-    return {
+std::vector<SceneField> materialFields(SceneGroup group, Place place) {
+    std::vector<SceneField> fields{
         at(
             group, "name", {"Name", "Of the material, as lists and curves show it"}, {},
             [](auto& scene) -> auto& { return Place{}(scene).name; }),
@@ -69,6 +70,8 @@ std::vector<SceneField> materialFields(SceneGroup group, Place /*place*/) {
             {0.0, 1e-3, "lie between 0 and 1e-3"},
             [](auto& scene) -> auto& { return Place{}(scene).filmThickness; }),
     };
+    std::ranges::move(materialMapFields(group, place), std::back_inserter(fields));
+    return fields;
 }
 
 std::vector<SceneField> tipFields() {

@@ -26,6 +26,8 @@ TEST(ColorScale, ShowsEachUnitAsPeopleReadIt) {
     EXPECT_EQ(shownValue(1.234e-9, QStringLiteral("m")), QStringLiteral("1.23 nm"));
     EXPECT_EQ(shownValue(2.5e9, QStringLiteral("Pa")), QStringLiteral("2.5 GPa"));
     EXPECT_EQ(shownValue(std::numbers::pi / 4.0, QStringLiteral("rad")), QStringLiteral("45 °"));
+    EXPECT_EQ(shownValue(1.692e-17, QStringLiteral("J")), QStringLiteral("16.9 aJ"));
+    EXPECT_EQ(shownValue(-2.0, QStringLiteral("J")), QStringLiteral("-2 J"));
     EXPECT_EQ(shownValue(12.0, QStringLiteral("mV")), QStringLiteral("12 mV"))
         << "no prefix before a prefix";
     EXPECT_EQ(shownValue(0.012, QStringLiteral("V")), QStringLiteral("12 mV"));

@@ -1,6 +1,5 @@
 #include "ui/measure/ForceMapForm.h"
 
-#include "ui/Theme.h"
 #include "ui/measure/PageParts.h"
 #include "ui/panels/Card.h"
 #include "ui/panels/NumberBox.h"
@@ -89,25 +88,13 @@ ForceMapForm::ForceMapForm(QWidget* parent)
     , rows_(newCount("mapRows", tr("Rows of pixels"), this))
     , instrument_(named(new QComboBox(this), "mapInstrument",
                         tr("model: tip, lever and sample as the scene believes them\ntrue "
-                           "instrument: as they are in the simulated instrument")))
-    , estimate_(captionLabel(QString(), this))
-    , refusal_(captionLabel(QString(), this)) {
+                           "instrument: as they are in the simulated instrument"))) {
     mode_->addItems({tr("approach"), tr("contact")});
     area_->addItems({tr("whole scan"), tr("part in view"), tr("rectangle")});
     instrument_->addItems({tr("model"), tr("true instrument")});
     setpoint_->setDecimals(6);
     setpoint_->setRange(-kLimit, kLimit);
     draw_->setCheckable(true);
-    estimate_->setObjectName(QStringLiteral("mapEstimate"));
-    estimate_->setToolTip(tr("By the time that some pixels in the middle of the map took"));
-    refusal_->setObjectName(QStringLiteral("mapRefusal"));
-    refusal_->setToolTip(tr("Why there is no such map"));
-    refusal_->setTextFormat(Qt::PlainText);
-    theme::colorText(*refusal_, &ThemeColors::fault);
-    for (QLabel* const words : {estimate_, refusal_}) {
-        words->setWordWrap(true);
-    }
-    refusal_->hide();
     addParts();
     connectParts();
 }
@@ -133,8 +120,6 @@ void ForceMapForm::addParts() {
     add(tr("y [nm]"), sides_[2], tr("to"), sides_[3]);
     add(tr("Pixels"), columns_, QStringLiteral("×"), rows_);
     add(tr("Of the"), instrument_, {}, nullptr);
-    grid->addWidget(estimate_, grid->rowCount(), 0, 1, 4);
-    grid->addWidget(refusal_, grid->rowCount(), 0, 1, 4);
     grid->setRowStretch(grid->rowCount(), 1);
     grid->setColumnStretch(1, 1);
     grid->setColumnStretch(3, 1);
@@ -147,9 +132,7 @@ void ForceMapForm::connectParts() {
     }
     connect(area_, qOverload<int>(&QComboBox::currentIndexChanged), this, [this] {
         showRegion();
-        if (area() != Area::Rectangle) {
-            draw_->setChecked(false);
-        }
+        draw_->setChecked(area() == Area::Rectangle);
         Q_EMIT changed();
     });
     connect(draw_, &QToolButton::toggled, this, [this](bool drawing) {
@@ -211,14 +194,6 @@ void ForceMapForm::setRectangle(const QRectF& rectangle) {
     Q_EMIT changed();
 }
 
-void ForceMapForm::setEstimate(const QString& words) { estimate_->setText(words); }
-
-void ForceMapForm::setRefusal(const QString& reason) {
-    refusal_->setText(reason);
-    refusal_->setVisible(!reason.isEmpty());
-    estimate_->setVisible(reason.isEmpty());
-}
-
 void ForceMapForm::setDrawing(bool drawing) { draw_->setChecked(drawing); }
 
 void ForceMapForm::takeTyped() {
@@ -248,9 +223,11 @@ MapRegion ForceMapForm::region() const {
 }
 
 QRectF ForceMapForm::rectangle() const {
-    return area() == Area::Rectangle ? QRectF(QPointF(rectangle_.left, rectangle_.bottom),
-                                              QPointF(rectangle_.right, rectangle_.top))
-                                     : QRectF();
+    const MapRegion whole{0.0, 0.0, scan_.width(), scan_.height()};
+    return area() != Area::Rectangle || rectangle_ == whole
+               ? QRectF()
+               : QRectF(QPointF(rectangle_.left, rectangle_.bottom),
+                        QPointF(rectangle_.right, rectangle_.top));
 }
 
 void ForceMapForm::showRegion() {

@@ -9,7 +9,6 @@
 #include <array>
 
 class QComboBox;
-class QLabel;
 class QSpinBox;
 class QToolButton;
 
@@ -36,15 +35,11 @@ public:
     /// Shows whether a drag on the whole scan draws the rectangle.
     void setDrawing(bool drawing);
 
-    /// Says how long the map will take.
-    void setEstimate(const QString& words);
-    /// Says why it cannot be computed; empty: it can.
-    void setRefusal(const QString& reason);
-
     /// What was typed half counts now.
     void takeTyped();
     [[nodiscard]] MapRequest request() const;
-    /// The rectangle that is asked for, for its tool; empty: the whole scan, or the part in view.
+    /// The rectangle that is asked for, for its tool: empty where it is the whole scan, or the part
+    /// in view.
     [[nodiscard]] QRectF rectangle() const;
 
 Q_SIGNALS:
@@ -78,8 +73,6 @@ private:
     QSpinBox* columns_;
     QSpinBox* rows_;
     QComboBox* instrument_;
-    QLabel* estimate_;
-    QLabel* refusal_;
 };
 
 }  // namespace asperity

@@ -21,7 +21,7 @@ namespace asperity {
 
 namespace {
 
-constexpr int kFormWidth = 300;  ///< at most [px]
+constexpr int kFormWidth = 264;  ///< at most [px]
 
 QString titleOf(MapQuantity quantity) { return coreWords(rowOf(quantity)->name); }
 
@@ -42,6 +42,8 @@ ForceMapPage::ForceMapPage(QWidget* parent)
                        tr("Writes the map as asperity map does: .gwy, .vti, .exr and pictures"),
                        this))
     , shown_(new QComboBox(this))
+    , estimate_(captionLabel(QString(), this))
+    , refusal_(captionLabel(QString(), this))
     , state_(captionLabel(QString(), this)) {
     setToolTip(tr("Adhesion, stiffness, deformation and friction over the scan or a part of it"));
     start_->setFocusPolicy(Qt::StrongFocus);  // a number that is typed half counts by then
@@ -53,6 +55,17 @@ ForceMapPage::ForceMapPage(QWidget* parent)
     state_->setObjectName(QStringLiteral("mapState"));
     state_->setToolTip(tr("How far the map is, and what it is of"));
     state_->setWordWrap(true);
+    state_->hide();
+    estimate_->setObjectName(QStringLiteral("mapEstimate"));
+    estimate_->setToolTip(tr("By the time that some pixels in the middle of the map took"));
+    refusal_->setObjectName(QStringLiteral("mapRefusal"));
+    refusal_->setToolTip(tr("Why there is no such map"));
+    refusal_->setTextFormat(Qt::PlainText);
+    theme::colorText(*refusal_, &ThemeColors::fault);
+    for (QLabel* const words : {estimate_, refusal_}) {
+        words->setWordWrap(true);
+    }
+    refusal_->hide();
     form_->setMaximumWidth(theme::scaled(kFormWidth));
     auto* middle = new QHBoxLayout;
     middle->setSpacing(16);
@@ -62,7 +75,6 @@ ForceMapPage::ForceMapPage(QWidget* parent)
     column->setContentsMargins(6, 4, 6, 4);
     column->setSpacing(4);
     column->addWidget(newBar());
-    column->addWidget(state_);
     column->addLayout(middle, 1);
     connectParts();
     setQuantities({}, MapQuantity::AdhesionForce);
@@ -80,14 +92,20 @@ QWidget* ForceMapPage::newBar() {
     row->addWidget(shown_);
     row->addWidget(pick_);
     row->addWidget(save_);
-    row->addStretch(1);
+    row->addSpacing(8);
+    auto* words = new QVBoxLayout;
+    words->setSpacing(0);
+    for (QLabel* const line : {state_, estimate_, refusal_}) {
+        words->addWidget(line);
+    }
+    row->addLayout(words, 1);
     return bar;
 }
 
 void ForceMapPage::connectParts() {
     connect(start_, &QToolButton::clicked, this, [this] {
         form_->takeTyped();
-        if (refusal_.isEmpty()) {
+        if (start_->isEnabled()) {
             Q_EMIT startChosen();
         }
     });
@@ -102,10 +120,13 @@ void ForceMapPage::connectParts() {
 }
 
 void ForceMapPage::setRefusal(const QString& reason) {
-    refusal_ = reason;
-    form_->setRefusal(reason);
+    refusal_->setText(reason);
+    refusal_->setVisible(!reason.isEmpty());
+    estimate_->setVisible(reason.isEmpty());
     showButtons();
 }
+
+void ForceMapPage::setEstimate(const QString& words) { estimate_->setText(words); }
 
 void ForceMapPage::setRunning(bool running) {
     running_ = running;
@@ -114,9 +135,10 @@ void ForceMapPage::setRunning(bool running) {
 
 void ForceMapPage::showButtons() {
     const bool hasMap = !quantities_.empty();
-    start_->setEnabled(!running_ && refusal_.isEmpty());
-    start_->setToolTip(
-        refusal_.isEmpty() ? tr("Computes the map in the background; the run goes on") : refusal_);
+    const QString refusal = refusal_->text();
+    start_->setEnabled(!running_ && refusal.isEmpty());
+    start_->setToolTip(refusal.isEmpty() ? tr("Computes the map in the background; the run goes on")
+                                         : refusal);
     cancel_->setEnabled(running_);
     form_->setEnabled(!running_);
     shown_->setEnabled(hasMap);
@@ -124,7 +146,10 @@ void ForceMapPage::showButtons() {
     save_->setEnabled(hasMap && !running_);
 }
 
-void ForceMapPage::setState(const QString& words) { state_->setText(words); }
+void ForceMapPage::setState(const QString& words) {
+    state_->setText(words);
+    state_->setVisible(!words.isEmpty());
+}
 
 QString ForceMapPage::state() const { return state_->text(); }
 

@@ -26,6 +26,8 @@ public:
 
     /// The request cannot be computed, for this reason: Start is disabled. Empty: it can.
     void setRefusal(const QString& reason);
+    /// How long that will take.
+    void setEstimate(const QString& words);
     /// A map is being computed: nothing else can be asked for.
     void setRunning(bool running);
     /// What there is to say: how far the map is, what it is of.
@@ -56,7 +58,6 @@ private:
     void connectParts();
     [[nodiscard]] QWidget* newBar();
 
-    QString refusal_;
     bool running_ = false;
     std::vector<MapQuantity> quantities_;
     ForceMapForm* form_;
@@ -66,6 +67,8 @@ private:
     QToolButton* pick_;
     QToolButton* save_;
     QComboBox* shown_;
+    QLabel* estimate_;
+    QLabel* refusal_;  ///< in place of the estimate
     QLabel* state_;
 };
 

@@ -12,6 +12,8 @@
 #include <QComboBox>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QStackedWidget>
 #include <QVBoxLayout>
 
@@ -27,7 +29,7 @@ constexpr int kDigits = 4;
 constexpr double kFreeShare = 0.5;  ///< of the width of the contact: how much of the way beside it
 constexpr double kLeastContact =
     0.5e-9;                      ///< width of one, so that a stiff one shows its attraction
-constexpr int kMinHeight = 150;  ///< [px]
+constexpr int kMinHeight = 100;  ///< [px]
 
 /// "4.3 nN", or a dash.
 QString valueText(MapQuantity quantity, double value) {
@@ -48,6 +50,19 @@ QString valueText(MapQuantity quantity, double value) {
     return flags.isEmpty() ? PixelCurveView::tr("none") : flags.join(QLatin1Char('\n'));
 }
 
+/// As wide as it is, and as high as there is room.
+QScrollArea* newScrolled(QWidget& readings) {
+    auto* area = new QScrollArea;
+    area->setFrameShape(QFrame::NoFrame);
+    area->setWidgetResizable(true);
+    area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    area->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Expanding);
+    area->setWidget(&readings);
+    area->setFixedWidth(readings.sizeHint().width() +
+                        area->verticalScrollBar()->sizeHint().width());
+    return area;
+}
+
 QString titleOf(const MapQuantityRow& row) {
     return coreWords(row.value == MapQuantity::Validity ? "flags" : row.name);
 }
@@ -64,7 +79,7 @@ PixelCurveView::PixelCurveView(QWidget* parent)
     title_->setToolTip(tr("Which pixel of the map the curve and the values are of"));
     title_->setWordWrap(true);
     axis_->setObjectName(QStringLiteral("pixelAxis"));
-    axis_->addItems({tr("tip height"), tr("base height")});
+    axis_->addItems({tr("tip z"), tr("base z")});
     axis_->setToolTip(tr("Distance axis: height of the tip as the instrument records it, base plus "
                          "deflection along z; or of the base"));
     axis_->setFont(theme::textFont(theme::kSmallSize));
@@ -87,7 +102,7 @@ PixelCurveView::PixelCurveView(QWidget* parent)
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(12);
     row->addLayout(left, 1);
-    row->addWidget(stack_);
+    row->addWidget(newScrolled(*stack_));
     connect(axis_, qOverload<int>(&QComboBox::currentIndexChanged), this, [this] {
         plot_->forgetRange();
         draw();

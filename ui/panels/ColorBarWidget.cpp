@@ -109,8 +109,13 @@ void ColorBarWidget::paintEvent(QPaintEvent* /*event*/) {
 
 void ColorBarWidget::drawHeading(QPainter& painter, int height) const {
     const QRect line(kSideMargin, 0, width() - 2 * kSideMargin, height);
-    const QString right = remark();
-    const int taken = right.isEmpty() ? 0 : painter.fontMetrics().horizontalAdvance(right) + 6;
+    constexpr int kGap = 6;  // [px]
+    const QFontMetrics metrics = painter.fontMetrics();
+    const int room = line.width() - metrics.horizontalAdvance(heading());
+    // In a narrow bar the unit is worth more than how the range is chosen.
+    const bool fits = metrics.horizontalAdvance(remark()) + kGap <= room;
+    const QString right = fits ? remark() : QString();
+    const int taken = right.isEmpty() ? 0 : metrics.horizontalAdvance(right) + kGap;
     painter.setPen(theme::colors().muted);
     painter.drawText(
         line, Qt::AlignLeft,

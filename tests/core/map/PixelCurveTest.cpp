@@ -55,7 +55,7 @@ void expectCurveOfTheMap(const MapInstrument& instrument, const Vector2& place) 
     const double height = curve.values[MapQuantity::Height];
     EXPECT_EQ(curve.approach.back().tip, height);
     EXPECT_EQ(curve.retract.front().tip, height);
-    EXPECT_NEAR(curve.approach.back().force, kSetpoint, 1e-11 * kSetpoint);
+    EXPECT_NEAR(curve.approach.back().force, kSetpoint, 1e-9 * kSetpoint);
     EXPECT_NEAR(pullingWork(curve.retract), curve.values[MapQuantity::SeparationWork],
                 0.05 * curve.values[MapQuantity::SeparationWork]);
 }

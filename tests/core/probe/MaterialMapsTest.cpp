@@ -1,6 +1,7 @@
 #include "core/probe/MaterialMaps.h"
 
 #include "core/probe/ProbeSystem.h"
+#include "tests/support/TestScenes.h"
 
 #include <gtest/gtest.h>
 
@@ -49,7 +50,7 @@ TEST(MaterialField, TellsWhereItVariesWithinAContact) {
 TEST(ProbeSystem, HasThePairOfThePlace) {
     ProbeSystem system{
         .contact = ContactModel(ContactLaw::Maugis, {15e-9, 2.3e9, 0.06}),
-        .cantilever = Cantilever({}),
+        .cantilever = Cantilever(test::plainScene().probe),
         .friction = {.coefficient = 0.5, .shearStrength = 1e6},
     };
     EXPECT_EQ(system.pairAt(Vector3::Zero(), 8e-9).reducedModulus, 2.3e9);

@@ -31,6 +31,7 @@ std::shared_ptr<const PixelField> halves(const HeightMap& scan, double left, dou
 
 SceneDescription mappedDescription() {
     SceneDescription description = test::plainScene();
+    description.choices.law = ContactLaw::Maugis;  // of all its materials
     const MapSource any{.file = "maps.gwy", .channel = "", .sha256 = ""};
     description.sample.material.maps = {
         .youngsModulus = any, .workOfAdhesion = any, .friction = any, .mask = std::nullopt};
@@ -47,6 +48,7 @@ SceneMaps mapsOver(const HeightMap& scan) {
 
 Scene uniformScene(const HeightMap& scan, double modulus, double adhesion, double friction) {
     SceneDescription description = test::plainScene();
+    description.choices.law = ContactLaw::Maugis;
     description.sample.material.elastic.youngsModulus = modulus;
     description.sample.material.workOfAdhesion = adhesion;
     description.sample.material.friction.coefficient = friction;
@@ -84,6 +86,14 @@ TEST(SampleMaterials, TheNumbersStandForTheStiffestAndMostAdhesivePart) {
     EXPECT_NEAR(material.workOfAdhesion, 0.08, 1e-8);
     EXPECT_NEAR(material.friction.coefficient, 0.6, 1e-7);
     EXPECT_EQ(scene.belief.contact.pair().workOfAdhesion, material.workOfAdhesion);
+}
+
+TEST(SampleMaterials, TheSoftestPartLetsTheTipGoLast) {
+    const HeightMap scan = test::flatMap();
+    const Scene scene = buildScene(mappedDescription(), scan, nullptr, mapsOver(scan));
+    const ContactModel softest = softestContact(scene.belief);
+    EXPECT_EQ(softest.pair().workOfAdhesion, scene.belief.contact.pair().workOfAdhesion);
+    EXPECT_LT(softest.pullOffApproach(0.07), scene.belief.contact.pullOffApproach(0.07));
 }
 
 TEST(SampleMaterials, StayWithAnotherTipAndModelAndGoWithAnotherMaterial) {

@@ -60,6 +60,24 @@ TEST(SceneFieldChange, LeavesATruthOfItsOwn) {
     EXPECT_EQ(scene.truth.stiffness, 12.0);
 }
 
+TEST(SceneFieldChange, AMapIsAFileAndItsChannel) {
+    SceneDescription scene = test::plainScene();
+    scene = changed(scene, "sample.youngs_modulus_map", std::string(" film.gwy  # Modulus"));
+    const std::optional<MapSource> expected =
+        MapSource{.file = "film.gwy", .channel = "Modulus", .sha256 = ""};
+    EXPECT_EQ(scene.sample.material.maps.youngsModulus, expected);
+    EXPECT_EQ(scene.truth.material, scene.sample.material);
+    EXPECT_NE(whyIdle(field("sample.youngs_modulus_pa"), scene), "");
+    EXPECT_EQ(whyIdle(field("sample.friction_coefficient"), scene), "");
+    scene.sample.material.maps.youngsModulus->sha256 = "known";
+    const SceneValue shown = field("sample.youngs_modulus_map").get(scene);
+    EXPECT_EQ(changed(scene, "sample.youngs_modulus_map", shown), scene) << "the hash stays";
+    scene = changed(scene, "sample.youngs_modulus_map", std::string(" "));
+    EXPECT_FALSE(scene.sample.material.maps.any());
+    scene.sample.material.maps.mask = MaterialMask{};
+    EXPECT_NE(whyIdle(field("sample.friction_map"), scene), "");
+}
+
 TEST(SceneFieldChange, AChangedMaterialSaysSoOnce) {
     SceneDescription scene = test::plainScene();
     scene = changed(scene, "sample.hardness_pa", 1e9);

@@ -4,7 +4,6 @@
 #include "ui/panels/NumberBox.h"
 
 #include <QComboBox>
-#include <QLabel>
 #include <QLineEdit>
 #include <QSignalSpy>
 #include <QSpinBox>
@@ -101,6 +100,13 @@ TEST_F(ForceMapFormTest, ThePartInViewEndsAtTheScan) {
     EXPECT_EQ(form.request().region->left, 10e-9) << "it follows the view";
 }
 
+TEST_F(ForceMapFormTest, ARectangleThatIsChosenIsToBeDrawn) {
+    part<QComboBox>("mapArea").setCurrentIndex(2);
+    EXPECT_TRUE(part<QToolButton>("drawMapRegion").isChecked());
+    EXPECT_TRUE(form.rectangle().isEmpty())
+        << "a drag begins one, and moves none as large as the scan";
+}
+
 TEST_F(ForceMapFormTest, DrawingChoosesARectangle) {
     QSignalSpy drawing(&form, &ForceMapForm::drawingChosen);
     part<QToolButton>("drawMapRegion").click();
@@ -114,16 +120,6 @@ TEST_F(ForceMapFormTest, DrawingChoosesARectangle) {
     EXPECT_EQ(part<NumberBox>("mapLeft").value(), 20.0);
     part<QComboBox>("mapArea").setCurrentIndex(0);
     EXPECT_FALSE(part<QToolButton>("drawMapRegion").isChecked());
-}
-
-TEST_F(ForceMapFormTest, AReasonTakesThePlaceOfTheEstimate) {
-    form.setEstimate(QStringLiteral("about 4 s"));
-    form.setRefusal(QStringLiteral("no"));
-    EXPECT_TRUE(part<QLabel>("mapEstimate").isHidden());
-    EXPECT_EQ(part<QLabel>("mapRefusal").text(), QStringLiteral("no"));
-    form.setRefusal({});
-    EXPECT_FALSE(part<QLabel>("mapEstimate").isHidden());
-    EXPECT_TRUE(part<QLabel>("mapRefusal").isHidden());
 }
 
 }  // namespace

@@ -55,7 +55,9 @@ TEST(SceneKeys, ThoseThatTheReaderReadsAreThoseOfTheList) {
             }
         }
     }
-    std::set<std::string> listed{"sample.material", "truth.material", "probe.file"};  // libraries
+    // Libraries, and what names two materials.
+    std::set<std::string> listed{"sample.material", "truth.material", "probe.file",
+                                 "sample.material_mask", "truth.material_mask"};
     for (const SceneField& field : sceneFields()) {
         listed.insert(nameOf(field));
     }
