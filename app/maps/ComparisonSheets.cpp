@@ -4,6 +4,7 @@
 #include "app/maps/MapSheets.h"
 #include "core/FormattedText.h"
 #include "core/SiFormat.h"
+#include "vtkplugins/pictures/Palette.h"
 
 #include <algorithm>
 #include <cmath>
@@ -49,7 +50,9 @@ bool holds(const CentralRange& range, double value) {
 /// Without the outermost values, which would press all others into a corner.
 Curve dotsOf(const ValuePairs& pairs, const CentralRange& predicted, const CentralRange& measured) {
     const std::size_t stride = strideOf(pairs.predicted.size());
-    Curve dots{.label = stride > 1 ? formatted("one of %zu pixels", stride) : "pixels",
+    Curve dots{.label =
+                   (stride > 1 ? formatted("one of %zu pixels", stride) : std::string("pixels")) +
+                   ", 98 % of each map",
                .x = {},
                .y = {},
                .points = true,
@@ -83,14 +86,18 @@ Chart chartOf(const ComparedMap& compared, const ValuePairs& pairs) {
     const double low = std::max(x.low, y.low);
     const double high = std::min(x.high, y.high);
     if (low < high) {
-        chart.curves.push_back(
-            {.label = "measured = predicted", .x = {low, high}, .y = {low, high}, .dashed = true});
+        chart.curves.push_back({.label = "measured = predicted",
+                                .x = {low, high},
+                                .y = {low, high},
+                                .color = seriesColor(kLightPalette, 1),
+                                .dashed = true});
     }
     if (std::isfinite(numbers.slope)) {
-        chart.curves.push_back({.label = lineText(numbers, quantity.unit),
-                                .x = {x.low, x.high},
-                                .y = {numbers.offset + numbers.slope * x.low,
-                                      numbers.offset + numbers.slope * x.high}});
+        chart.curves.push_back(
+            {.label = lineText(numbers, quantity.unit),
+             .x = {x.low, x.high},
+             .y = {numbers.offset + numbers.slope * x.low, numbers.offset + numbers.slope * x.high},
+             .color = seriesColor(kLightPalette, 2)});
     }
     return chart;
 }

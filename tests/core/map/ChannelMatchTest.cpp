@@ -1,13 +1,11 @@
 #include "core/map/ChannelMatch.h"
 
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 namespace asperity {
 namespace {
 
-using testing::ElementsAre;
-using testing::IsEmpty;
+using Quantities = std::vector<MapQuantity>;
 
 MapPlan planOf(MapMode mode) {
     MapPlan plan{.mode = mode, .grid = {2, 2}, .region = {0.0, 0.0, 1.0, 1.0}, .setpoint = 1e-9};
@@ -21,31 +19,31 @@ MapPlan planOf(MapMode mode) {
 
 TEST(ChannelMatch, GoesByUnitAndTitle) {
     const MapPlan approach = planOf(MapMode::Approach);
-    EXPECT_THAT(quantitiesLike(approach, "N", "Adhesion"), ElementsAre(MapQuantity::AdhesionForce));
-    EXPECT_THAT(quantitiesLike(approach, "N", "Adhesion force"),
-                ElementsAre(MapQuantity::AdhesionForce));
-    EXPECT_THAT(quantitiesLike(approach, "Pa", "DMTModulus"),
-                ElementsAre(MapQuantity::ApparentModulus));
-    EXPECT_THAT(quantitiesLike(approach, "m", "HeightSensor"), ElementsAre(MapQuantity::Height));
+    EXPECT_EQ(quantitiesLike(approach, "N", "Adhesion"), (Quantities{MapQuantity::AdhesionForce}));
+    EXPECT_EQ(quantitiesLike(approach, "N", "Adhesion force"),
+              (Quantities{MapQuantity::AdhesionForce}));
+    EXPECT_EQ(quantitiesLike(approach, "Pa", "DMTModulus"),
+              (Quantities{MapQuantity::ApparentModulus}));
+    EXPECT_EQ(quantitiesLike(approach, "m", "HeightSensor"), (Quantities{MapQuantity::Height}));
     const MapPlan contact = planOf(MapMode::Contact);
-    EXPECT_THAT(quantitiesLike(contact, "m", "height, retrace"),
-                ElementsAre(MapQuantity::HeightRetrace));
-    EXPECT_THAT(quantitiesLike(contact, "N", "FRICTION"), ElementsAre(MapQuantity::FrictionForce));
+    EXPECT_EQ(quantitiesLike(contact, "m", "height, retrace"),
+              (Quantities{MapQuantity::HeightRetrace}));
+    EXPECT_EQ(quantitiesLike(contact, "N", "FRICTION"), (Quantities{MapQuantity::FrictionForce}));
 }
 
 TEST(ChannelMatch, LeavesToTheUserWhatTheTitleDoesNotSay) {
     const MapPlan approach = planOf(MapMode::Approach);
-    EXPECT_THAT(quantitiesLike(approach, "m", "Deformation"),
-                ElementsAre(MapQuantity::SnapInDistance, MapQuantity::Height,
-                            MapQuantity::Indentation, MapQuantity::ContactRadius));
-    EXPECT_THAT(quantitiesLike(planOf(MapMode::Contact), "m", "Height"),
-                ElementsAre(MapQuantity::HeightTrace, MapQuantity::HeightRetrace));
+    EXPECT_EQ(quantitiesLike(approach, "m", "Deformation"),
+              (Quantities{MapQuantity::SnapInDistance, MapQuantity::Height,
+                          MapQuantity::Indentation, MapQuantity::ContactRadius}));
+    EXPECT_EQ(quantitiesLike(planOf(MapMode::Contact), "m", "Height"),
+              (Quantities{MapQuantity::HeightTrace, MapQuantity::HeightRetrace}));
 }
 
 TEST(ChannelMatch, ComparesAmountsOfOneUnitOnly) {
     const MapPlan approach = planOf(MapMode::Approach);
-    EXPECT_THAT(quantitiesLike(approach, "V", "Friction"), IsEmpty());
-    EXPECT_THAT(quantitiesLike(approach, "", "validity"), IsEmpty());
+    EXPECT_EQ(quantitiesLike(approach, "V", "Friction"), Quantities{});
+    EXPECT_EQ(quantitiesLike(approach, "", "validity"), Quantities{});
     EXPECT_FALSE(isMeasurable(MapQuantity::Iterations));
 }
 
@@ -54,8 +52,8 @@ TEST(ChannelMatch, ChoosesAmongThePlansQuantities) {
                        .region = {0.0, 0.0, 1.0, 1.0},
                        .setpoint = 1e-9,
                        .quantities = {MapQuantity::Indentation, MapQuantity::AdhesionForce}};
-    EXPECT_THAT(quantitiesLike(plan, "m", "Deformation"), ElementsAre(MapQuantity::Indentation));
-    EXPECT_THAT(quantitiesLike(plan, "N/m", "Stiffness"), IsEmpty());
+    EXPECT_EQ(quantitiesLike(plan, "m", "Deformation"), (Quantities{MapQuantity::Indentation}));
+    EXPECT_EQ(quantitiesLike(plan, "N/m", "Stiffness"), Quantities{});
 }
 
 }  // namespace
