@@ -70,6 +70,22 @@ TEST_F(ColorControlTest, SaysWhatASceneDoesNotHave) {
     EXPECT_NE(told().find("certainty"), std::string::npos);
 }
 
+TEST_F(ColorControlTest, ASampleOfSeveralMaterialsShowsThem) {
+    useFlatScene();
+    EXPECT_FALSE(entry("colorBy.youngs_modulus").isEnabled()) << "it is the same everywhere";
+    scenes.open(std::filesystem::path(ASPERITY_DATA_DIR) / "scenes/particles.toml");
+    ASSERT_TRUE(eventually([this] { return entry("colorBy.youngs_modulus").isEnabled(); }));
+    choose(SurfaceQuantity::YoungsModulus);
+    EXPECT_EQ(shown(), QStringLiteral("Young's modulus"));
+    EXPECT_EQ(shownOfAll(), QStringLiteral("Young's modulus"));
+    EXPECT_NEAR(window.overview().map().colors().dataLow, 2e9, 1e6);
+    EXPECT_NEAR(window.overview().map().colors().dataHigh, 70e9, 1e6);
+    choose(SurfaceQuantity::FrictionCoefficient);
+    EXPECT_NEAR(window.overview().map().colors().dataHigh, 0.3, 1e-3);
+    useFlatScene();
+    EXPECT_EQ(shown(), QStringLiteral("height"));
+}
+
 TEST_F(ColorControlTest, AFileThatIsGoneIsTold) {
     const std::filesystem::path copy = folder.file("gone.gsf");
     std::filesystem::copy_file(kSteps, copy);
