@@ -47,6 +47,10 @@ CurveCase caseOf(const SceneDescription& scene, ContactLaw law, const std::strin
 /// The case of the scene's material, and another for comparison where the law is not the usual one.
 void addCases(const SceneDescription& scene, double compliance, std::vector<CurveCase>& cases) {
     checkScene(scene);
+    if (scene.sample.material.maps.any()) {
+        throw Error("a curve is of one material, and this sample has maps of several: give a "
+                    "--material, or take one pixel by `asperity map --region`");
+    }
     const LawChoice choice = chooseLaw(scene.choices.law, contactPair(scene, scene.sample.material),
                                        scene.sample.material.filmThickness);
     cases.push_back(caseOf(scene, choice.law, whyOf(choice), compliance));

@@ -19,15 +19,16 @@ std::vector<double> predictedBy(const MapPlan& plan, const MapPart& part, std::s
 /// Of measured and predicted values, row by row.
 template <class Value>
 RowReader readerOf(const ComparedMap& compared, const MapPart& part, Value value) {
-    return [&compared, &part, value](int row, double* values) {
-        part.read(row, compared.place, values);
-        const std::vector<double>& measured = compared.values.measured;
-        const std::size_t columns = measured.size() / static_cast<std::size_t>(part.rows());
-        const std::size_t first = static_cast<std::size_t>(row) * columns;
-        for (std::size_t column = 0; column < columns; ++column) {
-            values[column] = value(measured[first + column], values[column]);
-        }
-    };
+    return
+        [&compared, rows = static_cast<std::size_t>(part.rows()), value](int row, double* values) {
+            const std::vector<double>& measured = compared.values.measured;
+            const std::vector<double>& predicted = compared.values.predicted;
+            const std::size_t columns = measured.size() / rows;
+            const std::size_t first = static_cast<std::size_t>(row) * columns;
+            for (std::size_t column = 0; column < columns; ++column) {
+                values[column] = value(measured[first + column], predicted[first + column]);
+            }
+        };
 }
 
 }  // namespace

@@ -29,7 +29,7 @@ std::string remarkOn(const MapComparison& numbers) {
     }
     return std::isfinite(numbers.correlation)
                ? ""
-               : "fewer than three pixels are compared: there is no correlation and no line";
+               : "too few pixels are compared: there is no correlation and no line";
 }
 
 /// "N/m" as the end of a key: "_n_m".
@@ -57,6 +57,7 @@ Json channelJson(const ComparedMap& map) {
             {"measured_columns", map.grid.columns},
             {"measured_rows", map.grid.rows},
             {"removed_plane", planeJson(map.values.plane)},
+            {"plane_removed_from_both", planeJson(map.values.predictedPlane)},
             {"pixels", numbers.pixels},
             {"compared_pixels", numbers.compared},
             {"pixels_without_prediction", numbers.withoutPrediction},

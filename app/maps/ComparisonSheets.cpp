@@ -19,18 +19,14 @@ struct ValuePairs {
     std::vector<double> measured;
 };
 
-ValuePairs pairsOf(const ComparedMap& compared, const MapPlan& plan, const MapPart& part) {
+ValuePairs pairsOf(const ComparedMap& compared) {
     ValuePairs pairs;
-    std::vector<double> predicted(static_cast<std::size_t>(plan.grid.columns));
-    auto measured = compared.values.measured.begin();
-    for (int row = 0; row < plan.grid.rows; ++row) {
-        part.read(row, compared.place, predicted.data());
-        for (const double value : predicted) {
-            if (std::isfinite(value) && std::isfinite(*measured)) {
-                pairs.predicted.push_back(value);
-                pairs.measured.push_back(*measured);
-            }
-            ++measured;
+    const std::vector<double>& predicted = compared.values.predicted;
+    const std::vector<double>& measured = compared.values.measured;
+    for (std::size_t i = 0; i < predicted.size(); ++i) {
+        if (std::isfinite(predicted[i]) && std::isfinite(measured[i])) {
+            pairs.predicted.push_back(predicted[i]);
+            pairs.measured.push_back(measured[i]);
         }
     }
     return pairs;
@@ -107,7 +103,7 @@ std::string titleOf(const ComparedMap& compared, const MapPlan& plan) {
                         rowOf(compared.quantity)->name + ", setpoint " +
                         formatSi(plan.setpoint, "N");
     if (compared.values.plane) {
-        title += "; a plane is removed from the measured map";
+        title += "; both without their planes";
     }
     return title;
 }
@@ -117,15 +113,15 @@ std::vector<SheetMap> mapsOf(const ComparedMap& compared, const MapPlan& plan,
     const char* unit = rowOf(compared.quantity)->unit;
     const auto columns = static_cast<std::ptrdiff_t>(plan.grid.columns);
     const std::vector<ComparisonLayer> layers = layersOf(compared, part);
-    std::vector<SheetMap> maps{
-        sheetMap(plan, "measured", unit,
-                 [&](int row, double* values) {
-                     std::copy_n(compared.values.measured.begin() + row * columns, columns, values);
-                 }),
-        sheetMap(plan, "predicted", unit,
-                 [&](int row, double* values) { part.read(row, compared.place, values); }),
-        sheetMap(plan, "difference", unit, layers[0].readRow),
-        sheetMap(plan, "residual", unit, layers[1].readRow)};
+    const auto rowsOf = [columns](const std::vector<double>& all) {
+        return [&all, columns](int row, double* values) {
+            std::copy_n(all.begin() + row * columns, columns, values);
+        };
+    };
+    std::vector<SheetMap> maps{sheetMap(plan, "measured", unit, rowsOf(compared.values.measured)),
+                               sheetMap(plan, "predicted", unit, rowsOf(compared.values.predicted)),
+                               sheetMap(plan, "difference", unit, layers[0].readRow),
+                               sheetMap(plan, "residual", unit, layers[1].readRow)};
     maps[2].isSigned = true;
     maps[3].isSigned = true;
     return maps;
@@ -137,7 +133,7 @@ void writeComparisonSheets(const MapFiles& files, const MapPlan& plan, const Map
                            std::span<const ComparedMap> maps) {
     int number = 0;
     for (const ComparedMap& compared : maps) {
-        const Chart chart = chartOf(compared, pairsOf(compared, plan, part));
+        const Chart chart = chartOf(compared, pairsOf(compared));
         writeMapSheet(files.comparisonSheet(++number), titleOf(compared, plan),
                       mapsOf(compared, plan, part), &chart);
     }

@@ -57,7 +57,8 @@ LoadedScene mapScene(SceneDescription description, const SceneOverrides& overrid
     ProgressPart hashing(progress, 0.2, 0.3);
     std::string hash = file.sha256(&hashing);
     ProgressPart mapping(progress, 0.3, 0.4);
-    const SceneMaps maps = readSceneMaps(description, mapArea(heights.map, sample.crop), &mapping);
+    const SceneMaps maps =
+        readSceneMaps(description, mapArea(heights.map, sample.crop), &mapping, &scan.notes);
     ProgressPart building(progress, 0.4, 1.0);
     const std::size_t holes = std::visit(
         [](const auto& map) {

@@ -1,6 +1,8 @@
 #include "core/map/MapComparison.h"
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace asperity {
 
@@ -9,8 +11,9 @@ namespace {
 /// The line through fewer pixels explains everything.
 constexpr std::size_t kMinPixels = 3;
 
+constexpr double kRounding = 1e-9;  // of values, relative
+
 bool isConstant(double mean, double deviation) {
-    constexpr double kRounding = 1e-9;
     return !(deviation > kRounding * std::hypot(mean, deviation));
 }
 
@@ -94,6 +97,64 @@ void fitLine(MapComparison& result, const Spread& spread, std::span<const double
     result.rmsResidual = std::sqrt(squares / static_cast<double>(result.compared));
 }
 
+/// The least-squares plane of values(i) over the pixels that hold data in both maps.
+template <class Values>
+PlaneFit planeOver(const MapPlan& plan, const ComparedQuantity& maps, const Values& values) {
+    HeightMap map{.columns = plan.grid.columns,
+                  .rows = plan.grid.rows,
+                  .pitchX = plan.pitchX(),
+                  .pitchY = plan.pitchY(),
+                  .heights = {},
+                  .invalid = PixelMask(maps.predicted.size(), false)};
+    for (std::size_t i = 0; i < maps.predicted.size(); ++i) {
+        map.heights.push_back(values(i));
+        map.invalid[i] = !std::isfinite(maps.measured[i] - maps.predicted[i]);
+    }
+    return fitPlane(map);
+}
+
+double largestOf(const std::vector<double>& values) {
+    double largest = 0.0;
+    for (const double value : values) {
+        largest = std::isfinite(value) ? std::max(largest, std::abs(value)) : largest;
+    }
+    return largest;
+}
+
+/// What rounding leaves of a map that is a plane is no relief.
+void removePlane(const MapPlan& plan, const PlaneFit& plane, std::vector<double>& values) {
+    const double before = largestOf(values);
+    std::size_t i = 0;
+    for (int row = 0; row < plan.grid.rows; ++row) {
+        for (int column = 0; column < plan.grid.columns; ++column) {
+            values[i++] -= plane.at((column + 0.5) * plan.pitchX(),
+                                    (plan.grid.rows - row - 0.5) * plan.pitchY());
+        }
+    }
+    if (largestOf(values) <= kRounding * before) {
+        for (double& value : values) {
+            value *= 0.0;  // what is not a number stays so
+        }
+    }
+}
+
+/// Planes leave nothing to compare in a few pixels.
+void level(const MapPlan& plan, ComparedQuantity& maps) {
+    constexpr std::size_t kOfAPlane = 3;
+    maps.plane =
+        planeOver(plan, maps, [&](std::size_t i) { return maps.measured[i] - maps.predicted[i]; });
+    maps.predictedPlane = planeOver(plan, maps, [&](std::size_t i) { return maps.predicted[i]; });
+    removePlane(plan, *maps.plane, maps.measured);
+    removePlane(plan, *maps.predictedPlane, maps.measured);
+    removePlane(plan, *maps.predictedPlane, maps.predicted);
+    maps.numbers = compareMaps(maps.predicted, maps.measured);
+    if (maps.numbers.compared < kMinPixels + kOfAPlane) {
+        maps.numbers.offset = maps.numbers.slope = maps.numbers.rmsResidual = kUndefined;
+        maps.numbers.correlation = maps.numbers.shareByLine = kUndefined;
+        maps.numbers.shareAsPredicted = kUndefined;
+    }
+}
+
 }  // namespace
 
 bool MapComparison::isMeasuredConstant() const {
@@ -119,41 +180,26 @@ MapComparison compareMaps(std::span<const double> predicted, std::span<const dou
     if (!result.isMeasuredConstant()) {
         result.shareAsPredicted = 1.0 - spread.difference / spread.measured;
     }
-    if (result.compared >= kMinPixels && !result.isPredictedConstant()) {
+    if (result.compared >= kMinPixels && !result.isPredictedConstant() &&
+        !result.isMeasuredConstant()) {
         fitLine(result, spread, predicted, measured);
-        if (!result.isMeasuredConstant()) {
-            result.correlation = spread.both / std::sqrt(spread.predicted * spread.measured);
-            result.shareByLine = result.correlation * result.correlation;
-        }
+        result.correlation = spread.both / std::sqrt(spread.predicted * spread.measured);
+        result.shareByLine = result.correlation * result.correlation;
     }
     return result;
 }
 
 ComparedQuantity compareQuantity(const MapPlan& plan, MapQuantity quantity,
-                                 std::span<const double> predicted, std::vector<double> measured) {
-    ComparedQuantity result{.measured = std::move(measured), .plane = {}, .numbers = {}};
-    result.numbers = compareMaps(predicted, result.measured);
-    if (!isRecordedHeight(quantity) || result.numbers.compared == 0) {
-        return result;
+                                 std::vector<double> predicted, std::vector<double> measured) {
+    ComparedQuantity result{.predicted = std::move(predicted),
+                            .measured = std::move(measured),
+                            .plane = {},
+                            .predictedPlane = {},
+                            .numbers = {}};
+    result.numbers = compareMaps(result.predicted, result.measured);
+    if (isRecordedHeight(quantity) && result.numbers.compared > 0) {
+        level(plan, result);
     }
-    HeightMap map{.columns = plan.grid.columns,
-                  .rows = plan.grid.rows,
-                  .pitchX = plan.pitchX(),
-                  .pitchY = plan.pitchY(),
-                  .heights = {},
-                  .invalid = PixelMask(predicted.size(), false)};
-    for (std::size_t i = 0; i < predicted.size(); ++i) {
-        map.heights.push_back(result.measured[i] - predicted[i]);
-        map.invalid[i] = !std::isfinite(map.heights[i]);
-    }
-    result.plane = fitPlane(map);
-    for (int row = 0; row < map.rows; ++row) {
-        for (int column = 0; column < map.columns; ++column) {
-            result.measured[map.index(row, column)] -=
-                result.plane->at((column + 0.5) * map.pitchX, (map.rows - row - 0.5) * map.pitchY);
-        }
-    }
-    result.numbers = compareMaps(predicted, result.measured);
     return result;
 }
 

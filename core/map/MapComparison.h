@@ -53,17 +53,22 @@ struct MapComparison {
 
 /// A measured map against a quantity of a plan.
 struct ComparedQuantity {
-    std::vector<double> measured;   ///< at the plan's pixels, NaN: no data; without the plane
-    std::optional<PlaneFit> plane;  ///< removed from it; places from the region's lower left corner
+    std::vector<double> predicted;  ///< at the plan's pixels, NaN: no data; without its plane
+    std::vector<double> measured;   ///< likewise, without both planes
+    /// Removed from the measured map: that of measured minus predicted. Places from the region's
+    /// lower left corner.
+    std::optional<PlaneFit> plane;
+    /// Removed from both: that of the predicted map.
+    std::optional<PlaneFit> predictedPlane;
     MapComparison numbers;
 };
 
 /// Compares a measured map with a quantity of the plan. Height and tilt of a recorded topography
-/// are those of the instrument's mounting: of a height, the least-squares plane of measured minus
-/// predicted is removed from the measured map first.
+/// are those of the instrument's mounting: heights lose their least-squares planes over the
+/// compared pixels first, so that no tilt that the prediction has counts as explained.
 /// @param predicted, measured at the plan's pixels, row by row from the top, in the quantity's unit
 [[nodiscard]] ComparedQuantity compareQuantity(const MapPlan& plan, MapQuantity quantity,
-                                               std::span<const double> predicted,
+                                               std::vector<double> predicted,
                                                std::vector<double> measured);
 
 }  // namespace asperity

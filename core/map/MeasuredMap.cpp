@@ -9,10 +9,7 @@ namespace asperity {
 
 namespace {
 
-bool fits(double length, double wanted) {
-    constexpr double kTolerance = 0.02;
-    return std::abs(length / wanted - 1.0) <= kTolerance;
-}
+constexpr double kMostMisfit = 0.02;  // of a side
 
 /// Two neighboring pixels, and the weight of the second.
 struct Neighbors {
@@ -58,12 +55,17 @@ double valueAt(const HeightMap& map, const Neighbors& rows, const Neighbors& col
 
 std::optional<MapRegion> measuredArea(double width, double height, const MapPlan& plan,
                                       const MapRegion& scan) {
+    std::optional<MapRegion> nearest;
+    double least = kMostMisfit;
     for (const MapRegion& area : {plan.region, scan}) {
-        if (fits(width, area.right - area.left) && fits(height, area.top - area.bottom)) {
-            return area;
+        const double misfit = std::max(std::abs(width / (area.right - area.left) - 1.0),
+                                       std::abs(height / (area.top - area.bottom) - 1.0));
+        if (misfit <= least && !(nearest && misfit == least)) {
+            nearest = area;
+            least = misfit;
         }
     }
-    return std::nullopt;
+    return nearest;
 }
 
 std::vector<double> valuesAt(const MapPlan& plan, const HeightMap& measured,

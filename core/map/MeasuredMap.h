@@ -8,8 +8,8 @@
 
 namespace asperity {
 
-/// The area that a measured map of this size shows [m]: the plan's region, else the whole scan,
-/// whichever it fits to 2 % of each side; none: neither.
+/// The area that a measured map of this size shows [m]: the plan's region or the whole scan,
+/// whichever it fits better; none: neither fits to 2 % of each side.
 /// @param scan the whole scan, world frame
 [[nodiscard]] std::optional<MapRegion> measuredArea(double width, double height,
                                                     const MapPlan& plan, const MapRegion& scan);

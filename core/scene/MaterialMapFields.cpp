@@ -29,9 +29,10 @@ std::optional<MapSource> mapOf(const std::string& text, const std::optional<MapS
     if (present && wanted == trimmed(mapText(present))) {
         return present;
     }
-    const std::size_t mark = wanted.rfind('#');
+    const std::size_t mark = wanted.find(kBetween);
+    const bool hasChannel = mark != std::string::npos;
     return MapSource{.file = trimmed(wanted.substr(0, mark)),
-                     .channel = mark == std::string::npos ? "" : trimmed(wanted.substr(mark + 1)),
+                     .channel = hasChannel ? trimmed(wanted.substr(mark + 3)) : "",
                      .sha256 = ""};
 }
 

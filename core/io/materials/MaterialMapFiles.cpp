@@ -8,6 +8,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <iterator>
 #include <limits>
 #include <memory>
 #include <span>
@@ -26,20 +28,30 @@ constexpr double kSameSize =
 struct MapQuantityRange {
     const char* name;                ///< for people
     std::vector<std::string> units;  ///< base units; empty: any
-    double low;
-    double high;
+    double low;                      ///< in the first unit
+    double high;                     ///< likewise
     const char* expected;
+    std::ptrdiff_t alsoNamed = 0;  ///< how many of the last units need the channel's name
 };
 
-const MapQuantityRange kModulus{"a modulus", {"Pa"}, 1e3, 2e12, "1e3 to 2e12 Pa"};
+const MapQuantityRange kModulus{"a modulus [Pa]", {"Pa"}, 1e3, 2e12, "1e3 to 2e12 Pa"};
+// Stiffness has the unit N/m, too.
 const MapQuantityRange kAdhesion{
-    "a work of adhesion", {"J/m^2", "J/m²", "N/m"}, 0.0, 10.0, "0 to 10 J/m^2"};
-const MapQuantityRange kFriction{"a coefficient of friction", {""}, 0.0, 10.0, "0 to 10"};
+    "a work of adhesion [J/m^2]", {"J/m^2", "J/m²", "N/m"}, 0.0, 10.0, "0 to 10 J/m^2", 1};
+const MapQuantityRange kFriction{"a coefficient of friction [no unit]", {""}, 0.0, 10.0, "0 to 10"};
 const MapQuantityRange kMask{"a mask", {}, 0.0, 1e300, "0 or more"};
 
-bool hasUnit(const ScanChannel& channel, const MapQuantityRange& quantity) {
+/// What the reading of a map reports to; either may be null.
+struct MapReading {
+    Progress* progress;
+    std::vector<std::string>* notes;
+};
+
+/// @param isNamed a channel that nobody named may be meant by its first units only
+bool hasUnit(const ScanChannel& channel, const MapQuantityRange& quantity, bool isNamed) {
     const std::vector<std::string>& units = quantity.units;
-    return units.empty() || std::ranges::find(units, parseUnit(channel.unit).base) != units.end();
+    const auto end = isNamed ? units.end() : units.begin() + std::ssize(units) - quantity.alsoNamed;
+    return units.empty() || std::find(units.begin(), end, parseUnit(channel.unit).base) != end;
 }
 
 /// The channel that is asked for, or the only one that may be meant.
@@ -48,7 +60,7 @@ const ScanChannel& channelOf(const HeightMapFile& file, const MapSource& source,
     std::vector<const ScanChannel*> fitting;
     std::string names;
     for (const ScanChannel& channel : file.channels) {
-        if (hasUnit(channel, quantity) &&
+        if (hasUnit(channel, quantity, !source.channel.empty()) &&
             (source.channel.empty() || channel.name == source.channel)) {
             fitting.push_back(&channel);
         }
@@ -80,11 +92,15 @@ PixelRectangle coveredPart(const HeightMap& map, bool hasSize, const MapArea& ar
     const auto covers = [&map](double sizeX, double sizeY) {
         return isNear(map.sizeX(), sizeX) && isNear(map.sizeY(), sizeY);
     };
+    const double sizeX = area.columns * area.pitchX;
+    const double sizeY = area.rows * area.pitchY;
+    // A part may be hardly smaller than the scan: what has the scan's pixels covers the scan.
+    if (hasScansPixels && covers(sizeX, sizeY)) {
+        return part;
+    }
     if (covers(part.columns * area.pitchX, part.rows * area.pitchY)) {
         return all;
     }
-    const double sizeX = area.columns * area.pitchX;
-    const double sizeY = area.rows * area.pitchY;
     if (!covers(sizeX, sizeY)) {
         throw InputError(file, "",
                          formatted("expected a map of %.6g x %.6g m, the size of the scan; it is "
@@ -119,41 +135,57 @@ void settleHash(const ScanFile& file, MapSource& source, Progress* progress) {
     source.sha256 = std::move(hash);
 }
 
-/// A map over the loaded part of the scan, in SI base units, a value in each pixel.
-HeightMap readMap(MapSource& source, const MapQuantityRange& quantity, const MapArea& area,
-                  Progress* progress) {
+/// A map over the loaded part of the scan.
+struct MapOfPart {
+    HeightMap values;      ///< in SI base units, or as the file has them where any unit will do
+    double highest = 0.0;  ///< in the whole file, likewise
+};
+
+/// With a value in each pixel.
+MapOfPart readMap(MapSource& source, const MapQuantityRange& quantity, const MapArea& area,
+                  MapReading& reading) {
     source.file = std::filesystem::absolute(source.file).lexically_normal().string();
     const ScanFile file(source.file);
     const ScanChannel& channel = channelOf(file.contents(), source, quantity);
     source.channel = channel.name;
     const PixelRectangle part = coveredPart(channel.map, channel.hasSize(), area, source.file);
-    const double factor = parseUnit(channel.unit).factor;
-    HeightMap map{.columns = part.columns,
-                  .rows = part.rows,
-                  .pitchX = area.part.columns * area.pitchX / part.columns,
-                  .pitchY = area.part.rows * area.pitchY / part.rows,
-                  .heights = {},
-                  .invalid = {}};
+    const double factor = quantity.units.empty() ? 1.0 : parseUnit(channel.unit).factor;
+    MapOfPart read{.values = {.columns = part.columns,
+                              .rows = part.rows,
+                              .pitchX = area.part.columns * area.pitchX / part.columns,
+                              .pitchY = area.part.rows * area.pitchY / part.rows,
+                              .heights = {},
+                              .invalid = {}}};
+    HeightMap& map = read.values;
     map.heights.reserve(map.index(map.rows, 0));
-    ProgressPart reading(progress, 0.0, 0.6);
+    ProgressPart rows(reading.progress, 0.0, 0.6);
     file.forEachRow(channel, [&](int row, std::span<const double> line) {
-        if (row >= part.row && row < part.row + part.rows) {
-            for (int column = part.column; column < part.column + part.columns; ++column) {
-                const double value = factor * line[static_cast<std::size_t>(column)];
-                requireRange(value, row, column, quantity, source);
+        const bool isInPart = row >= part.row && row < part.row + part.rows;
+        for (int column = 0; column < channel.map.columns; ++column) {
+            const double value = factor * line[static_cast<std::size_t>(column)];
+            requireRange(value, row, column, quantity, source);
+            read.highest = isFiniteHeight(value) ? std::max(read.highest, value) : read.highest;
+            if (isInPart && column >= part.column && column < part.column + part.columns) {
                 map.heights.push_back(value);
             }
         }
-        reportTo(&reading, static_cast<double>(row) / channel.map.rows);
+        reportTo(&rows, static_cast<double>(row) / channel.map.rows);
     });
-    ProgressPart hashing(progress, 0.6, 1.0);
+    ProgressPart hashing(reading.progress, 0.6, 1.0);
     settleHash(file, source, &hashing);
-    if (std::ranges::none_of(map.heights, [](double value) { return isFiniteHeight(value); })) {
+    const auto holes =
+        std::ranges::count_if(map.heights, [](double value) { return !isFiniteHeight(value); });
+    if (holes == std::ssize(map.heights)) {
         throw InputError(source.file, source.channel, "expected a map with data; no pixel has any");
+    }
+    if (holes > 0 && reading.notes != nullptr) {
+        reading.notes->push_back(formatted("material: %td of %zu pixels of '%s' hold no data and "
+                                           "get a blend of their surroundings",
+                                           holes, map.heights.size(), source.channel.c_str()));
     }
     map = withInvalidPixelsFilled(std::move(map));
     map.invalid.clear();
-    return map;
+    return read;
 }
 
 std::shared_ptr<const PixelField> fieldOf(const HeightMap& map, const char* unit) {
@@ -162,18 +194,18 @@ std::shared_ptr<const PixelField> fieldOf(const HeightMap& map, const char* unit
 
 std::shared_ptr<const PixelField> readField(std::optional<MapSource>& source,
                                             const MapQuantityRange& quantity, const char* unit,
-                                            const MapArea& area, Progress* progress) {
-    return source ? fieldOf(readMap(*source, quantity, area, progress), unit) : nullptr;
+                                            const MapArea& area, MapReading reading) {
+    return source ? fieldOf(readMap(*source, quantity, area, reading).values, unit) : nullptr;
 }
 
 /// Shares of the second material; a mask that goes beyond 1 counts in shares of its largest value.
-HeightMap readShares(MapSource& source, const MapArea& area, Progress* progress) {
-    HeightMap mask = readMap(source, kMask, area, progress);
-    const double most = std::max(1.0, std::ranges::max(mask.heights));
-    for (double& value : mask.heights) {
+HeightMap readShares(MapSource& source, const MapArea& area, MapReading reading) {
+    MapOfPart mask = readMap(source, kMask, area, reading);
+    const double most = std::max(1.0, mask.highest);
+    for (double& value : mask.values.heights) {
         value /= most;
     }
-    return mask;
+    return std::move(mask.values);
 }
 
 MaterialMaps mixedBy(const HeightMap& shares, const MaterialMask& mask) {
@@ -189,34 +221,39 @@ MaterialMaps mixedBy(const HeightMap& shares, const MaterialMask& mask) {
             .friction = between(mask.zero.frictionCoefficient, mask.one.frictionCoefficient, "")};
 }
 
-MaterialMaps readMaps(MaterialSources& sources, const MapArea& area, Progress* progress) {
+MaterialMaps readMaps(MaterialSources& sources, const MapArea& area, MapReading reading) {
     if (sources.mask) {
-        return mixedBy(readShares(sources.mask->source, area, progress), *sources.mask);
+        return mixedBy(readShares(sources.mask->source, area, reading), *sources.mask);
     }
-    ProgressPart first(progress, 0.0, 1.0 / 3.0);
-    ProgressPart second(progress, 1.0 / 3.0, 2.0 / 3.0);
-    ProgressPart third(progress, 2.0 / 3.0, 1.0);
+    ProgressPart first(reading.progress, 0.0, 1.0 / 3.0);
+    ProgressPart second(reading.progress, 1.0 / 3.0, 2.0 / 3.0);
+    ProgressPart third(reading.progress, 2.0 / 3.0, 1.0);
+    const auto read = [&](std::optional<MapSource>& source, const MapQuantityRange& quantity,
+                          const char* unit, Progress& part) {
+        return readField(source, quantity, unit, area, {&part, reading.notes});
+    };
     MaterialMaps maps;
-    maps.youngsModulus = readField(sources.youngsModulus, kModulus, "Pa", area, &first);
-    maps.workOfAdhesion = readField(sources.workOfAdhesion, kAdhesion, "J/m^2", area, &second);
-    maps.friction = readField(sources.friction, kFriction, "", area, &third);
+    maps.youngsModulus = read(sources.youngsModulus, kModulus, "Pa", first);
+    maps.workOfAdhesion = read(sources.workOfAdhesion, kAdhesion, "J/m^2", second);
+    maps.friction = read(sources.friction, kFriction, "", third);
     return maps;
 }
 
 }  // namespace
 
-SceneMaps readSceneMaps(SceneDescription& description, const MapArea& area, Progress* progress) {
+SceneMaps readSceneMaps(SceneDescription& description, const MapArea& area, Progress* progress,
+                        std::vector<std::string>* notes) {
     MaterialSources& believed = description.sample.material.maps;
     MaterialSources& actual = description.truth.material.maps;
     const bool areSame = actual == believed;
     ProgressPart first(progress, 0.0, areSame ? 1.0 : 0.5);
-    SceneMaps maps{.sample = readMaps(believed, area, &first), .truth = {}};
+    SceneMaps maps{.sample = readMaps(believed, area, {&first, notes}), .truth = {}};
     if (areSame) {
         actual = believed;
         maps.truth = maps.sample;
     } else {
         ProgressPart second(progress, 0.5, 1.0);
-        maps.truth = readMaps(actual, area, &second);
+        maps.truth = readMaps(actual, area, {&second, notes});
     }
     return maps;
 }

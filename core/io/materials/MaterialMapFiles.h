@@ -5,6 +5,8 @@
 #include "core/surface/PixelRectangle.h"
 
 #include <optional>
+#include <string>
+#include <vector>
 
 namespace asperity {
 
@@ -41,7 +43,9 @@ template <class Map>
 /// @throw InputError where a file cannot be read or is not the one that the description has the
 /// hash of, a channel is not there or has another unit, a map has another size, or a value is
 /// outside the range that a scene may have; Canceled
+/// @param notes gets a sentence on each map with pixels without data; may be null
 [[nodiscard]] SceneMaps readSceneMaps(SceneDescription& description, const MapArea& area,
-                                      Progress* progress = nullptr);
+                                      Progress* progress = nullptr,
+                                      std::vector<std::string>* notes = nullptr);
 
 }  // namespace asperity

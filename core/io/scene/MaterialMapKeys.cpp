@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 namespace asperity {
@@ -112,10 +113,15 @@ MaterialSources trueSources(const TomlSection& section, MaterialSources own,
     if (section.has("material") || own.mask) {
         return own;
     }
-    const bool saysNumber =
-        std::ranges::any_of(kMaps, [&](const MapKey& map) { return section.has(map.number); });
-    if (!saysNumber && !own.any()) {
+    const auto numbers =
+        std::ranges::count_if(kMaps, [&](const MapKey& map) { return section.has(map.number); });
+    if (numbers == 0 && !own.any()) {
         return believed;
+    }
+    if (believed.mask && numbers < std::ssize(kMaps)) {
+        section.refuse(kMask, "a mask of its own, or all of youngs_modulus_pa, "
+                              "work_of_adhesion_j_m2 and friction_coefficient, since [sample] has "
+                              "a mask: a part of it cannot be told");
     }
     for (const auto& [key, number, member] : kMaps) {
         if (!section.has(number) && !section.has(key)) {

@@ -32,11 +32,21 @@ SampleMaterial readMaterial(TomlSection& section, const SampleMaterial& otherwis
         section.number("friction_coefficient", otherwise.friction.coefficient);
     material.friction.shearStrength =
         section.number("shear_strength_pa", otherwise.friction.shearStrength);
-    // Of another modulus, another hardness.
-    const bool another = section.has("youngs_modulus_pa");
+    // Of another modulus, or of several, another hardness.
+    const bool another = section.has("youngs_modulus_pa") || section.has("youngs_modulus_map") ||
+                         section.has("material_mask");
     material.hardness = section.number("hardness_pa", another ? 0.0 : otherwise.hardness);
     material.filmThickness = section.number("film_thickness_m", otherwise.filmThickness);
     return material;
+}
+
+/// The modulus that a material of this Poisson's ratio needs to be as stiff in a contact: the same
+/// E / (1 - nu^2). A mask mixes moduli; the ratio is the sample's.
+double asStiffWith(double poissonRatio, const SampleMaterial& given) {
+    const double ratio = given.elastic.poissonRatio;
+    return ratio == poissonRatio ? given.elastic.youngsModulus
+                                 : given.elastic.youngsModulus *
+                                       (1.0 - poissonRatio * poissonRatio) / (1.0 - ratio * ratio);
 }
 
 /// A material by the key `material` (a file), with single keys of the section over it.
@@ -44,9 +54,9 @@ SampleMaterial readMaterialOf(TomlSection& section, const SampleMaterial& otherw
     const std::filesystem::path file = section.path("material");
     SampleMaterial material =
         readMaterial(section, file.empty() ? otherwise : readMaterialFile(file));
-    material.maps = readMaterialSources(section, [](const std::filesystem::path& masked) {
+    material.maps = readMaterialSources(section, [&material](const std::filesystem::path& masked) {
         const SampleMaterial given = readMaterialFile(masked);
-        return MaskedMaterial{.youngsModulus = given.elastic.youngsModulus,
+        return MaskedMaterial{.youngsModulus = asStiffWith(material.elastic.poissonRatio, given),
                               .workOfAdhesion = given.workOfAdhesion,
                               .frictionCoefficient = given.friction.coefficient};
     });

@@ -236,6 +236,15 @@ def check_tilted_height(maps, images):
         x = ((i % columns + 0.5) / columns - 0.5) * size[0]
         y = (0.5 - (i // columns + 0.5) / rows) * size[1]
         lowered.append(value - plane["mean_m"] - plane["slope_x"] * x - plane["slope_y"] * y)
+    both = channel["plane_removed_from_both"]
+    level = []
+    for values in (predicted, lowered):
+        level.append([])
+        for i, value in enumerate(values):
+            x = ((i % columns + 0.5) / columns - 0.5) * size[0]
+            y = (0.5 - (i // columns + 0.5) / rows) * size[1]
+            level[-1].append(value - both["mean_m"] - both["slope_x"] * x - both["slope_y"] * y)
+    predicted, lowered = level
     line = check(channel, predicted, lowered, "_m")
     check_layers(compared, "height at the setpoint", "ZSensor", predicted, lowered, line)
     left = [m - p for p, m in zip(predicted, lowered)]  # a least-squares plane leaves no plane

@@ -149,8 +149,33 @@ TEST(ComparedQuantity, OfAHeightLosesItsPlane) {
     EXPECT_EQ(result.numbers.compared, predicted.size() - 1);
     EXPECT_NEAR(result.numbers.shareByLine, 1.0, 1e-12);
     EXPECT_LT(result.numbers.rmsDifference, 1e-20);
-    EXPECT_NEAR(result.measured[500], predicted[500], 1e-20);
+    EXPECT_NEAR(result.measured[500], result.predicted[500], 1e-20);
     EXPECT_TRUE(std::isnan(result.measured[17]));
+}
+
+/// The tilt of the prediction was added to the measured map, and explained 99 % of its noise.
+TEST(ComparedQuantity, OfALevelNoiseNothingIsExplainedByATiltedPrediction) {
+    const std::vector<double> predicted = tilted(waves(3, 0.0, 1e-12));
+    const std::vector<double> measured = waves(17, 0.0, 1e-9);
+    const ComparedQuantity result =
+        compareQuantity(kPlan, MapQuantity::Height, predicted, measured);
+    EXPECT_LT(result.numbers.shareByLine, 0.1);
+    EXPECT_LT(result.numbers.shareAsPredicted, 0.1);
+    EXPECT_NEAR(result.predictedPlane->slopeX, 0.1, 1e-4);
+    const ComparedQuantity flat =
+        compareQuantity(kPlan, MapQuantity::Height, tilted(waves(3, 0.0, 0.0)), measured);
+    EXPECT_TRUE(flat.numbers.isPredictedConstant()) << "rounding is no relief";
+}
+
+TEST(ComparedQuantity, OfAHeightNeedsMorePixelsThanItsPlane) {
+    std::vector<double> predicted(kPixels, kNone);
+    for (const std::size_t i : {3U, 77U, 410U, 700U, 999U}) {
+        predicted[i] = 1e-9 * static_cast<double>(i % 7);
+    }
+    const ComparedQuantity result =
+        compareQuantity(kPlan, MapQuantity::Height, predicted, waves(3, 1e-9, 4e-9));
+    EXPECT_EQ(result.numbers.compared, 5U);
+    EXPECT_TRUE(std::isnan(result.numbers.correlation));
 }
 
 TEST(ComparedQuantity, OfAForceStaysAsItIs) {

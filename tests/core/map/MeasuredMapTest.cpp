@@ -80,6 +80,9 @@ TEST(MeasuredMap, ShowsTheRegionOrTheScan) {
     EXPECT_EQ(measuredArea(60.9e-9, 39.4e-9, kPlan, kScan), kPlan.region);
     EXPECT_EQ(measuredArea(100e-9, 60e-9, kPlan, kScan), kScan);
     EXPECT_EQ(measuredArea(60e-9, 60e-9, kPlan, kScan), std::nullopt);
+    MapPlan nearlyAll = kPlan;
+    nearlyAll.region = {1e-9, 0.6e-9, 100e-9, 60e-9};
+    EXPECT_EQ(measuredArea(100e-9, 60e-9, nearlyAll, kScan), kScan) << "the better fit";
     EXPECT_EQ(measuredArea(100e-9, 58e-9, kPlan, kScan), std::nullopt);
 }
 

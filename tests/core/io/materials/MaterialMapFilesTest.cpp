@@ -76,6 +76,45 @@ TEST_F(MaterialMapFiles, OfAPartAreCroppedWithIt) {
     EXPECT_THAT(refusal(coarse, part), HasSubstr("the scan's 4 x 2 pixels"));
 }
 
+/// A part of 99 % was taken for the scan, and the map stretched.
+TEST_F(MaterialMapFiles, OfAPartThatIsHardlySmallerAreCroppedToo) {
+    std::vector<float> values(800);
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        values[i] = 1e9F + 1e6F * static_cast<float>(i % 400);
+    }
+    SceneDescription scene = modulusFrom(gsf(values, "Pa", 400e-9, 2e-9));
+    const MapArea area{
+        .columns = 400, .rows = 2, .pitchX = 1e-9, .pitchY = 1e-9, .part = {2, 0, 398, 2}};
+    const auto map = readSceneMaps(scene, area).sample.youngsModulus;
+    EXPECT_EQ(map->columns(), 398);
+    EXPECT_NEAR(map->at(0.5e-9, 1e-9), 1.002e9, 1e3);
+}
+
+TEST_F(MaterialMapFiles, AMaskIsScaledByAllOfItWhateverItsUnit) {
+    SceneDescription scene = test::plainScene();
+    const std::vector<float> bytes{100.0F, 100.0F, 100.0F, 200.0F, 100.0F, 100.0F, 100.0F, 100.0F};
+    scene.sample.material.maps.mask = MaterialMask{
+        .source = {.file = scratch.write("mask.gsf", gsf(bytes, "nm")).string(),
+                   .channel = "",
+                   .sha256 = ""},
+        .zero = {.youngsModulus = 1e9, .workOfAdhesion = 0.0, .frictionCoefficient = 0.0},
+        .one = {.youngsModulus = 5e9, .workOfAdhesion = 0.0, .frictionCoefficient = 0.0}};
+    MapArea part = kScan;
+    part.part = {0, 0, 2, 2};
+    EXPECT_NEAR(readSceneMaps(scene, part).sample.youngsModulus->highest(), 3e9, 1e3);
+}
+
+TEST_F(MaterialMapFiles, StiffnessIsNoAdhesionUnlessItIsNamed) {
+    SceneDescription scene = test::plainScene();
+    scene.sample.material.maps.workOfAdhesion =
+        MapSource{.file = scratch.write("k.gsf", gsf({0.1F, 0.2F, 0.1F, 0.2F}, "N/m")).string(),
+                  .channel = "",
+                  .sha256 = ""};
+    EXPECT_THAT(refusal(scene), HasSubstr("work of adhesion [J/m^2]"));
+    scene.sample.material.maps.workOfAdhesion->channel = "M";
+    EXPECT_NEAR(readSceneMaps(scene, kScan).sample.workOfAdhesion->highest(), 0.2, 1e-8);
+}
+
 TEST_F(MaterialMapFiles, HaveUnitsWithPrefixes) {
     SceneDescription scene = modulusFrom(gsf({1.0F, 3.0F, 1.0F, 3.0F}, "GPa"));
     EXPECT_NEAR(readSceneMaps(scene, kScan).sample.youngsModulus->highest(), 3e9, 1e3);
@@ -94,6 +133,10 @@ TEST_F(MaterialMapFiles, PixelsWithoutDataGetABlendOfTheirSurroundings) {
     SceneDescription scene = modulusFrom(gsf({1e9F, none, 2e9F, 1e9F, none, 2e9F}, "Pa"));
     const auto map = readSceneMaps(scene, kScan).sample.youngsModulus;
     EXPECT_GT(map->at(20e-9, 5e-9), 1e9);
+    std::vector<std::string> notes;
+    (void)readSceneMaps(scene, kScan, nullptr, &notes);
+    ASSERT_EQ(notes.size(), 1U) << "both sides have the same map";
+    EXPECT_THAT(notes[0], HasSubstr("2 of 6 pixels of 'M' hold no data"));
     EXPECT_LT(map->at(20e-9, 5e-9), 2e9);
     EXPECT_THAT(refusal(modulusFrom(gsf({none, none, none, none}, "Pa"))),
                 HasSubstr("no pixel has any"));

@@ -62,7 +62,9 @@ TEST_F(MaterialMapKeys, TheTruthIsTheSameEverywhereInWhatItSaysInANumber) {
     EXPECT_FALSE(scene.truth.material.maps.youngsModulus);
     EXPECT_TRUE(scene.truth.material.maps.friction);
     EXPECT_EQ(readBack(scene), scene);
-    const SceneDescription uniform = read(kMask, "[truth]\nfriction_coefficient = 0\n");
+    const SceneDescription uniform =
+        read(kMask, "[truth]\nyoungs_modulus_pa = 1e9\nwork_of_adhesion_j_m2 = 0.05\n"
+                    "friction_coefficient = 0\n");
     EXPECT_FALSE(uniform.truth.material.maps.any());
     EXPECT_EQ(readBack(uniform), uniform);
     const SceneDescription varied =
@@ -72,7 +74,25 @@ TEST_F(MaterialMapKeys, TheTruthIsTheSameEverywhereInWhatItSaysInANumber) {
     EXPECT_EQ(readBack(varied), varied);
 }
 
+TEST_F(MaterialMapKeys, AMaskedMaterialIsAsStiffAsItsFileSays) {
+    (void)scratch.write("other.toml", "youngs_modulus_pa = 7e10\npoisson_ratio = 0.2\n");
+    const SceneDescription scene =
+        read("poisson_ratio = 0.5\nmaterial_mask = { file = \"mask.gsf\", zero = \"other.toml\", "
+             "one = \"hard.toml\" }\n");
+    const MaskedMaterial& zero = scene.sample.material.maps.mask->zero;
+    EXPECT_NEAR(zero.youngsModulus / (1.0 - 0.25), 7e10 / (1.0 - 0.04), 1.0);
+}
+
+/// The yield of polystyrene says nothing of the particles on it.
+TEST_F(MaterialMapKeys, SeveralMaterialsHaveNoHardnessUnlessItIsSaid) {
+    EXPECT_EQ(read(kMask).sample.material.hardness, 0.0);
+    EXPECT_EQ(read(kModulus).sample.material.hardness, 0.0);
+    EXPECT_EQ(read(kModulus + "hardness_pa = 1e9\n").sample.material.hardness, 1e9);
+}
+
 TEST_F(MaterialMapKeys, RefuseMistakes) {
+    EXPECT_THAT(refusal(kMask, "[truth]\nfriction_coefficient = 0\n"),
+                HasSubstr("a mask of its own"));
     EXPECT_THAT(refusal(kModulus + kMask), HasSubstr("not both"));
     EXPECT_THAT(refusal("youngs_modulus_map = \"maps.gwy\"\n"), HasSubstr("a table in braces"));
     EXPECT_THAT(refusal("youngs_modulus_map = { channel = \"E\" }\n"),
