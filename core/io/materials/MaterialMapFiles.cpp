@@ -139,6 +139,7 @@ void settleHash(const ScanFile& file, MapSource& source, Progress* progress) {
 struct MapOfPart {
     HeightMap values;      ///< in SI base units, or as the file has them where any unit will do
     double highest = 0.0;  ///< in the whole file, likewise
+    bool hasUnit = false;
 };
 
 /// With a value in each pixel.
@@ -156,6 +157,7 @@ MapOfPart readMap(MapSource& source, const MapQuantityRange& quantity, const Map
                               .pitchY = area.part.rows * area.pitchY / part.rows,
                               .heights = {},
                               .invalid = {}}};
+    read.hasUnit = !channel.unit.empty();
     HeightMap& map = read.values;
     map.heights.reserve(map.index(map.rows, 0));
     ProgressPart rows(reading.progress, 0.0, 0.6);
@@ -198,10 +200,12 @@ std::shared_ptr<const PixelField> readField(std::optional<MapSource>& source,
     return source ? fieldOf(readMap(*source, quantity, area, reading).values, unit) : nullptr;
 }
 
-/// Shares of the second material; a mask that goes beyond 1 counts in shares of its largest value.
+/// Shares of the second material; a mask that has a unit, or goes beyond 1, counts in shares of its
+/// largest value.
 HeightMap readShares(MapSource& source, const MapArea& area, MapReading reading) {
     MapOfPart mask = readMap(source, kMask, area, reading);
-    const double most = std::max(1.0, mask.highest);
+    const bool isOfShares = !mask.hasUnit && mask.highest <= 1.0;
+    const double most = isOfShares || mask.highest == 0.0 ? 1.0 : mask.highest;
     for (double& value : mask.values.heights) {
         value /= most;
     }
