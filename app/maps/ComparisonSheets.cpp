@@ -62,7 +62,12 @@ Curve dotsOf(const ValuePairs& pairs, const CentralRange& predicted, const Centr
     return dots;
 }
 
+/// Without an offset that is rounding, as that of heights, which have lost their means.
 std::string lineText(const MapComparison& numbers, const char* unit) {
+    constexpr double kRounding = 1e-9;
+    if (std::abs(numbers.offset) <= kRounding * numbers.measuredDeviation) {
+        return formatted("measured = %.3g predicted", numbers.slope);
+    }
     return "measured = " + formatSi(numbers.offset, unit) +
            formatted(numbers.slope < 0.0 ? " - %.3g predicted" : " + %.3g predicted",
                      std::abs(numbers.slope));
