@@ -116,10 +116,11 @@ void ColorBarWidget::drawHeading(QPainter& painter, int height) const {
     const bool fits = metrics.horizontalAdvance(remark()) + kGap <= room;
     const QString right = fits ? remark() : QString();
     const int taken = right.isEmpty() ? 0 : metrics.horizontalAdvance(right) + kGap;
+    const QString unit = heading().mid(scale_.quantity.size());
+    const QString name = metrics.elidedText(scale_.quantity, Qt::ElideRight,
+                                            line.width() - taken - metrics.horizontalAdvance(unit));
     painter.setPen(theme::colors().muted);
-    painter.drawText(
-        line, Qt::AlignLeft,
-        painter.fontMetrics().elidedText(heading(), Qt::ElideRight, line.width() - taken));
+    painter.drawText(line, Qt::AlignLeft, name + unit);
     painter.drawText(line, Qt::AlignRight, right);
 }
 
