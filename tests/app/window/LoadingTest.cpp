@@ -83,7 +83,7 @@ TEST_F(WindowThatLoads, ShowsHowFarItIsWhileTheRunGoesOn) {
     EXPECT_TRUE(session.run()->loop().running());
     ASSERT_TRUE(eventually([this] { return shown_.count() == 1; }));
     EXPECT_FALSE(isLoading());
-    EXPECT_GT(percents.size(), 10U);
+    ASSERT_GT(percents.size(), 10U);
     percents.pop_back();  // back at the beginning, for the next file
     EXPECT_TRUE(std::is_sorted(percents.begin(), percents.end()));
 }
