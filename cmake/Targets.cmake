@@ -15,12 +15,7 @@ set(CMAKE_LIBRARY_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/lib)
 
 find_program(CCACHE ccache)
 if(CCACHE)
-  set(CMAKE_CXX_COMPILER_LAUNCHER ${CCACHE})
-  if(ASPERITY_PRECOMPILE)
-    # Without these two ccache does not keep what is compiled from precompiled headers.
-    list(PREPEND CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env
-         CCACHE_SLOPPINESS=pch_defines,time_macros)
-  endif()
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${asperity_top}/tools/cached_compiler.sh)
 endif()
 
 if(ASPERITY_SANITIZE)
@@ -96,11 +91,10 @@ function(asperity_library name)
   endif()
 endfunction()
 
-# asperity_test_runs(NAME PROGRAM MACRO): a test program that starts another, whose path the macro gives.
-function(asperity_test_runs name program macro)
+# asperity_test_runs(NAME PROGRAM): a test program that starts another.
+function(asperity_test_runs name program)
   if(TARGET ${name})
     add_dependencies(${name} ${program})
-    target_compile_definitions(${name} PRIVATE ${macro}="$<TARGET_FILE:${program}>")
   endif()
 endfunction()
 

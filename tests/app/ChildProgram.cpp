@@ -1,5 +1,7 @@
 #include "tests/app/ChildProgram.h"
 
+#include "tests/support/Places.h"
+
 #include <fcntl.h>
 #include <stdexcept>
 #include <sys/resource.h>
@@ -19,14 +21,14 @@ constexpr long kKibibyte = 1024;  // the unit of ru_maxrss on Linux
     const int nowhere = open("/dev/null", O_WRONLY | O_CLOEXEC);
     dup2(nowhere, STDOUT_FILENO);
     dup2(nowhere, STDERR_FILENO);
-    execv(ASPERITY_PROGRAM, arguments.data());
+    execv(arguments.front(), arguments.data());
     _exit(127);
 }
 
 }  // namespace
 
 ChildProgram::ChildProgram(const std::vector<std::string>& arguments, void (*onInterrupt)(int)) {
-    std::vector<std::string> words = {ASPERITY_PROGRAM};
+    std::vector<std::string> words = {programOfBuild("asperity").string()};
     words.insert(words.end(), arguments.begin(), arguments.end());
     std::vector<char*> pointers;
     for (std::string& word : words) {

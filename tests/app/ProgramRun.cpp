@@ -1,5 +1,7 @@
 #include "tests/app/ProgramRun.h"
 
+#include "tests/support/Places.h"
+
 #include <array>
 #include <cstdio>
 #include <sys/wait.h>
@@ -23,7 +25,7 @@ ProgramRun runCommand(const std::string& command) {
 }
 
 ProgramRun runProgram(const std::string& arguments, const std::string& environment) {
-    return runCommand(environment + " " + std::string(ASPERITY_PROGRAM) + " " + arguments);
+    return runCommand(environment + " " + programOfBuild("asperity").string() + " " + arguments);
 }
 
 }  // namespace asperity::test

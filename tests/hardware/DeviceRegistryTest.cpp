@@ -6,6 +6,7 @@
 #include "hardware/spacemouse/SpaceMouseDriver.h"
 #include "hardware/woodenhaptics/WoodenHapticsDriver.h"
 #include "tests/hardware/FakeHid.h"
+#include "tests/support/Places.h"
 
 #include <gtest/gtest.h>
 
@@ -38,7 +39,7 @@ HidDeviceInfo teensyInfo() {
 
 DeviceSite siteOf(HidTransport& hid) {
     return {.hid = [&hid]() -> HidTransport& { return hid; },
-            .data = ASPERITY_DATA_DIR,
+            .data = test::dataFolder(),
             .start = {1e-9, 2e-9, 3e-9}};
 }
 
@@ -204,7 +205,7 @@ std::string askedOf(const std::string& key, const std::string& rule) {
 /// What the shipped rules let the operator at the screen open: vendor id and pattern for product
 /// ids.
 std::vector<std::pair<std::string, std::string>> shippedRules() {
-    std::ifstream file(std::filesystem::path(ASPERITY_DATA_DIR) / "udev/70-asperity-hid.rules");
+    std::ifstream file(test::dataFolder() / "udev/70-asperity-hid.rules");
     std::vector<std::pair<std::string, std::string>> rules;
     for (std::string line; std::getline(file, line);) {
         if (askedOf("KERNEL", line) == "hidraw*" &&

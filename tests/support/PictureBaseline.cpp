@@ -1,5 +1,7 @@
 #include "tests/support/PictureBaseline.h"
 
+#include "tests/support/Places.h"
+
 #include <QDir>
 #include <QFileInfo>
 
@@ -26,7 +28,8 @@ double differenceIn(const QImage& one, const QImage& other, const QRect& place) 
 }
 
 QString baselineFile(const QString& name) {
-    return QStringLiteral("%1/pictures/%2.png").arg(ASPERITY_REFERENCE_DIR, name);
+    const auto folder = QString::fromStdString((referenceFolder() / "pictures").string());
+    return QStringLiteral("%1/%2.png").arg(folder, name);
 }
 
 /// Where the picture that differs is left to be looked at.

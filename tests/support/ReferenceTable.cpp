@@ -1,5 +1,7 @@
 #include "tests/support/ReferenceTable.h"
 
+#include "tests/support/Places.h"
+
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -70,11 +72,11 @@ double ReferenceTable::number(std::size_t row, const std::string& column) const 
 }
 
 ReferenceTable referenceTable(const std::string& name) {
-    return ReferenceTable(std::filesystem::path(ASPERITY_REFERENCE_DIR) / name);
+    return ReferenceTable(referenceFolder() / name);
 }
 
 std::filesystem::path sharedData(const std::string& relative) {
-    return std::filesystem::path(ASPERITY_SHARED_DIR) / "data" / relative;
+    return checkout() / ".." / "shared" / "data" / relative;
 }
 
 bool haveSharedData() {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "tests/support/Places.h"
+
 #include <filesystem>
 #include <string>
 
@@ -7,7 +9,7 @@ namespace asperity::test {
 
 /// A scene that ships with the program, e.g. "polystyrene".
 [[nodiscard]] inline std::filesystem::path shippedScene(const std::string& name) {
-    return std::filesystem::path(ASPERITY_DATA_DIR) / "scenes" / (name + ".toml");
+    return dataFolder() / "scenes" / (name + ".toml");
 }
 
 }  // namespace asperity::test

@@ -1,4 +1,5 @@
 #include "tests/app/ProgramRun.h"
+#include "tests/support/Places.h"
 #include "tests/support/ScratchFolder.h"
 
 #include <gmock/gmock.h>
@@ -20,7 +21,7 @@ using testing::Not;
 class Bench : public testing::Test {
 protected:
     Bench() {
-        std::filesystem::copy_file(ASPERITY_PROGRAM, folder_.file("asperity"));
+        std::filesystem::copy_file(test::programOfBuild("asperity"), folder_.file("asperity"));
         putMeasurement("asperity_contact_bench", R"([
             {"name": "fast", "value": 4.5, "unit": "x", "goal": 3, "goal_is": "at_least",
              "met": true},

@@ -1,5 +1,6 @@
 #include "core/io/tables/CsvTable.h"
 #include "tests/app/ProgramRun.h"
+#include "tests/support/Places.h"
 #include "tests/support/ReferenceTable.h"
 #include "tests/support/ScratchFolder.h"
 
@@ -17,7 +18,7 @@ constexpr const char* kHeader =
     "contact_area_m2,normal_force_model_n,normal_force_sigma_n,sigma_alpha_rad,sigma_theta_rad\n";
 
 std::string shippedProbe(const std::string& name) {
-    return std::string(ASPERITY_DATA_DIR) + "/probes/" + name + ".toml";
+    return test::dataFolder().string() + "/probes/" + name + ".toml";
 }
 
 std::string callFor(const std::string& probe, const std::filesystem::path& cases) {

@@ -2,6 +2,7 @@
 #include "core/io/tables/CsvTable.h"
 #include "core/scene/Validity.h"
 #include "tests/app/ProgramRun.h"
+#include "tests/support/Places.h"
 #include "tests/support/ReferenceTable.h"
 #include "tests/support/Sanitized.h"
 #include "tests/support/ScratchFolder.h"
@@ -222,7 +223,7 @@ TEST(ExplorePaths, WithoutDataUnderThemSaySo) {
 TEST(ExploreModel, TellsTheWholeErrorOfItsForces) {
     const test::ScratchFolder scratch;
     const std::filesystem::path scene = scratch.file("hertz.toml");
-    std::ofstream(scene) << "[sample]\nfile = \"" << ASPERITY_DATA_DIR
+    std::ofstream(scene) << "[sample]\nfile = \"" << test::dataFolder().string()
                          << "/samples/steps.gsf\"\n[physics]\nlaw = \"hertz\"\n";
     const auto run = test::runProgram("explore " + scene.string() + " --out " +
                                       scratch.file("out").string() + " --duration 0.2");

@@ -1,4 +1,5 @@
 #include "tests/app/ProgramRun.h"
+#include "tests/support/Places.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -13,9 +14,7 @@ namespace {
 
 using testing::HasSubstr;
 
-std::string sample() {
-    return (std::filesystem::path(ASPERITY_DATA_DIR) / "samples/granular_film.gsf").string();
-}
+std::string sample() { return (test::dataFolder() / "samples/granular_film.gsf").string(); }
 
 TEST(Info, JsonSaysWhereScaleAndOrientationComeFrom) {
     const auto run = test::runProgram("info --json " + sample());

@@ -1,5 +1,6 @@
 #include "core/io/tables/CsvTable.h"
 #include "tests/app/ProgramRun.h"
+#include "tests/support/Places.h"
 #include "tests/support/ScratchFolder.h"
 
 #include <gtest/gtest.h>
@@ -17,7 +18,7 @@ constexpr const char* kPoints = "x_m,y_m,z_m\n"
                                 "-40e-9,300e-9,20e-9\n";
 
 std::string sample(const std::string& name) {
-    return std::string(ASPERITY_DATA_DIR) + "/samples/" + name;
+    return test::dataFolder().string() + "/samples/" + name;
 }
 
 CsvTable projected(const std::string& arguments) {

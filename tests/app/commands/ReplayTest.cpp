@@ -1,4 +1,5 @@
 #include "tests/app/ProgramRun.h"
+#include "tests/support/Places.h"
 #include "tests/support/ReferenceTable.h"
 #include "tests/support/ScratchFolder.h"
 #include "tests/support/ShippedScene.h"
@@ -98,7 +99,7 @@ TEST(ReplayOfShippedScenes, IsBitIdentical) {
 TEST(ReplayOfAnEarlierProgram, IsBitIdentical) {
     const test::ScratchFolder scratch;
     const auto again =
-        test::runProgram(std::string("replay ") + ASPERITY_REFERENCE_DIR +
+        test::runProgram("replay " + test::referenceFolder().string() +
                          "/recordings/sphere --out " + scratch.file("again").string());
     EXPECT_NE(again.output.find("bit-identical: 201 ticks"), std::string::npos) << again.output;
 }

@@ -1,5 +1,6 @@
 #include "tests/app/ProgramRun.h"
 #include "tests/app/commands/ReportedPage.h"
+#include "tests/support/Places.h"
 #include "tests/support/ReferenceTable.h"
 #include "tests/support/ScratchFolder.h"
 #include "tests/support/ShippedScene.h"
@@ -384,11 +385,9 @@ TEST_F(Report, SaysTheSameInBothForms) {
 
 TEST_F(Report, IsHtmlForAnotherReader) {
     (void)pageOf(touches());
-    const auto read = runOther(
-        "python3 " +
-        (std::filesystem::path(ASPERITY_DATA_DIR).parent_path() / "tests/app/html_page.py ")
-            .string() +
-        (out / "touches.html").string());
+    const auto read =
+        runOther("python3 " + (test::checkout() / "tests/app/html_page.py ").string() +
+                 (out / "touches.html").string());
     if (read.exitCode == 127) {
         GTEST_SKIP() << "SKIPPED: python3 is missing";
     }

@@ -1,4 +1,5 @@
 #include "tests/app/ChildProgram.h"
+#include "tests/support/Places.h"
 #include "tests/support/ScratchFolder.h"
 #include "tests/support/ShippedScene.h"
 
@@ -145,8 +146,7 @@ TEST_F(Signals, EndProjectAndNothingIsLeft) {
             stream << i * 1e-11 << ",5e-7,3e-8\n";
         }
     }
-    test::ChildProgram child({"project",
-                              std::string(ASPERITY_DATA_DIR) + "/samples/self_affine.gsf",
+    test::ChildProgram child({"project", test::dataFolder().string() + "/samples/self_affine.gsf",
                               "--points", points.string(), "--out", (folder / "p.csv").string()});
     const auto isWriting = [this] {
         for (const auto& file : std::filesystem::directory_iterator(folder)) {

@@ -1,4 +1,5 @@
 #include "tests/app/ProgramRun.h"
+#include "tests/support/Places.h"
 #include "tests/support/ScratchFolder.h"
 #include "tests/support/ShippedScene.h"
 
@@ -39,7 +40,7 @@ TEST(StandardStreams, WithoutInputAndErrorARunIsAsEver) {
 
 TEST(StandardStreams, AnAnswerThatNobodyGetsIsAFailure) {
     EXPECT_EQ(exitWithout(">&- 2>/dev/null",
-                          "info " + std::string(ASPERITY_DATA_DIR) + "/samples/steps.gsf"),
+                          "info " + test::dataFolder().string() + "/samples/steps.gsf"),
               "1\n");
 }
 

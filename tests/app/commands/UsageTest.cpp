@@ -1,5 +1,6 @@
 #include "core/io/tables/CsvTable.h"
 #include "tests/app/ProgramRun.h"
+#include "tests/support/Places.h"
 #include "tests/support/ReferenceTable.h"
 #include "tests/support/ScratchFolder.h"
 #include "tests/support/ShippedScene.h"
@@ -109,7 +110,7 @@ TEST(Usage, WithoutADisplayTheWindowReadsItsInputFirst) {
 }
 
 TEST(Usage, TheWindowTakesTheChannelThatIsNamed) {
-    const std::string scan = std::string(ASPERITY_DATA_DIR) + "/samples/steps.gsf";
+    const std::string scan = test::dataFolder().string() + "/samples/steps.gsf";
     const auto run = test::runProgram(scan + " --channel Phase", "DISPLAY=");
     EXPECT_EQ(run.exitCode, 3) << run.output;
     EXPECT_NE(run.output.find("there is no channel 'Phase'"), std::string::npos) << run.output;
@@ -123,9 +124,10 @@ TEST(Usage, WithoutADisplayTheWindowSaysWhatWorksInstead) {
 
 TEST(Usage, TellsHowSoonTheWindowShowsAScan) {
     const test::ScratchFolder home;
-    const auto run = test::runCommand(
-        "env XDG_CONFIG_HOME=" + home.path().string() + " XDG_DATA_HOME=" + home.path().string() +
-        " xvfb-run -a -s '-screen 0 1280x800x24' " ASPERITY_PROGRAM " --time-start");
+    const auto run = test::runCommand("env XDG_CONFIG_HOME=" + home.path().string() +
+                                      " XDG_DATA_HOME=" + home.path().string() +
+                                      " xvfb-run -a -s '-screen 0 1280x800x24' " +
+                                      test::programOfBuild("asperity").string() + " --time-start");
     ASSERT_EQ(run.exitCode, 0) << run.output;
     const auto times = nlohmann::json::parse(run.output.substr(run.output.find('{')));
     EXPECT_GT(times.at("window_s"), 0.0);
@@ -195,7 +197,7 @@ TEST(Loop, DrawsEveryViewMeanwhile) {
 /// As a file that cannot be read; a scan that could not be written ended with 1.
 TEST(Usage, AFileOrFolderThatCannotBeMadeExitsWith3) {
     const std::string scene = test::shippedScene("silicon").string();
-    const std::string scan = std::string(ASPERITY_DATA_DIR) + "/samples/steps.gsf";
+    const std::string scan = test::dataFolder().string() + "/samples/steps.gsf";
     const std::vector<std::string> calls = {
         "explore " + scene + " --duration 0.1 --out /proc/nothing",
         "loop " + scene + " --duration 0.1 --record /proc/nothing",
@@ -224,7 +226,7 @@ TEST(Info, GivesTheSameInJsonAsTheFileHolds) {
 }
 
 TEST(Info, ShowsTheOneChannelThatIsNamed) {
-    const std::string scan = std::string(ASPERITY_DATA_DIR) + "/samples/steps.gsf";
+    const std::string scan = test::dataFolder().string() + "/samples/steps.gsf";
     const auto all = test::runProgram("info --json " + scan);
     const auto name = nlohmann::json::parse(all.output)["channels"][0]["name"].get<std::string>();
     const auto one = test::runProgram("info --json " + scan + " --channel '" + name + "'");
@@ -334,7 +336,7 @@ TEST(Extremes, EvaluatesAsManyStatesAsAreAskedForAndRefusesInTheWordsOfItsPage) 
     EXPECT_GT(readCsv(scratch.path() / "out/coupling.csv").rows(), 20U);
     EXPECT_GT(std::filesystem::file_size(scratch.path() / "out/coupling.png"), 5000U);
     EXPECT_NEAR(statesIn(run.output), 10000.0, 1000.0);
-    std::ifstream file(std::string(ASPERITY_DATA_DIR) + "/../docs/extremes.md");
+    std::ifstream file(test::dataFolder().string() + "/../docs/extremes.md");
     const std::string page{std::istreambuf_iterator<char>(file), {}};
     const std::vector<std::string> sentences = refusalsIn(run.output);
     EXPECT_GE(sentences.size(), 8U) << run.output;

@@ -3,6 +3,7 @@
 #include "core/haptics/DevicePath.h"
 #include "core/haptics/RunEvents.h"
 #include "core/scene/SceneTruth.h"
+#include "tests/support/Places.h"
 #include "tests/support/ReferenceTable.h"
 
 #include <gtest/gtest.h>
@@ -70,7 +71,7 @@ std::optional<LoadedScene> readable(const std::filesystem::path& input) {
 
 TEST(PullOff, OfEveryShippedSceneIsWhereSignalsAndModelHoldTheTip) {
     int scenes = 0;
-    for (const auto& file : filesBelow(std::filesystem::path(ASPERITY_DATA_DIR) / "scenes")) {
+    for (const auto& file : filesBelow(test::dataFolder() / "scenes")) {
         SCOPED_TRACE(file.filename());
         expectBothHold(loadScene(file, {}));
         ++scenes;

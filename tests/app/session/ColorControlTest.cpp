@@ -2,6 +2,7 @@
 
 #include "app/session/SceneControl.h"
 #include "tests/app/session/ControlFixture.h"
+#include "tests/support/Places.h"
 #include "ui/panels/OverviewMap.h"
 #include "ui/panels/OverviewPanel.h"
 #include "ui/view/ZoomView.h"
@@ -14,7 +15,7 @@
 namespace asperity::test {
 namespace {
 
-const std::filesystem::path kSteps = std::filesystem::path(ASPERITY_DATA_DIR) / "samples/steps.gsf";
+const std::filesystem::path kSteps = test::dataFolder() / "samples/steps.gsf";
 
 class ColorControlTest : public ControlFixture {
 protected:
@@ -73,7 +74,7 @@ TEST_F(ColorControlTest, SaysWhatASceneDoesNotHave) {
 TEST_F(ColorControlTest, ASampleOfSeveralMaterialsShowsThem) {
     useFlatScene();
     EXPECT_FALSE(entry("colorBy.youngs_modulus").isEnabled()) << "it is the same everywhere";
-    scenes.open(std::filesystem::path(ASPERITY_DATA_DIR) / "scenes/particles.toml");
+    scenes.open(test::dataFolder() / "scenes/particles.toml");
     ASSERT_TRUE(eventually([this] { return entry("colorBy.youngs_modulus").isEnabled(); }));
     choose(SurfaceQuantity::YoungsModulus);
     EXPECT_EQ(shown(), QStringLiteral("Young's modulus"));

@@ -2,6 +2,7 @@
 
 #include "tests/app/session/ControlFixture.h"
 #include "tests/core/io/heightmap/RealScans.h"
+#include "tests/support/Places.h"
 #include "tests/support/ReferenceTable.h"
 #include "ui/panels/CropPicture.h"
 #include "ui/panels/LengthBox.h"
@@ -26,7 +27,7 @@
 namespace asperity::test {
 namespace {
 
-const std::filesystem::path kSteps = std::filesystem::path(ASPERITY_DATA_DIR) / "samples/steps.gsf";
+const std::filesystem::path kSteps = test::dataFolder() / "samples/steps.gsf";
 
 class OpenControlTest : public ControlFixture {
 protected:

@@ -2,6 +2,7 @@
 
 #include "tests/app/session/ControlFixture.h"
 #include "tests/core/io/heightmap/SyntheticScans.h"
+#include "tests/support/Places.h"
 
 #include <QAction>
 #include <QMenu>
@@ -30,7 +31,7 @@ std::string levelImage(int number, const char* title) {
     return gwyComponent(key, field) + gwyText(key + "/title", title);
 }
 
-const std::filesystem::path kSteps = std::filesystem::path(ASPERITY_DATA_DIR) / "samples/steps.gsf";
+const std::filesystem::path kSteps = test::dataFolder() / "samples/steps.gsf";
 
 TEST_F(SceneControlTest, OpensAFileAndShowsItsScene) {
     scenes.open(kSteps);

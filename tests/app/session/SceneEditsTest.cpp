@@ -2,15 +2,15 @@
 
 #include "app/session/SceneControl.h"
 #include "tests/app/session/ControlFixture.h"
+#include "tests/support/Places.h"
 
 #include <cmath>
 
 namespace asperity::test {
 namespace {
 
-const std::filesystem::path kSteps = std::filesystem::path(ASPERITY_DATA_DIR) / "samples/steps.gsf";
-const std::filesystem::path kGrating =
-    std::filesystem::path(ASPERITY_DATA_DIR) / "samples/grating.gsf";
+const std::filesystem::path kSteps = test::dataFolder() / "samples/steps.gsf";
+const std::filesystem::path kGrating = test::dataFolder() / "samples/grating.gsf";
 
 class SceneEditsTest : public ControlFixture {
 protected:

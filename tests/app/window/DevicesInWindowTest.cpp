@@ -4,6 +4,7 @@
 #include "core/io/tables/CsvTable.h"
 #include "tests/app/ProgramRun.h"
 #include "tests/app/window/WindowFixture.h"
+#include "tests/support/Places.h"
 #include "ui/panels/OverviewPanel.h"
 
 #include <QAbstractSpinBox>
@@ -202,7 +203,7 @@ TEST_F(WindowWithDevice, ARecordingHoldsTheEnergyAtTheDevice) {
 }
 
 TEST_F(WindowWithDevice, ARecordingReplaysToTheSameBits) {
-    session.scenes().open(std::filesystem::path(ASPERITY_DATA_DIR) / "samples/particles.gsf");
+    session.scenes().open(test::dataFolder() / "samples/particles.gsf");
     ASSERT_TRUE(eventually([this] { return session.run() != nullptr && far(); }));
     choose("hand", kSimulated);
     ASSERT_TRUE(eventually([this] { return state() == "far"; })) << state();

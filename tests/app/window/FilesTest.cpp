@@ -4,6 +4,7 @@
 #include "tests/app/ProgramRun.h"
 #include "tests/app/window/WindowFixture.h"
 #include "tests/support/FileSizeLimit.h"
+#include "tests/support/Places.h"
 #include "tests/support/TestScenes.h"
 #include "ui/window/WindowMenus.h"
 
@@ -39,7 +40,7 @@ std::ptrdiff_t threadCount() {
 }
 
 std::filesystem::path sample(const std::string& name) {
-    return std::filesystem::path(ASPERITY_DATA_DIR) / "samples" / name;
+    return test::dataFolder() / "samples" / name;
 }
 
 void drop(QWidget& window, const QUrl& file) {

@@ -1,4 +1,5 @@
 #include "core/io/scene/SceneFile.h"
+#include "tests/support/Places.h"
 #include "tests/support/ScratchFolder.h"
 #include "tests/support/ShippedScene.h"
 
@@ -31,10 +32,10 @@ double now() {
 }
 
 pid_t startEditor(const fs::path& folder, const fs::path& scene, const fs::path& log) {
+    const fs::path editor = test::programOfBuild("asperity_session_editor");
     const pid_t child = fork();
     if (child == 0) {
-        execl(ASPERITY_SESSION_EDITOR, ASPERITY_SESSION_EDITOR, folder.c_str(), scene.c_str(),
-              log.c_str(), nullptr);
+        execl(editor.c_str(), editor.c_str(), folder.c_str(), scene.c_str(), log.c_str(), nullptr);
         _exit(127);
     }
     return child;

@@ -2,6 +2,7 @@
 #include "core/io/experiment/TrialTable.h"
 #include "tests/app/ProgramRun.h"
 #include "tests/app/window/ShortStudy.h"
+#include "tests/support/Places.h"
 
 #include <gtest/gtest.h>
 
@@ -19,9 +20,10 @@ namespace fs = std::filesystem;
 using namespace std::chrono_literals;
 
 pid_t startPerson(const fs::path& study, const fs::path& folder) {
+    const fs::path person = test::programOfBuild("asperity_study_person");
     const pid_t child = fork();
     if (child == 0) {
-        execl(ASPERITY_STUDY_PERSON, ASPERITY_STUDY_PERSON, study.c_str(), folder.c_str(), nullptr);
+        execl(person.c_str(), person.c_str(), study.c_str(), folder.c_str(), nullptr);
         _exit(127);
     }
     return child;

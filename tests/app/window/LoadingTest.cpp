@@ -1,6 +1,7 @@
 #include "app/program/LoadedScene.h"
 #include "app/session/LongWork.h"
 #include "tests/app/window/WindowFixture.h"
+#include "tests/support/Places.h"
 #include "ui/panels/LoadingBar.h"
 #include "ui/window/WindowMenus.h"
 
@@ -59,7 +60,7 @@ protected:
     /// The loader works one by one: once another scene is shown, nothing can come of one before.
     void expectTheNextToBeTheFirstShown() {
         window.setWindowTitle({});
-        session.scenes().open(std::filesystem::path(ASPERITY_DATA_DIR) / "samples" / "steps.gsf");
+        session.scenes().open(test::dataFolder() / "samples" / "steps.gsf");
         ASSERT_TRUE(eventually([this] { return shown_.count() > 0; }));
         EXPECT_EQ(shown_.count(), 1);
         EXPECT_TRUE(window.windowTitle().startsWith("steps.gsf"));

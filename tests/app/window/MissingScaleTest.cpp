@@ -3,6 +3,7 @@
 #include "tests/app/ProgramRun.h"
 #include "tests/app/window/WindowFixture.h"
 #include "tests/core/io/heightmap/SyntheticScans.h"
+#include "tests/support/Places.h"
 #include "ui/panels/LengthBox.h"
 #include "ui/window/ScaleDialog.h"
 #include "ui/window/WindowMenus.h"
@@ -161,7 +162,7 @@ TEST_F(WindowThatAsks, SuggestsWhatWasGivenForTheLastScanOfTheKind) {
 
 TEST_F(WindowThatAsks, AnotherFileTakesThePlaceOfTheQuestion) {
     open(folder.write("bare.txt", numbers()));
-    session.scenes().open(std::filesystem::path(ASPERITY_DATA_DIR) / "samples" / "steps.gsf");
+    session.scenes().open(test::dataFolder() / "samples" / "steps.gsf");
     EXPECT_EQ(dialog(), nullptr);
     ASSERT_TRUE(eventually([this] { return shown.count() == 1; }));
     EXPECT_TRUE(window.windowTitle().startsWith("steps.gsf"));

@@ -1,6 +1,7 @@
 #include "core/Units.h"
 #include "tests/app/ProgramRun.h"
 #include "tests/app/window/StudyFixture.h"
+#include "tests/support/Places.h"
 #include "ui/experiment/StudyResultsDialog.h"
 #include "ui/view/ZoomView.h"
 #include "ui/window/SecondView.h"
@@ -119,8 +120,9 @@ TEST_F(WindowWithStudy, ShowsItsFiguresAndFindings) {
     EXPECT_TRUE(text.contains("findings"));
     EXPECT_TRUE(std::filesystem::exists(out() / "figure_13.svg"));
     EXPECT_TRUE(std::filesystem::exists(out() / "statistics.csv"));
-    const ProgramRun check =
-        runCommand("python3 " ASPERITY_RECOMPUTE_STUDY " --folder " + out().string());
+    const ProgramRun check = runCommand(
+        "python3 " + (test::checkout() / "tests/app/experiment/recompute_study.py").string() +
+        " --folder " + out().string());
     EXPECT_EQ(check.exitCode, 0) << check.output;
 }
 

@@ -1,5 +1,6 @@
 #include "core/io/scene/SceneFile.h"
 #include "tests/app/window/WindowFixture.h"
+#include "tests/support/Places.h"
 #include "ui/panels/LevelingEditor.h"
 #include "ui/panels/ScenePanel.h"
 #include "ui/window/WindowMenus.h"
@@ -16,7 +17,7 @@
 namespace asperity::test {
 namespace {
 
-const std::filesystem::path kSamples = std::filesystem::path(ASPERITY_DATA_DIR) / "samples";
+const std::filesystem::path kSamples = test::dataFolder() / "samples";
 
 /// A scan in the real window, changed and undone by keys.
 class Undo : public Window {

@@ -3,6 +3,7 @@
 #include "core/Error.h"
 #include "core/io/heightmap/HeightMapWriter.h"
 #include "core/surface/fit/BSplineFit.h"
+#include "tests/support/Places.h"
 #include "tests/support/ReferenceTable.h"
 #include "tools/samples/ParkScan.h"
 
@@ -29,8 +30,7 @@ TEST(SampleScans, AreThoseInTheRepositoryByteForByte) {
     for (const SampleScan& sample : makeSampleScans()) {
         writeHeightMap(folder / sample.fileName, sample.map,
                        {.title = sample.title, .unit = sample.unit});
-        const std::string stored =
-            bytesOf(std::filesystem::path(ASPERITY_DATA_DIR) / "samples" / sample.fileName);
+        const std::string stored = bytesOf(test::dataFolder() / "samples" / sample.fileName);
         EXPECT_GT(stored.size(), 4U * 256U * 256U) << sample.fileName;
         EXPECT_TRUE(stored == bytesOf(folder / sample.fileName)) << sample.fileName;
     }
@@ -61,8 +61,7 @@ TEST(ParkScan, IsWhatTheGranularFilmIsCutOutOf) {
     EXPECT_EQ(part.at(255, 255), film.at(374, 377));
     const auto written = std::filesystem::path(testing::TempDir()) / "granular_film.gsf";
     writeHeightMap(written, part, {.title = kGranularFilmTitle});
-    EXPECT_TRUE(bytesOf(written) == bytesOf(std::filesystem::path(ASPERITY_DATA_DIR) / "samples" /
-                                            "granular_film.gsf"));
+    EXPECT_TRUE(bytesOf(written) == bytesOf(test::dataFolder() / "samples" / "granular_film.gsf"));
     std::filesystem::remove(written);
 }
 

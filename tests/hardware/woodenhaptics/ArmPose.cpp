@@ -1,6 +1,7 @@
 #include "tests/hardware/woodenhaptics/ArmPose.h"
 
 #include "core/io/scene/WoodenHapticsFile.h"
+#include "tests/support/Places.h"
 
 #include <cmath>
 #include <filesystem>
@@ -27,8 +28,8 @@ Vector3 anglesAt(const Vector3& fromBase) {
 }  // namespace
 
 const WoodenHapticsDescription& shippedDevice() {
-    static const WoodenHapticsDescription device = readWoodenHaptics(
-        std::filesystem::path(ASPERITY_DATA_DIR) / "devices/woodenhaptics_2015.toml");
+    static const WoodenHapticsDescription device =
+        readWoodenHaptics(test::dataFolder() / "devices/woodenhaptics_2015.toml");
     return device;
 }
 

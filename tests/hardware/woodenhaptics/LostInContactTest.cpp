@@ -6,6 +6,7 @@
 #include "tests/hardware/woodenhaptics/CoupledTip.h"
 #include "tests/hardware/woodenhaptics/CoupledTipChild.h"
 #include "tests/hardware/woodenhaptics/VirtualWoodenHaptics.h"
+#include "tests/support/Places.h"
 
 #include <gtest/gtest.h>
 
@@ -124,7 +125,7 @@ protected:
     }
 
     VirtualWoodenHaptics device{handleAt(kHigh)};
-    CoupledTipChild program{ASPERITY_COUPLED_TIP_PROGRAM};
+    CoupledTipChild program{test::programOfBuild("asperity_coupled_tip_program")};
 };
 
 TEST_F(Ended, KilledTheProgramSaysNothingMoreAndTheFirmwareCutsTheMotors) {

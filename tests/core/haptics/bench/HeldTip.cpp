@@ -3,6 +3,7 @@
 #include "core/Units.h"
 #include "core/io/scene/SceneFile.h"
 #include "core/scene/SceneTruth.h"
+#include "tests/support/Places.h"
 #include "tests/support/TestScenes.h"
 
 #include <algorithm>
@@ -53,7 +54,7 @@ Scene hapticScene(const std::string& material, const HeightMap& map, double tick
                   double magnified) {
     SceneDescription description = plainScene();
     description.sample.material =
-        readMaterialFile(std::string(ASPERITY_DATA_DIR) + "/materials/" + material + ".toml");
+        readMaterialFile(test::dataFolder().string() + "/materials/" + material + ".toml");
     description.truth.material = description.sample.material;
     description.tickRate = tickRate;
     description.settings.positionGain = 1.0_nm / 1e-3;

@@ -5,6 +5,7 @@
 #include "core/io/scene/SceneFile.h"
 #include "core/scene/BelievedModel.h"
 #include "core/scene/SceneTruth.h"
+#include "tests/support/Places.h"
 #include "tests/support/TestScenes.h"
 
 #include <gtest/gtest.h>
@@ -25,8 +26,8 @@ protected:
     void SetUp() override {
         const auto [name, depth, noisy] = GetParam();
         SceneDescription description = test::plainScene();
-        description.sample.material = readMaterialFile(std::filesystem::path(ASPERITY_DATA_DIR) /
-                                                       "materials" / (std::string(name) + ".toml"));
+        description.sample.material =
+            readMaterialFile(test::dataFolder() / "materials" / (std::string(name) + ".toml"));
         description.truth.material = description.sample.material;
         description.truth.signalNoise = noisy ? description.truth.signalNoise : 0.0;
         const Scene scene = buildScene(description, test::flatMap());

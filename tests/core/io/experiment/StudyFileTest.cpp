@@ -3,6 +3,7 @@
 #include "core/Error.h"
 #include "core/experiment/TrialPlan.h"
 #include "tests/core/experiment/SmallStudy.h"
+#include "tests/support/Places.h"
 #include "tests/support/Refusal.h"
 #include "tests/support/ScratchFolder.h"
 
@@ -16,8 +17,7 @@ namespace {
 
 using testing::HasSubstr;
 
-const std::filesystem::path kShipped =
-    std::filesystem::path(ASPERITY_DATA_DIR) / "studies" / "positioning.toml";
+const std::filesystem::path kShipped = test::dataFolder() / "studies" / "positioning.toml";
 
 class StudyFile : public testing::Test {
 protected:

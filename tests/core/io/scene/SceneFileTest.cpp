@@ -3,6 +3,7 @@
 #include "core/Error.h"
 #include "core/io/scene/ProbeFile.h"
 #include "core/scene/Scene.h"
+#include "tests/support/Places.h"
 #include "tests/support/ReferenceTable.h"
 #include "tests/support/Refusal.h"
 #include "tests/support/ScratchFolder.h"
@@ -309,7 +310,7 @@ TEST_F(SceneFile, RefusesMistakesWithTheirPlace) {
 TEST(ShippedScenes, AllReadAndNameFilesThatAreThere) {
     int scenes = 0;
     for (const auto& entry :
-         std::filesystem::directory_iterator(std::string(ASPERITY_DATA_DIR) + "/scenes")) {
+         std::filesystem::directory_iterator(test::dataFolder().string() + "/scenes")) {
         const SceneDescription scene = readScene(entry.path());
         EXPECT_TRUE(scene.sample.shape || std::filesystem::exists(scene.sample.file))
             << scene.sample.file;
@@ -317,7 +318,7 @@ TEST(ShippedScenes, AllReadAndNameFilesThatAreThere) {
     }
     EXPECT_GE(scenes, 4);
     for (const auto& entry :
-         std::filesystem::directory_iterator(std::string(ASPERITY_DATA_DIR) + "/probes")) {
+         std::filesystem::directory_iterator(test::dataFolder().string() + "/probes")) {
         EXPECT_GT(Cantilever(readProbe(entry.path()).lever).stiffness(), 0.0) << entry.path();
     }
 }

@@ -1,5 +1,6 @@
 #include "core/io/scene/SceneFile.h"
 #include "core/scene/SceneFields.h"
+#include "tests/support/Places.h"
 #include "tests/support/Refusal.h"
 #include "tests/support/ScratchFolder.h"
 
@@ -14,7 +15,7 @@ namespace {
 
 /// All words in the sources of the readers that can be a key.
 std::set<std::string> candidates() {
-    const std::filesystem::path source = std::filesystem::path(ASPERITY_DATA_DIR).parent_path();
+    const std::filesystem::path source = test::checkout();
     std::string text = test::contentOf(source / "core/scene/ModelTerm.h");
     for (const auto& file : std::filesystem::directory_iterator(source / "core/io/scene")) {
         text += test::contentOf(file.path());

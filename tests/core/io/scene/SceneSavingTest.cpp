@@ -3,6 +3,7 @@
 #include "core/Error.h"
 #include "core/io/scene/ProbeFile.h"
 #include "core/io/scene/SceneFile.h"
+#include "tests/support/Places.h"
 #include "tests/support/ScratchFolder.h"
 
 #include <gtest/gtest.h>
@@ -25,8 +26,7 @@ protected:
 
 TEST_F(SceneSaving, EveryShippedSceneIsReadBackEqual) {
     int count = 0;
-    for (const auto& entry :
-         std::filesystem::directory_iterator(std::filesystem::path(ASPERITY_DATA_DIR) / "scenes")) {
+    for (const auto& entry : std::filesystem::directory_iterator(test::dataFolder() / "scenes")) {
         const SceneDescription scene = readScene(entry.path());
         EXPECT_EQ(savedAndRead(scene, scratch.file("again.toml")), scene) << entry.path();
         ++count;

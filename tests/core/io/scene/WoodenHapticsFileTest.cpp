@@ -1,5 +1,6 @@
 #include "core/io/scene/WoodenHapticsFile.h"
 
+#include "tests/support/Places.h"
 #include "tests/support/Refusal.h"
 #include "tests/support/ScratchFolder.h"
 
@@ -8,8 +9,7 @@
 namespace asperity {
 namespace {
 
-const std::filesystem::path kShipped =
-    std::filesystem::path(ASPERITY_DATA_DIR) / "devices/woodenhaptics_2015.toml";
+const std::filesystem::path kShipped = test::dataFolder() / "devices/woodenhaptics_2015.toml";
 
 class WoodenHapticsFile : public ::testing::Test {
 protected:
