@@ -113,6 +113,7 @@ std::string titleOf(const ComparedMap& compared, const MapPlan& plan) {
     return title;
 }
 
+/// Measured and predicted in the same colors: what differs must look different.
 std::vector<SheetMap> mapsOf(const ComparedMap& compared, const MapPlan& plan,
                              const MapPart& part) {
     const char* unit = rowOf(compared.quantity)->unit;
@@ -127,6 +128,9 @@ std::vector<SheetMap> mapsOf(const ComparedMap& compared, const MapPlan& plan,
                                sheetMap(plan, "predicted", unit, rowsOf(compared.values.predicted)),
                                sheetMap(plan, "difference", unit, layers[0].readRow),
                                sheetMap(plan, "residual", unit, layers[1].readRow)};
+    std::vector<double> both = maps[0].values;
+    both.insert(both.end(), maps[1].values.begin(), maps[1].values.end());
+    maps[0].range = maps[1].range = centralRange(both);
     maps[2].isSigned = true;
     maps[3].isSigned = true;
     return maps;

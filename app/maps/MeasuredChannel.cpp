@@ -9,6 +9,7 @@
 #include "core/map/MeasuredMap.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <optional>
 
@@ -153,10 +154,14 @@ MeasuredChannel ChannelReader::read(const AskedChannel& asked) const {
     const PhysicalUnit unit = parseUnit(channel.unit);
     const MapQuantity quantity = quantityOf(asked, unit.base);
     const MapRegion area = areaOf(asked);
+    std::vector<double> values = valuesAt(plan_, mapOf(channel, unit.factor), area);
+    if (std::ranges::none_of(values, [](double value) { return std::isfinite(value); })) {
+        refuse(asked, "it holds no data at the pixels of the map");
+    }
     return {.name = channel.name,
             .quantity = quantity,
             .grid = {channel.map.columns, channel.map.rows},
-            .values = valuesAt(plan_, mapOf(channel, unit.factor), area)};
+            .values = std::move(values)};
 }
 
 }  // namespace

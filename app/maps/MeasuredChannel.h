@@ -29,8 +29,8 @@ struct MeasuredFile {
 /// with, "Adhesion:adhesion_force"; by itself a channel is compared with what its unit and title
 /// say
 /// @throw InputError where the file cannot be read, there is no such channel, it shows another area
-/// than region and scan or does not say how large it is, its unit is another one, or several
-/// quantities come into question; Canceled
+/// than region and scan or does not say how large it is, its unit is another one, several
+/// quantities come into question, or it holds no data at the map's pixels; Canceled
 [[nodiscard]] MeasuredFile readMeasured(const std::filesystem::path& path,
                                         const std::vector<std::string>& asked, const Scene& scene,
                                         const MapPlan& plan, Progress* progress = nullptr);

@@ -66,6 +66,19 @@ TEST_F(MapSheets, ShowSignsByColor) {
     EXPECT_LT(std::abs(zero[0] - zero[2]), 12) << "neutral";
 }
 
+TEST_F(MapSheets, ShowTheSameValueAlikeOverTheSameRange) {
+    ASPERITY_NEEDS_DISPLAY();
+    SheetMap wide = halves();
+    wide.values = {1e-9, 9e-9, 9e-9, 9e-9};
+    wide.range = CentralRange{.low = 0.0, .high = 9e-9};
+    SheetMap narrow = halves();
+    narrow.range = wide.range;
+    writeMapSheet(folder / "sheet.png", "Maps", std::vector{wide, narrow});
+    const test::Image image(folder / "sheet.png");
+    EXPECT_EQ(image.at(160, 420), image.at(560 + 160, 420)) << "1 nN in both";
+    EXPECT_NE(image.at(400, 420), image.at(560 + 400, 420)) << "9 nN and 3 nN";
+}
+
 TEST_F(MapSheets, HaveRoomForAChart) {
     ASPERITY_NEEDS_DISPLAY();
     const Chart chart{.title = "all over all",

@@ -24,8 +24,8 @@ constexpr double kEdge = 20.0;
 constexpr double kBar = 52.0;
 
 /// Never empty.
-CentralRange colorsOf(const std::vector<double>& values) {
-    CentralRange range = centralRange(values);
+CentralRange colorsOf(const SheetMap& map) {
+    CentralRange range = map.range ? *map.range : centralRange(map.values);
     const double least = 1e-6 * std::max(std::abs(range.low), std::abs(range.high));
     if (range.high - range.low <= least) {
         const double around = least > 0.0 ? least : 1.0;
@@ -52,7 +52,7 @@ public:
     SheetPainter(const SheetMap& map, const PixelRect& area)
         : map_(map)
         , area_(area)
-        , range_(map.isSigned ? aroundZero(colorsOf(map.values)) : colorsOf(map.values))
+        , range_(map.isSigned ? aroundZero(colorsOf(map)) : colorsOf(map))
         , colors_(map.isSigned ? divergingTable(range_.high)
                                : heightTable(range_.low, range_.high)) {}
 

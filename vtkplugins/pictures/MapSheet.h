@@ -3,11 +3,20 @@
 #include "vtkplugins/pictures/Charts.h"
 
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 namespace asperity {
+
+/// What 98 % of values span, from the 1st to the 99th percentile.
+struct CentralRange {
+    double low = 0.0;
+    double high = 1.0;
+};
+/// Of the values that are finite; 0 to 1 where none is.
+[[nodiscard]] CentralRange centralRange(const std::vector<double>& values);
 
 /// One map of a sheet, seen from above.
 struct SheetMap {
@@ -18,19 +27,12 @@ struct SheetMap {
     double aspect = 1.0;         ///< width over height of the mapped area
     std::vector<double> values;  ///< row by row, the top row first; NaN: no data
     bool isSigned = false;       ///< colors diverge from zero
+    /// That colors span; none: the central range of the values.
+    std::optional<CentralRange> range{};
 };
 
-/// What 98 % of values span, from the 1st to the 99th percentile.
-struct CentralRange {
-    double low = 0.0;
-    double high = 1.0;
-};
-/// Of the values that are finite; 0 to 1 where none is.
-[[nodiscard]] CentralRange centralRange(const std::vector<double>& values);
-
-/// Draws up to six maps side by side, each with its color bar. Colors span the central range
-/// of a map's values; pixels without data are gray. The same maps give the same
-/// bytes.
+/// Draws up to six maps side by side, each with its color bar. Pixels without data are gray.
+/// The same maps give the same bytes.
 /// @param chart takes what is left of the last row of three, or a row of its own; null: none
 /// @throw Error when there is no map or a map has another number of values than rows times columns,
 ///        no display answers, or the file cannot be written

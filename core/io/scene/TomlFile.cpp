@@ -186,7 +186,11 @@ std::optional<TomlSection> TomlSection::table(const std::string& key) {
     if (!node->is_table()) {
         refuse(key, "a table in braces");
     }
-    return TomlSection(*table_, file_, key);
+    TomlSection inner(*table_, file_, key);
+    if (!name_.empty()) {
+        inner.name_ = name_ + "." + key;
+    }
+    return inner;
 }
 
 std::filesystem::path TomlSection::path(const std::string& key) {

@@ -39,8 +39,8 @@ public:
     [[nodiscard]] std::vector<Vector2> places(const std::string& key);
     /// Whole numbers, written [1, 2, 3]; empty where there are none.
     [[nodiscard]] std::vector<std::int64_t> integers(const std::string& key);
-    /// A table within the section, read as a section of the name of its key; none where there is
-    /// no such key.
+    /// A table within the section, read as a section of its own, named [section.key] in messages;
+    /// none where there is no such key.
     [[nodiscard]] std::optional<TomlSection> table(const std::string& key);
     /// A path as pathText() writes it, resolved against the folder of the file.
     [[nodiscard]] std::filesystem::path path(const std::string& key);

@@ -1,6 +1,7 @@
 #include "core/surface/measure/Profile.h"
 
 #include "core/FiniteVector.h"
+#include "core/surface/BetweenPixels.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,26 +12,6 @@ namespace asperity {
 namespace {
 
 constexpr double kNoData = std::numeric_limits<double>::quiet_NaN();
-
-/// A place this close to a pixel center is on it: rounding must not ask for its neighbor [pixel].
-constexpr double kOnCenter = 1e-9;
-
-/// The two pixels around a place along one axis, and the share of the second.
-struct Between {
-    int first = 0;
-    int second = 0;
-    double share = 0.0;
-};
-
-/// @param place in pixels from the center of the first one
-Between between(double place, int count) {
-    const double inside = std::clamp(place, 0.0, count - 1.0);
-    const int first = static_cast<int>(inside + kOnCenter);
-    const double share = inside - first;
-    return {.first = first,
-            .second = std::min(first + 1, count - 1),
-            .share = share > kOnCenter ? share : 0.0};
-}
 
 }  // namespace
 
@@ -57,24 +38,12 @@ double bilinearHeight(const HeightMap& map, double x, double y) {
     if (!(x >= 0.0 && x <= map.sizeX() && y >= 0.0 && y <= map.sizeY())) {
         return kNoData;
     }
-    const Between columns = between(x / map.pitchX - 0.5, map.columns);
-    const Between rows = between(map.rows - 0.5 - y / map.pitchY, map.rows);
-    double height = 0.0;
-    for (const auto& [row, rowShare] :
-         {std::pair{rows.first, 1.0 - rows.share}, std::pair{rows.second, rows.share}}) {
-        for (const auto& [column, columnShare] : {std::pair{columns.first, 1.0 - columns.share},
-                                                  std::pair{columns.second, columns.share}}) {
-            const double share = rowShare * columnShare;
-            if (share == 0.0) {
-                continue;
-            }
-            if (!map.isValid(row, column) || !isFiniteHeight(map.at(row, column))) {
-                return kNoData;
-            }
-            height += share * map.at(row, column);
-        }
-    }
-    return height;
+    const auto pixel = [&map](int row, int column) {
+        return map.isValid(row, column) && isFiniteHeight(map.at(row, column)) ? map.at(row, column)
+                                                                               : kNoData;
+    };
+    return bilinear(betweenPixels(onCenter(map.rows - 0.5 - y / map.pitchY), map.rows),
+                    betweenPixels(onCenter(x / map.pitchX - 0.5), map.columns), pixel);
 }
 
 int usualSamples(double pitchX, double pitchY, const Vector2& from, const Vector2& to) {

@@ -30,6 +30,7 @@ HeightMap mapOf(const Value& value, double pitch = 4e-9) {
 }
 
 double hills(int row, int column) { return 2e-9 * std::sin(0.4 * row) * std::cos(0.4 * column); }
+double nothing(int /*row*/, int /*column*/) { return std::nan(""); }
 double flat(int /*row*/, int /*column*/) { return 1e-9; }
 
 /// A scan of hills, and its force map.
@@ -134,7 +135,10 @@ TEST_F(MapCompare, RefusesInOneSentence) {
     write("wide.gwy", mapOf(hills, 5e-9), "Adhesion", "N");
     write("volts.gwy", mapOf(hills), "Friction", "V");
     write("deformation.gwy", mapOf(hills), "Deformation", "m");
+    write("empty.gsf", mapOf(nothing), "Adhesion", "N");
     expectRefused("none.gwy", "--channel Adhesion", 3, "none.gwy: ");
+    expectRefused("empty.gsf", "--channel Adhesion", 3,
+                  "it holds no data at the pixels of the map");
     expectRefused("before.gwy", "--channel color", 3, "there is no channel 'color'");
     expectRefused("before.gwy", "", 2, "--compare requires --channel");
     expectRefused("wide.gwy", "--channel Adhesion", 3,

@@ -98,13 +98,14 @@ TEST_F(MaterialMapKeys, RefuseMistakes) {
     EXPECT_THAT(refusal("youngs_modulus_map = { channel = \"E\" }\n"),
                 HasSubstr("the path of a file with the map"));
     EXPECT_THAT(refusal("youngs_modulus_map = { file = \"a\", unit = \"Pa\" }\n"),
-                HasSubstr("unknown key 'unit'"));
+                HasSubstr("unknown key 'unit' in [sample.youngs_modulus_map]"));
     EXPECT_THAT(refusal("material_mask = { file = \"a\", zero = \"hard.toml\" }\n"),
-                HasSubstr("one: expected a material file"));
+                HasSubstr("[sample.material_mask] one: expected a material file"));
     EXPECT_THAT(refusal("material_mask = { file = \"a\", zero = \"hard.toml\", one = { "
                         "youngs_modulus_pa = 1, work_of_adhesion_j_m2 = 0, friction_coefficient = "
                         "0 } }\n"),
-                HasSubstr("1e3 to 2e12 Pa"));
+                HasSubstr("[sample.material_mask.one] youngs_modulus_pa: expected a modulus from "
+                          "1e3 to 2e12 Pa"));
     EXPECT_THAT(refusal(kModulus + "film_thickness_m = 1e-7\n"), HasSubstr("must be 0 where"));
 }
 
