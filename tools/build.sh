@@ -7,4 +7,5 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 preset=$1
 shift
 [ -f "build/$preset/build.ninja" ] || cmake --preset "$preset" --log-level=WARNING
-cmake --build "build/$preset" --target "${@:-all}"
+# More compilers than cores take longer: each holds some hundred megabytes that it reads again and again.
+cmake --build "build/$preset" --parallel "$(nproc)" --target "${@:-all}"
