@@ -3,9 +3,9 @@
 # Usage: tools/test.sh [PRESET]   all tests of one preset but those labeled long: release
 #                                 (default), dev, asan, tsan, or of one sanitizer gate: asan-gate,
 #                                 tsan-gate
-#        tools/test.sh gates      the three gates in one run: the release tests; readers, tick and
-#                                 window with AddressSanitizer and UBSan, and 15 s of each
-#                                 fuzzer; loop, recording and devices with ThreadSanitizer
+#        tools/test.sh gates      the three gates in one run: the release tests; readers, tick and maps
+#                                 with AddressSanitizer and UBSan, and 15 s of each fuzzer;
+#                                 loop, recording and devices with ThreadSanitizer
 set -euo pipefail
 top=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 wanted=${1:-release}
