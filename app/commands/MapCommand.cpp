@@ -75,6 +75,9 @@ std::vector<std::filesystem::path> targetsOf(const MapOptions& options, const Ma
 /// done for them. An unfinished map's own files may go.
 void requireTargets(const MapOptions& options, const MapFiles& files, const MapPlan& plan,
                     const SceneDescription& scene) {
+    if (useOf(options) == PartUse::New) {
+        requireNoPart(files.part());
+    }
     std::vector<std::string> inputs{options.scene, options.compare};
     forEachFile(scene, [&inputs](const std::string& file) { inputs.push_back(file); });
     std::error_code none;

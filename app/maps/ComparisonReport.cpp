@@ -77,6 +77,19 @@ Json channelJson(const ComparedMap& map) {
             {"remark", remark.empty() ? Json(nullptr) : Json(remark)}};
 }
 
+/// Means so far apart are hardly of the same quantity. Those of heights are of the mounting.
+std::string doubtOn(const ComparedMap& compared) {
+    constexpr double kFar = 100.0;
+    const MapComparison& numbers = compared.values.numbers;
+    const double ratio = std::abs(numbers.measuredMean / numbers.predictedMean);
+    if (compared.values.plane || !(ratio > kFar || ratio < 1.0 / kFar)) {
+        return "";
+    }
+    const char* unit = rowOf(compared.quantity)->unit;
+    return "; the means, " + formatSi(numbers.measuredMean, unit) + " and " +
+           formatSi(numbers.predictedMean, unit) + ", are far apart: are both the same quantity?";
+}
+
 }  // namespace
 
 std::string findingOn(const MapComparison& numbers) {
@@ -102,6 +115,7 @@ std::string sentenceOn(const ComparedMap& compared) {
     if (std::isfinite(numbers.rmsResidual)) {
         text += ", of the line " + formatSi(numbers.rmsResidual, quantity.unit);
     }
+    text += doubtOn(compared);
     return text;
 }
 

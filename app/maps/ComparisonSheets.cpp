@@ -110,10 +110,22 @@ std::string titleOf(const ComparedMap& compared, const MapPlan& plan) {
     if (compared.values.plane) {
         title += "; both without their planes";
     }
-    return title;
+    return title + "; colors: 1st to 99th percentile";
 }
 
-/// Measured and predicted in the same colors: what differs must look different.
+/// What differs must look different: measured and predicted in the same colors, unless one of them
+/// would be all of one color.
+void shareColors(SheetMap& measured, SheetMap& predicted) {
+    constexpr double kLeast = 0.2;  // of the colors
+    const CentralRange one = centralRange(measured.values);
+    const CentralRange other = centralRange(predicted.values);
+    const CentralRange both{.low = std::min(one.low, other.low),
+                            .high = std::max(one.high, other.high)};
+    if (std::min(one.high - one.low, other.high - other.low) >= kLeast * (both.high - both.low)) {
+        measured.range = predicted.range = both;
+    }
+}
+
 std::vector<SheetMap> mapsOf(const ComparedMap& compared, const MapPlan& plan,
                              const MapPart& part) {
     const char* unit = rowOf(compared.quantity)->unit;
@@ -128,9 +140,7 @@ std::vector<SheetMap> mapsOf(const ComparedMap& compared, const MapPlan& plan,
                                sheetMap(plan, "predicted", unit, rowsOf(compared.values.predicted)),
                                sheetMap(plan, "difference", unit, layers[0].readRow),
                                sheetMap(plan, "residual", unit, layers[1].readRow)};
-    std::vector<double> both = maps[0].values;
-    both.insert(both.end(), maps[1].values.begin(), maps[1].values.end());
-    maps[0].range = maps[1].range = centralRange(both);
+    shareColors(maps[0], maps[1]);
     maps[2].isSigned = true;
     maps[3].isSigned = true;
     return maps;

@@ -60,6 +60,14 @@ FileDescriptor opened(const std::filesystem::path& path) {
 
 }  // namespace
 
+void requireNoPart(const std::filesystem::path& path) {
+    std::error_code none;
+    if (std::filesystem::exists(path, none)) {
+        throw Error(path.string() + ": holds rows of an unfinished map; --resume goes on with it, "
+                                    "--force begins anew");
+    }
+}
+
 MapPart::MapPart(std::filesystem::path path, const MapPlan& plan, const std::string& key,
                  PartUse use)
     : path_(std::move(path))
@@ -73,9 +81,11 @@ MapPart::MapPart(std::filesystem::path path, const MapPlan& plan, const std::str
 void MapPart::open(const std::string& head, PartUse use) {
     std::error_code ignored;
     const bool isThere = std::filesystem::exists(path_, ignored);
-    if (isThere && use == PartUse::New) {
-        throw Error(path_.string() + ": holds rows of an unfinished map; --resume goes on with it, "
-                                     "--force begins anew");
+    if (use == PartUse::New) {
+        requireNoPart(path_);
+    }
+    if (isThere && use == PartUse::Replace && isGrowing(path_)) {
+        throw Error(path_.string() + ": another process is writing it");
     }
     if (isThere && use == PartUse::Resume) {
         size_ = takeRecords(head);
@@ -92,13 +102,14 @@ void MapPart::open(const std::string& head, PartUse use) {
 
 std::uint64_t MapPart::takeRecords(const std::string& head) {
     const FileDescriptor file = opened(path_);
-    std::string found(head.size(), '\0');
-    if (!readAt(file.get(), 0, found)) {
-        return 0;  // the program was killed before it had written this much
-    }
-    if (found != head) {
+    std::string found(std::min<std::uintmax_t>(head.size(), std::filesystem::file_size(path_)),
+                      '\0');
+    if (!readAt(file.get(), 0, found) || !head.starts_with(found)) {
         throw Error(path_.string() + ": holds rows of another map: scene, scan, options or version "
                                      "of the program differ");
+    }
+    if (found.size() < head.size()) {
+        return 0;  // the program was killed before it had written this much
     }
     std::uint64_t place = head.size();
     std::string record(recordBytes(), '\0');
@@ -108,10 +119,9 @@ std::uint64_t MapPart::takeRecords(const std::string& head) {
         std::copy_n(record.data(), sizeof row, reinterpret_cast<char*>(&row));
         std::copy_n(record.data() + sizeof row, sizeof check, reinterpret_cast<char*>(&check));
         const auto values = std::string_view(record).substr(kRecordHead);
-        if (row >= places_.size() || check != checkOf(row, values)) {
-            break;
-        }
-        places_[row] = place + kRecordHead;
+        if (row < places_.size() && check == checkOf(row, values)) {
+            places_[row] = place + kRecordHead;
+        }  // else it is damaged, and is computed again
         place += recordBytes();
     }
     return place;

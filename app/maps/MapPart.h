@@ -20,6 +20,9 @@ enum class PartUse : std::uint8_t {
     Replace  ///< it goes
 };
 
+/// @throw Error where there is a part of an unfinished map, which says how to go on with it
+void requireNoPart(const std::filesystem::path& path);
+
 /// The rows of a map that are finished, in a file beside the map, which grows by a record each:
 /// whatever ends the program, they are there. Rows stay in the file, not in memory.
 class MapPart {

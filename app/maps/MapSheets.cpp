@@ -40,7 +40,7 @@ std::string titleOf(const MapPlan& plan) {
            formatSi(plan.setpoint, "N") + ", " +
            formatSi(plan.region.right - plan.region.left, "m") + " x " +
            formatSi(plan.region.top - plan.region.bottom, "m") + ", " +
-           (plan.truth ? "true instrument" : "believed model");
+           (plan.truth ? "true instrument" : "believed model") + "; colors: 1st to 99th percentile";
 }
 
 }  // namespace

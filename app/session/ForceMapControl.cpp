@@ -204,6 +204,8 @@ void ForceMapControl::start() {
     trial_.cancel();
     making_ = std::make_shared<Making>(Making{runs_.run()->scene().description, nullptr});
     begin_ = std::chrono::steady_clock::now();
+    page_->setPicking(false);  // so that Esc ends the map, and no tool
+    page_->form().setDrawing(false);
     page_->setRunning(true);
     line_.enter([this] { cancel(); });
     showProgress(0.0);

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
 
 namespace asperity {
 namespace {
@@ -55,12 +56,31 @@ TEST(MapPart, GoesOnAfterTheLastWholeRow) {
     }
 }
 
-TEST(MapPart, DropsARowThatIsDamaged) {
+TEST(MapPart, DropsARowThatIsDamagedAndNoOther) {
     const test::ScratchFolder scratch;
-    MapPart(scratch.file("part"), kPlan, "key", PartUse::New).keep(1, kRow);
-    std::string bytes = test::contentOf(scratch.file("part"));
-    bytes.back() = static_cast<char>(bytes.back() ^ 1);
-    EXPECT_EQ(MapPart(scratch.write("damaged", bytes), kPlan, "key", PartUse::Resume).count(), 0);
+    {
+        MapPart part(scratch.file("part"), kPlan, "key", PartUse::New);
+        part.keep(1, kRow);
+        part.keep(3, kRow);
+    }
+    const std::string whole = test::contentOf(scratch.file("part"));
+    const std::size_t record = (whole.size() - whole.find('\n') - 1) / 2;
+    const auto damagedAt = [&](std::size_t place) {
+        std::string bytes = whole;
+        bytes[place] = static_cast<char>(bytes[place] ^ 1);
+        return MapPart(scratch.write("damaged", bytes), kPlan, "key", PartUse::Resume);
+    };
+    const MapPart last = damagedAt(whole.size() - 1);
+    EXPECT_TRUE(last.has(1) && !last.has(3));
+    const MapPart first = damagedAt(whole.size() - record - 1);
+    EXPECT_TRUE(!first.has(1) && first.has(3));
+}
+
+TEST(MapPart, LeavesAFileThatIsNone) {
+    const test::ScratchFolder scratch;
+    const auto notes = scratch.write("part", "my notes");
+    EXPECT_THROW(MapPart(notes, kPlan, "key", PartUse::Resume), Error);
+    EXPECT_EQ(test::contentOf(notes), "my notes");
 }
 
 TEST(MapPart, OfAnotherMapIsRefused) {
@@ -75,6 +95,8 @@ TEST(MapPart, IsWrittenByOneProcess) {
     const test::ScratchFolder scratch;
     const MapPart part(scratch.file("part"), kPlan, "key", PartUse::New);
     EXPECT_THROW(MapPart(scratch.file("part"), kPlan, "key", PartUse::Resume), Error);
+    EXPECT_THROW(MapPart(scratch.file("part"), kPlan, "key", PartUse::Replace), Error);
+    EXPECT_TRUE(std::filesystem::exists(scratch.file("part")));
 }
 
 }  // namespace

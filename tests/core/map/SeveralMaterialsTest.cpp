@@ -1,3 +1,4 @@
+#include "core/FormattedText.h"
 #include "core/map/MapInstrument.h"
 #include "core/map/PixelCycle.h"
 #include "tests/support/TestScenes.h"
@@ -7,6 +8,9 @@
 #include <array>
 #include <cmath>
 #include <memory>
+#include <numbers>
+#include <string>
+#include <utility>
 
 // Maps of samples that are not the same everywhere.
 
@@ -74,6 +78,52 @@ TEST(SeveralMaterials, TheModulusOfAFlatTwinTellsThemApart) {
     const double hard = cycleOn(halved, {41e-9, 100e-9}, false)[MapQuantity::Stiffness];
     const double soft = cycleOn(halved, {41e-9, 28e-9}, false)[MapQuantity::Stiffness];
     EXPECT_GT(hard, 2.0 * soft);
+}
+
+/// A flat sample whose work of adhesion changes along x, under a lever of this stiffness [N/m].
+Scene slopedAdhesion(double left, double right, double stiffness) {
+    const HeightMap scan = test::flatMap();
+    HeightMap adhesion = scan;
+    for (int row = 0; row < scan.rows; ++row) {
+        for (int column = 0; column < scan.columns; ++column) {
+            adhesion.heights[scan.index(row, column)] =
+                std::lerp(left, right, (column + 0.5) / scan.columns);
+        }
+    }
+    const MaterialMaps maps{.youngsModulus = nullptr,
+                            .workOfAdhesion = std::make_shared<const PixelField>(adhesion, "J/m^2"),
+                            .friction = nullptr};
+    SceneDescription description = test::plainScene();
+    description.choices.law = ContactLaw::Jkr;
+    description.probe.thickness = thicknessForStiffness(description.probe, stiffness);
+    description.truth.stiffness = stiffness;
+    description.sample.material.maps.workOfAdhesion =
+        MapSource{.file = "adhesion.gwy", .channel = "", .sha256 = ""};
+    description.truth.material = description.sample.material;
+    return buildScene(description, scan, nullptr, {.sample = maps, .truth = maps});
+}
+
+/// A lever that pulls bends, and its tip goes to the side: JKR's pull-off is that of the work of
+/// adhesion where the tip then stands.
+TEST(SeveralMaterials, ATipPullsHardestWhereTheLeverHasTakenIt) {
+    for (const double stiffness : {0.1, 1.0}) {  // levers that pull off near the strongest pull
+        for (const auto& [left, right] : {std::pair(0.03, 0.09), std::pair(0.09, 0.03)}) {
+            const Scene scene = slopedAdhesion(left, right, stiffness);
+            const MapInstrument instrument(scene, false);
+            const Vector2 place(64e-9, 64e-9);
+            const double aside = instrument.system().cantilever.compliance()(0, 2);
+            double pull = 0.0;
+            for (int i = 0; i < 200; ++i) {
+                const double share = (place.x() - aside * pull) / 128e-9;
+                pull = 1.5 * std::numbers::pi * instrument.system().tipRadius() *
+                       std::lerp(left, right, share);
+            }
+            const MapValues values = pixelCycle(instrument, place, kSetpoint);
+            const std::string where = formatted("%g N/m, %g to %g J/m^2", stiffness, left, right);
+            EXPECT_NEAR(values[MapQuantity::AdhesionForce], pull, 1e-3 * pull) << where;
+            EXPECT_NEAR(values[MapQuantity::PullOffForce], pull, 6e-3 * pull) << where;
+        }
+    }
 }
 
 }  // namespace
