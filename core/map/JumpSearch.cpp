@@ -10,10 +10,9 @@ namespace asperity {
 
 namespace {
 
-constexpr double kNear = 2e-11;         // of the base to the jump, where the law knows the rest [m]
-constexpr double kEarly = 2.0 * kNear;  // from where on the law does not know it [m]
-constexpr double kResolution = 1e-13;   // where it does not [m]
-constexpr double kMinNormal = 0.1;      // z of a normal that says how far to go along z
+constexpr double kNear = 2e-11;        // of the base to the jump, where the law knows the rest [m]
+constexpr double kResolution = 1e-13;  // where it does not [m]
+constexpr double kMinNormal = 0.1;     // z of a normal that says how far to go along z
 constexpr int kMaxSteps = 400;
 constexpr int kMaxHalvings = 60;
 
@@ -55,39 +54,21 @@ std::optional<TipJump> jumpOfLaw(const VerticalPath& path, const TipState& state
     return way == Way::Down ? snapInOf(law, compliance) : pullOffOf(law, compliance);
 }
 
-/// The tip at a height. Where a bonded tip on one contact point is in no equilibrium it is free:
-/// the lever bends to the side as it pulls, and the place that it pulls at has less to hold it.
-TipAtHeight tipAt(VerticalPath& path, double base, const TipAtHeight& from) {
-    TipAtHeight tip = path.at(base, from.memory);
-    if (!from.isBonded() || !from.state.converged || !isOfOnePoint(from, tip)) {
-        return tip;
-    }
-    path.goOn(tip);
-    if (!tip.isBonded() || tip.state.converged) {
-        return tip;
-    }
-    TipAtHeight free = path.at(base, EquilibriumMemory{});
-    const std::optional<TipJump> jump = jumpOfLaw(path, from.state, Way::Up);
-    free.state.contact.energyLost = jump ? jump->after.energyLost : 0.0;
-    return free;
-}
-
 /// The heights between which the tip changes, 0.1 pm apart.
 FoundJump narrowed(VerticalPath& path, TipAtHeight before, TipAtHeight after) {
     const bool wasBonded = before.isBonded();
     for (int i = 0; i < kMaxHalvings && std::abs(after.base - before.base) > kResolution; ++i) {
-        TipAtHeight middle = tipAt(path, std::midpoint(before.base, after.base), before);
+        TipAtHeight middle = path.at(std::midpoint(before.base, after.base), before.memory);
         (middle.isBonded() == wasBonded ? before : after) = std::move(middle);
     }
     const double base = before.base;
     return {std::move(before), std::move(after), base, false, std::nullopt};
 }
 
-/// The jump between two heights. A tip that jumps far before the law says so does it for another
-/// reason. Right at the jump an equilibrium takes many steps: where the law knows
+/// The jump between two heights. Right at it an equilibrium takes many steps: where the law knows
 /// the jump, there is no need to go there.
 FoundJump jumpBetween(VerticalPath& path, TipAtHeight before, TipAtHeight after, Way way) {
-    if (!isOfOnePoint(before, after) || wayToJump(path, before, way) > kEarly) {
+    if (!isOfOnePoint(before, after)) {
         return narrowed(path, std::move(before), std::move(after));
     }
     const double base = before.base + (static_cast<double>(way) * wayToJump(path, before, way));
@@ -111,7 +92,7 @@ std::optional<FoundJump> findJump(VerticalPath& path, TipAtHeight now, Way way, 
             step = push;
             push *= 2.0;
         }
-        TipAtHeight next = tipAt(path, now.base + (static_cast<double>(way) * step), now);
+        TipAtHeight next = path.at(now.base + (static_cast<double>(way) * step), now.memory);
         if (next.isBonded() != wasBonded) {
             return jumpBetween(path, std::move(now), std::move(next), way);
         }

@@ -84,8 +84,10 @@ std::optional<RetractCurve> retract(VerticalPath& path, TipAtHeight atSetpoint) 
     RetractCurve curve{.bonded = {}, .free = {}, .pullOff = std::move(*pullOff), .jumpWork = 0.0};
     double pull = 0.0;
     for (const TipAtHeight& tip : passed) {
-        curve.bonded.push_back(pointOf(path, tip));
-        pull = std::max(pull, -tip.force());
+        if (tip.state.converged) {
+            curve.bonded.push_back(pointOf(path, tip));
+            pull = std::max(pull, -tip.force());
+        }
     }
     const FoundJump& jump = curve.pullOff;
     const RetractPoint last = pointAt(path, jump.base, jump.forceBefore());
@@ -102,7 +104,7 @@ double separationWork(const RetractCurve& curve) noexcept {
 std::optional<RetractPoint> strongestOfLaw(const VerticalPath& path,
                                            const RetractCurve& curve) noexcept {
     const FoundJump& jump = curve.pullOff;
-    if (!jump.exact) {
+    if (!jump.exact || !jump.before.state.converged) {
         return std::nullopt;
     }
     // Under a lever this soft the tip pulls off where it pulls hardest.

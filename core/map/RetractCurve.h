@@ -15,8 +15,10 @@ struct RetractPoint {
 
 /// The way of the tip from the setpoint until it is free.
 struct RetractCurve {
-    std::vector<RetractPoint> bonded;  ///< from the setpoint to the last state before the pull-off
-    std::vector<RetractPoint> free;    ///< after it, until the force is 0.1 % of the strongest pull
+    /// From the setpoint to the last state before the pull-off. Without states that were not found:
+    /// near the pull-off a lever that bends to the side may have none, and their force none.
+    std::vector<RetractPoint> bonded;
+    std::vector<RetractPoint> free;  ///< after it, until the force is 0.1 % of the strongest pull
     FoundJump pullOff;
     double jumpWork = 0.0;  ///< area under the pull while the tip pulls off, the base at rest [J]
 };
@@ -31,7 +33,7 @@ struct RetractCurve {
 [[nodiscard]] double separationWork(const RetractCurve& curve) noexcept;
 
 /// On one contact point, where the law pulls hardest before the pull-off, without the error of the
-/// steps; none: on several, or the force does not jump.
+/// steps; none: on several, the force does not jump, or the state before the jump was not found.
 [[nodiscard]] std::optional<RetractPoint> strongestOfLaw(const VerticalPath& path,
                                                          const RetractCurve& curve) noexcept;
 

@@ -36,9 +36,6 @@ public:
 
     /// The equilibrium at a height of the base [m].
     [[nodiscard]] TipAtHeight at(double base, const EquilibriumMemory& memory);
-    /// Goes on with a bonded state that is not found to rounding, until it is, or does not come
-    /// closer: then there may be no such equilibrium.
-    void goOn(TipAtHeight& tip);
 
     [[nodiscard]] const MapInstrument& instrument() const noexcept { return instrument_; }
     [[nodiscard]] const Vector2& place() const noexcept { return place_; }
@@ -54,8 +51,6 @@ public:
     }
 
 private:
-    void solve(TipAtHeight& tip);
-
     const MapInstrument& instrument_;
     Vector2 place_;
     Vector3 velocity_ = Vector3::Zero();

@@ -367,7 +367,7 @@ TEST_F(ZoomViewTest, LettersAreScaledOnceOnAScreenOfSmallPixels) {
     fine.show();
     ASSERT_TRUE(QTest::qWaitForWindowExposed(&fine));
     fine.setScene(scene.get());
-    settle();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !fine.frame().isNull(); }));  // drawn when idle
     EXPECT_EQ(fine.frame().size(), QSize(1000, 800));
     EXPECT_EQ(fine.frame().devicePixelRatio(), 2.0);
     EXPECT_EQ(fine.renderWindow().GetDPI(), 72) << "not by VTK as well";
