@@ -1,5 +1,7 @@
 #include "tests/support/EventLoopWatchdog.h"
 
+#include "tests/support/MachineSpeed.h"
+
 #include <QCoreApplication>
 #include <QEvent>
 #include <QObject>
@@ -76,7 +78,8 @@ private:
 };
 
 EventLoopWatchdog::EventLoopWatchdog()
-    : answers_(std::make_unique<Answer>(*this))
+    : slowness_(machineSlowness())
+    , answers_(std::make_unique<Answer>(*this))
     , watchedThread_(static_cast<int>(syscall(SYS_gettid)))
     , thread_([this] { watch(); }) {}
 
@@ -137,6 +140,10 @@ void EventLoopWatchdog::enter(const std::string& step) {
 std::vector<BlockedStretch> EventLoopWatchdog::longest() const {
     const std::lock_guard lock(mutex_);
     return longest_;
+}
+
+double EventLoopWatchdog::longestBlock() const {
+    return kLongestBlock * std::max(slowness_, machineSlowness());
 }
 
 std::string tableOf(const std::vector<BlockedStretch>& stretches) {

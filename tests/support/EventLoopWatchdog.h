@@ -11,8 +11,8 @@
 
 namespace asperity::test {
 
-/// What a window may compute in one go [s]; a sanitizer's own code takes two to three times as
-/// long.
+/// What a window may compute in one go on an idle machine [s]; a sanitizer's own code takes two to
+/// three times as long.
 inline constexpr double kLongestBlock = kSanitized ? 0.3 : 0.1;
 /// What it may take in one go with what it waits for: part of that may be another program's load.
 inline constexpr double kLongestWait = 5.0 * kLongestBlock;
@@ -42,6 +42,8 @@ public:
     /// The longest stretch of each step so far, in their order. The loop must have answered since:
     /// let it run for a moment first.
     [[nodiscard]] std::vector<BlockedStretch> longest() const;
+    /// kLongestBlock on the machine as slow as it was at the beginning or is now [s].
+    [[nodiscard]] double longestBlock() const;
 
 private:
     class Answer;
@@ -51,6 +53,7 @@ private:
     bool waitForAnswer();
     void keep(const BlockedStretch& stretch);
 
+    double slowness_;                  ///< at the beginning, see machineSlowness()
     std::unique_ptr<Answer> answers_;  ///< lives in the watched thread
     int watchedThread_;                ///< its number in the kernel
     mutable std::mutex mutex_;
