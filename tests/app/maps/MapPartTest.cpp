@@ -65,14 +65,14 @@ TEST(MapPart, DropsARowThatIsDamagedAndNoOther) {
     }
     const std::string whole = test::contentOf(scratch.file("part"));
     const std::size_t record = (whole.size() - whole.find('\n') - 1) / 2;
-    const auto damagedAt = [&](std::size_t place) {
+    const auto damagedAt = [&](std::size_t place, const char* name) {
         std::string bytes = whole;
         bytes[place] = static_cast<char>(bytes[place] ^ 1);
-        return MapPart(scratch.write("damaged", bytes), kPlan, "key", PartUse::Resume);
+        return MapPart(scratch.write(name, bytes), kPlan, "key", PartUse::Resume);
     };
-    const MapPart last = damagedAt(whole.size() - 1);
+    const MapPart last = damagedAt(whole.size() - 1, "last");
     EXPECT_TRUE(last.has(1) && !last.has(3));
-    const MapPart first = damagedAt(whole.size() - record - 1);
+    const MapPart first = damagedAt(whole.size() - record - 1, "first");
     EXPECT_TRUE(!first.has(1) && first.has(3));
 }
 
