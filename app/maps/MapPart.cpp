@@ -102,8 +102,9 @@ void MapPart::open(const std::string& head, PartUse use) {
 
 std::uint64_t MapPart::takeRecords(const std::string& head) {
     const FileDescriptor file = opened(path_);
-    std::string found(std::min<std::uintmax_t>(head.size(), std::filesystem::file_size(path_)),
-                      '\0');
+    std::error_code ignored;  // what has no size is read in vain, too
+    std::string found(
+        std::min<std::uintmax_t>(head.size(), std::filesystem::file_size(path_, ignored)), '\0');
     if (!readAt(file.get(), 0, found) || !head.starts_with(found)) {
         throw Error(path_.string() + ": holds rows of another map: scene, scan, options or version "
                                      "of the program differ");
