@@ -14,6 +14,7 @@ namespace asperity {
 namespace {
 
 using testing::HasSubstr;
+using testing::Not;
 
 constexpr int kPixels = 16;  // a side
 
@@ -121,6 +122,15 @@ TEST_F(MapCompare, SaysWhatIsNotDefined) {
             "level.gwy");
     ASSERT_EQ(level.exitCode, 0) << level.output;
     EXPECT_THAT(level.output, HasSubstr("the predicted map is constant"));
+}
+
+TEST_F(MapCompare, DoubtsMeansThatAreFarApart) {
+    write("weak.gwy", mapOf([](int row, int column) { return 1e-3 * hills(row, column) + 5e-12; }),
+          "Adhesion", "N");
+    EXPECT_THAT(compare("weak.gwy", "--channel Adhesion").output, HasSubstr("are far apart"));
+    EXPECT_THAT(
+        run("same.gwy", "--compare " + fileOf("before.gwy") + " --channel 'adhesion force'").output,
+        Not(HasSubstr("far apart")));
 }
 
 TEST_F(MapCompare, RefusesInOneSentence) {
