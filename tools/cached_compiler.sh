@@ -13,7 +13,8 @@ for argument in "$@"; do
     # VTK's, a header: it is found from the checkout's top folder, too.
     -D*_AUTOINIT_INCLUDE=*) command+=("${argument//"$top/"/}") ;;
     -D*) command+=("$argument") ;;
-    *) command+=("${argument//"$top"/"$up"}") ;;
+    "$top"* | -*"$top"*) command+=("${argument/"$top"/"$up"}") ;;
+    *) command+=("$argument") ;; # a path inside of a relative one, too
     esac
 done
 
