@@ -15,11 +15,11 @@ struct SiScale {
     std::string unit;     ///< "nm", "µN"; UTF-8
 };
 
-/// The prefix (femto to tera) that shows `magnitude` to three digits as 1.00 ... 999.
+/// The prefix (atto to tera) that shows `magnitude` to three digits as 1.00 ... 999.
 /// Zero and values that are not finite keep the bare unit.
 [[nodiscard]] inline SiScale siScaleFor(double magnitude, std::string_view unit) {
-    static constexpr int kMin = -5;
-    static constexpr std::array<const char*, 10> kPrefixes = {"f", "p", "n", "µ", "m",
+    static constexpr int kMin = -6;
+    static constexpr std::array<const char*, 11> kPrefixes = {"a", "f", "p", "n", "µ", "m",
                                                               "",  "k", "M", "G", "T"};
     int power = 0;
     if (std::isfinite(magnitude) && magnitude != 0.0) {

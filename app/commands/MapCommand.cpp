@@ -55,18 +55,14 @@ std::size_t comparedCount(const MapOptions& options) {
 /// All files that a map writes.
 std::vector<std::filesystem::path> targetsOf(const MapOptions& options, const MapFiles& files,
                                              const MapPlan& plan) {
-    std::vector<std::filesystem::path> targets{files.gwy(), files.vti(), files.exr()};
+    std::vector<std::filesystem::path> targets = filesOf(files, plan, !options.noPictures);
     if (isCompared(options)) {
         targets.push_back(files.comparison());
     }
-    if (options.noPictures) {
-        return targets;
-    }
-    for (int sheet = 1; sheet <= sheetCount(plan); ++sheet) {
-        targets.push_back(files.sheet(sheet));
-    }
-    for (std::size_t sheet = 1; sheet <= comparedCount(options); ++sheet) {
-        targets.push_back(files.comparisonSheet(static_cast<int>(sheet)));
+    if (!options.noPictures) {
+        for (std::size_t sheet = 1; sheet <= comparedCount(options); ++sheet) {
+            targets.push_back(files.comparisonSheet(static_cast<int>(sheet)));
+        }
     }
     return targets;
 }

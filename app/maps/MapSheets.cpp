@@ -52,8 +52,8 @@ SheetMap sheetMap(const MapPlan& plan, const std::string& name, const char* unit
                  .unit = unit,
                  .columns = (plan.grid.columns + stride - 1) / stride,
                  .rows = (plan.grid.rows + stride - 1) / stride,
-                 .aspect = (plan.region.right - plan.region.left) /
-                           (plan.region.top - plan.region.bottom),
+                 .width = plan.region.right - plan.region.left,
+                 .height = plan.region.top - plan.region.bottom,
                  .values = {}};
     std::vector<double> values(static_cast<std::size_t>(plan.grid.columns));
     for (int drawn = 0; drawn < plan.grid.rows; drawn += stride) {
@@ -66,8 +66,14 @@ SheetMap sheetMap(const MapPlan& plan, const std::string& name, const char* unit
     return map;
 }
 
-int sheetCount(const MapPlan& plan) {
-    return static_cast<int>((shownOf(plan).size() + kMapsPerSheet - 1) / kMapsPerSheet);
+std::vector<std::filesystem::path> filesOf(const MapFiles& files, const MapPlan& plan,
+                                           bool withSheets) {
+    std::vector<std::filesystem::path> all{files.gwy(), files.vti(), files.exr()};
+    const std::size_t drawn = withSheets ? shownOf(plan).size() : 0;
+    for (std::size_t first = 0; first < drawn; first += kMapsPerSheet) {
+        all.push_back(files.sheet(static_cast<int>(1 + (first / kMapsPerSheet))));
+    }
+    return all;
 }
 
 void writeMapSheets(const MapFiles& files, const MapPlan& plan, const MapPart& part) {

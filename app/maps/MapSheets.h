@@ -4,12 +4,16 @@
 #include "app/maps/MapFiles.h"
 #include "vtkplugins/pictures/MapSheet.h"
 
+#include <filesystem>
 #include <string>
+#include <vector>
 
 namespace asperity {
 
-/// How many sheets of pictures a map has.
-[[nodiscard]] int sheetCount(const MapPlan& plan);
+/// All files of a map but those of a comparison.
+/// @param withSheets whether pictures are drawn
+[[nodiscard]] std::vector<std::filesystem::path> filesOf(const MapFiles& files, const MapPlan& plan,
+                                                         bool withSheets);
 
 /// A map as a sheet shows it, thinned to at most 1024 pixels along each side.
 [[nodiscard]] SheetMap sheetMap(const MapPlan& plan, const std::string& name, const char* unit,

@@ -12,8 +12,6 @@
 
 #include <QFile>
 
-#include <vector>
-
 namespace asperity {
 
 namespace {
@@ -22,17 +20,9 @@ QString textOf(const std::filesystem::path& path) {
     return QString::fromStdString(printable(path.string()));
 }
 
-std::vector<std::filesystem::path> filesOf(const MapFiles& files, const MapPlan& plan) {
-    std::vector<std::filesystem::path> all{files.gwy(), files.vti(), files.exr()};
-    for (int sheet = 1; sheet <= sheetCount(plan); ++sheet) {
-        all.push_back(files.sheet(sheet));
-    }
-    return all;
-}
-
 /// @throw Error where a file is an input of the scene, or cannot be written
 void requireTargets(const HeldMap& map, const MapFiles& files) {
-    for (const std::filesystem::path& target : filesOf(files, map.plan())) {
+    for (const std::filesystem::path& target : filesOf(files, map.plan(), true)) {
         forEachFile(map.loaded().scene.description, [&target](const std::string& input) {
             std::error_code none;
             if (std::filesystem::equivalent(input, target, none)) {
@@ -76,7 +66,7 @@ void ForceMapSaving::saveTo(const std::shared_ptr<const HeldMap>& map,
         return;
     }
     const MapFiles files(path);
-    for (const std::filesystem::path& file : filesOf(files, map->plan())) {
+    for (const std::filesystem::path& file : filesOf(files, map->plan(), true)) {
         std::error_code none;
         if (file != path && std::filesystem::exists(file, none)) {  // the dialog asked for that one
             askWhether(&window_,

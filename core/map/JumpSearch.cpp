@@ -54,12 +54,21 @@ std::optional<TipJump> jumpOfLaw(const VerticalPath& path, const TipState& state
     return way == Way::Down ? snapInOf(law, compliance) : pullOffOf(law, compliance);
 }
 
-/// The heights between which the tip changes, 0.1 pm apart.
-FoundJump narrowed(VerticalPath& path, TipAtHeight before, TipAtHeight after) {
+/// The last height at which the tip is as before, and in equilibrium.
+/// @param lost a height at which it is not any more
+FoundJump narrowed(VerticalPath& path, TipAtHeight before, double lost, TipAtHeight after) {
     const bool wasBonded = before.isBonded();
-    for (int i = 0; i < kMaxHalvings && std::abs(after.base - before.base) > kResolution; ++i) {
-        TipAtHeight middle = path.at(std::midpoint(before.base, after.base), before.memory);
-        (middle.isBonded() == wasBonded ? before : after) = std::move(middle);
+    for (int i = 0; i < kMaxHalvings && std::abs(lost - before.base) > kResolution; ++i) {
+        TipAtHeight middle = path.at(std::midpoint(before.base, lost), before.memory);
+        const bool changed = middle.isBonded() != wasBonded;
+        if (middle.state.converged && !changed) {
+            before = std::move(middle);
+            continue;
+        }
+        lost = middle.base;
+        if (changed) {
+            after = std::move(middle);
+        }
     }
     const double base = before.base;
     return {std::move(before), std::move(after), base, false, std::nullopt};
@@ -69,7 +78,8 @@ FoundJump narrowed(VerticalPath& path, TipAtHeight before, TipAtHeight after) {
 /// the jump, there is no need to go there.
 FoundJump jumpBetween(VerticalPath& path, TipAtHeight before, TipAtHeight after, Way way) {
     if (!isOfOnePoint(before, after)) {
-        return narrowed(path, std::move(before), std::move(after));
+        const double lost = after.base;
+        return narrowed(path, std::move(before), lost, std::move(after));
     }
     const double base = before.base + (static_cast<double>(way) * wayToJump(path, before, way));
     const std::optional<TipJump> exact = jumpOfLaw(path, before.state, way);
@@ -84,6 +94,8 @@ std::optional<FoundJump> findJump(VerticalPath& path, TipAtHeight now, Way way, 
     const bool wasBonded = now.isBonded();
     double push = 2.0 * kNear;
     int corrections = 0;
+    TipAtHeight found = now;  // the last one in equilibrium
+    double lost = now.base;   // the next height, at which there was none
     for (int i = 0; i < kMaxSteps; ++i) {
         visit(now);
         double step = stepTowards(wayToJump(path, now, way), maxStep);
@@ -94,7 +106,13 @@ std::optional<FoundJump> findJump(VerticalPath& path, TipAtHeight now, Way way, 
         }
         TipAtHeight next = path.at(now.base + (static_cast<double>(way) * step), now.memory);
         if (next.isBonded() != wasBonded) {
-            return jumpBetween(path, std::move(now), std::move(next), way);
+            // A lever that bends to the side lets the tip go before the law at one place does.
+            return now.state.converged ? jumpBetween(path, std::move(now), std::move(next), way)
+                                       : narrowed(path, std::move(found), lost, std::move(next));
+        }
+        if (now.state.converged && !next.state.converged) {
+            found = now;
+            lost = next.base;
         }
         now = std::move(next);
     }

@@ -9,12 +9,13 @@
 namespace asperity {
 
 /// Where the tip changes between free and bonded. On one contact point the contact law knows the
-/// jump: `before` is 20 pm away from it; else `before` and `after` are 0.1 pm apart.
+/// jump: `before` is 20 pm away from it. On several, or where a lever that bends to the side loses
+/// the equilibrium first, `before` is the last equilibrium to 0.1 pm and `after` lies beyond it.
 struct FoundJump {
     TipAtHeight before;
     TipAtHeight after;
-    double base = 0.0;  ///< height of the base where it jumps [m]
-    bool ofOnePoint = true;
+    double base = 0.0;       ///< height of the base where it jumps [m]
+    bool ofOnePoint = true;  ///< and its law has the jump
     /// On one contact point the contact law's own jump at this place, without the error of the
     /// search; none: the force does not jump.
     std::optional<TipJump> exact;

@@ -137,6 +137,33 @@ private:
         }
         addPoints({known.data(), known.size()}, memory);
         followSample();
+        const Vector3 left = memory.tip - base_.position;
+        const bool isNear = (left - deflection_).norm() <= kSameSlot * system_.tipRadius();
+        if (points_.size() > 1 && isNear) {
+            recallForces(left);
+        }
+    }
+
+    /// What each point bore where the tip was left. The first one to be settled would else have to
+    /// bear all that the lever pulls, and would let go where they hold the tip together.
+    /// @param left deflection that leaves the tip there [m]
+    void recallForces(const Vector3& left) {
+        constexpr double kHeld = 0.0;  // compliance [m/N]
+        const bool isBonded = std::ranges::any_of(points_, [](const TipContactPoint& closest) {
+            return closest.memory.contact.branch == ContactBranch::Bonded;
+        });
+        if (!isBonded) {
+            return;
+        }
+        deflection_ = left;
+        for (TipContactPoint& closest : points_) {
+            closest.place = surface_.localClosestPoint(center(), closest.place.guess());
+            closest.slip = slidingOf(closest.place.normal, base_.velocity).slip();
+            closest.contact = closest.model.equilibrium(
+                system_.tipRadius() - closest.place.distance, kHeld, closest.memory.contact);
+            closest.force = closest.contact.force * closest.place.normal +
+                            closest.memory.friction * closest.slip;
+        }
     }
 
     /// Where the tip has moved by much since the last look, there may be closest points that nobody
@@ -327,6 +354,7 @@ private:
 
     void remember(EquilibriumMemory& memory) const {
         memory.deflection = deflection_;
+        memory.tip = state_.tip;
         memory.pointCount = 0;
         for (const TipContactPoint& closest : points_) {
             const bool isFar = closest.contact.branch == ContactBranch::Far &&
@@ -378,6 +406,7 @@ TipState heldTip(const SampleSurface& surface, const ProbeSystem& system, const 
     }
     EquilibriumMemory held = memory;
     held.deflection.setZero();
+    held.tip = tip.position;
     const Matrix3 rigid = Matrix3::Zero();
     return Balance(surface, system, tip, rigid, tracker).solve(held);
 }

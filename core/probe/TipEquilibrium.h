@@ -31,6 +31,7 @@ struct EquilibriumMemory {
     std::array<ClosestPointMemory, kMaxContactPoints> points{};
     std::size_t pointCount = 0;            ///< 0: nothing is known yet
     Vector3 deflection = Vector3::Zero();  ///< of the tip, lab frame [m]
+    Vector3 tip = Vector3::Zero();         ///< apex, where the points were left, lab frame [m]
 };
 
 /// The tip in quasi-static equilibrium between lever and sample; lab frame. In a valley that the

@@ -25,7 +25,8 @@ SheetMap halves() {
             .unit = "N",
             .columns = 2,
             .rows = 2,
-            .aspect = 1.0,
+            .width = 1e-6,
+            .height = 1e-6,
             .values = {1e-9, 3e-9, 1e-9, kNoData}};
 }
 

@@ -103,7 +103,7 @@ void ForceMapForm::addParts() {
     auto* grid = new QGridLayout(this);
     grid->setContentsMargins(0, 0, 0, 0);
     grid->setHorizontalSpacing(6);
-    grid->setVerticalSpacing(3);
+    grid->setVerticalSpacing(2);
     const auto add = [&](const QString& name, QWidget* first, const QString& between,
                          QWidget* second) {
         const int row = grid->rowCount();

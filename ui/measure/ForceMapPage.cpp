@@ -72,8 +72,8 @@ ForceMapPage::ForceMapPage(QWidget* parent)
     middle->addWidget(form_);
     middle->addWidget(pixel_, 1);
     auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(6, 4, 6, 4);
-    column->setSpacing(4);
+    column->setContentsMargins(6, 2, 6, 2);
+    column->setSpacing(3);
     column->addWidget(newBar());
     column->addLayout(middle, 1);
     connectParts();

@@ -8,7 +8,7 @@ namespace asperity {
 
 namespace {
 
-constexpr int kValueWidth = 120;  ///< least [px]
+constexpr int kValueWidth = 80;  ///< least [px]
 
 }  // namespace
 

@@ -1,9 +1,11 @@
 #include "vtkplugins/pictures/MapSheet.h"
 
 #include "core/Error.h"
+#include "core/SiFormat.h"
 #include "vtkplugins/pictures/ChartPanel.h"
 #include "vtkplugins/pictures/ColorBar.h"
 #include "vtkplugins/pictures/OffscreenPicture.h"
+#include "vtkplugins/pictures/Ticks.h"
 
 #include <vtkLookupTable.h>
 
@@ -23,12 +25,14 @@ constexpr int kTitle = 56;
 constexpr double kEdge = 20.0;
 constexpr double kBar = 52.0;
 
-/// Never empty.
+/// Never empty: a map of one value has it in the middle of a range that ticks can tell.
 CentralRange colorsOf(const SheetMap& map) {
+    constexpr double kOneValue = 1e-6;  // that the values differ by, relatively
+    constexpr double kAround = 0.1;
     CentralRange range = map.range ? *map.range : centralRange(map.values);
-    const double least = 1e-6 * std::max(std::abs(range.low), std::abs(range.high));
-    if (range.high - range.low <= least) {
-        const double around = least > 0.0 ? least : 1.0;
+    const double largest = std::max(std::abs(range.low), std::abs(range.high));
+    if (range.high - range.low <= kOneValue * largest) {
+        const double around = largest > 0.0 ? kAround * largest : 1.0;
         range = {range.low - around, range.high + around};
     }
     return range;
@@ -58,6 +62,7 @@ public:
 
     void paint(Painter& painter) const {
         painter.image(place(), image());
+        paintScaleBar(painter);
         drawColorBar(painter,
                      {.quantity = map_.quantity,
                       .unit = map_.unit,
@@ -72,10 +77,32 @@ private:
     [[nodiscard]] PixelRect place() const {
         const PixelRect room{area_.left + kEdge, area_.bottom + kBar + kEdge,
                              area_.width - 2.0 * kEdge, area_.height - kBar - 2.0 * kEdge};
-        const double width = std::min(room.width, room.height * map_.aspect);
-        const double height = width / map_.aspect;
+        const double aspect = map_.width / map_.height;
+        const double width = std::min(room.width, room.height * aspect);
+        const double height = width / aspect;
         return {room.left + 0.5 * (room.width - width), room.bottom + room.height - height, width,
                 height};
+    }
+
+    /// On a plate in the lower left corner.
+    void paintScaleBar(Painter& painter) const {
+        constexpr double kShare = 0.3;  // of the width, at most
+        constexpr double kMargin = 8.0;
+        constexpr double kText = 24.0;  // height of its line
+        const PixelRect map = place();
+        const double length = niceBelow(kShare * map_.width);
+        const double pixels = length / map_.width * map.width;
+        const std::string text = formatSi(length, "m");
+        const TextStyle style{.size = 15.0, .align = Align::Center};
+        const double width = std::max(pixels, painter.textWidth(text, style)) + 2.0 * kMargin;
+        const PixelRect plate{map.left + kMargin, map.bottom + kMargin, width, kText + kMargin};
+        if (plate.right() > map.right() || plate.top() > map.top()) {  // a map of some lines
+            return;
+        }
+        painter.fill(plate, kLightPalette.paper, 0.82);
+        const double middle = plate.left + 0.5 * width;
+        painter.text({middle, plate.top() - 0.5 * kText}, text, style);
+        painter.fill({middle - 0.5 * pixels, plate.bottom + 5.0, pixels, 3.0}, kLightPalette.ink);
     }
 
     [[nodiscard]] RasterImage image() const {
@@ -110,7 +137,8 @@ void check(std::span<const SheetMap> maps) {
     for (const SheetMap& map : maps) {
         const auto pixels =
             static_cast<std::size_t>(map.columns) * static_cast<std::size_t>(map.rows);
-        if (map.columns < 1 || map.rows < 1 || map.values.size() != pixels || !(map.aspect > 0.0)) {
+        if (map.columns < 1 || map.rows < 1 || map.values.size() != pixels || !(map.width > 0.0) ||
+            !(map.height > 0.0)) {
             throw Error("The map \"" + map.quantity +
                         "\" cannot be drawn: it needs one value for each pixel.");
         }

@@ -24,15 +24,16 @@ struct SheetMap {
     std::string unit;      ///< SI unit of the values; empty: numbers
     int columns = 0;
     int rows = 0;
-    double aspect = 1.0;         ///< width over height of the mapped area
+    double width = 1e-6;         ///< of the mapped area [m]
+    double height = 1e-6;        ///< likewise
     std::vector<double> values;  ///< row by row, the top row first; NaN: no data
     bool isSigned = false;       ///< colors diverge from zero
     /// That colors span; none: the central range of the values.
     std::optional<CentralRange> range{};
 };
 
-/// Draws up to six maps side by side, each with its color bar. Pixels without data are gray.
-/// The same maps give the same bytes.
+/// Draws up to six maps side by side, each with its color bar and a scale bar. Pixels without data
+/// are gray. The same maps give the same bytes.
 /// @param chart takes what is left of the last row of three, or a row of its own; null: none
 /// @throw Error when there is no map or a map has another number of values than rows times columns,
 ///        no display answers, or the file cannot be written

@@ -7,13 +7,6 @@
 
 namespace asperity {
 
-SiScale scaleOf(double largest, const std::string& unit) {
-    constexpr double kFemto = 1e-15;
-    const double magnitude = std::abs(largest);
-    return magnitude > 0.0 && magnitude < 0.9995 * kFemto ? SiScale{1e18, "a" + unit}
-                                                          : siScaleFor(magnitude, unit);
-}
-
 std::string numberText(double value, const SiScale& scale) {
     if (value == 0.0) {
         return "0";  // never "-0"
@@ -39,7 +32,7 @@ std::string measuredText(const Reading& reading, const SiScale& scale) {
 }
 
 std::string measuredText(const Reading& reading, const std::string& unit) {
-    const SiScale scale = scaleOf(reading.value, unit);
+    const SiScale scale = siScaleFor(reading.value, unit);
     const std::string text = measuredText(reading, scale);
     const bool hasSigma = text.find("±") != std::string::npos;
     return hasSigma ? "(" + text + ") " + scale.unit : text + " " + scale.unit;

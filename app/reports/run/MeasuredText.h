@@ -7,9 +7,6 @@
 
 namespace asperity {
 
-/// The prefix (atto to tera) that shows `largest` well; energies of a contact are attojoules.
-[[nodiscard]] SiScale scaleOf(double largest, const std::string& unit);
-
 /// A value to four digits in a given prefix, without unit: "12.34".
 [[nodiscard]] std::string numberText(double value, const SiScale& scale);
 

@@ -57,7 +57,7 @@ MomentScales scalesOf(const std::vector<Moment>& moments) {
             force = std::max({force, std::abs(state.normalForce), std::abs(estimate.value)});
         }
     }
-    return {scaleOf(length, "m"), scaleOf(force, "N")};
+    return {siScaleFor(length, "m"), siScaleFor(force, "N")};
 }
 
 PageTable momentTable(const RunEvents& events) {

@@ -32,7 +32,7 @@ IndexScales scalesOf(const std::vector<IndexedRun>& runs) {
             std::max(energy, run.adhesionWork ? std::abs(run.adhesionWork->reading.value) : 0.0);
         length = std::max(length, run.maxIndentation);
     }
-    return {scaleOf(force, "N"), scaleOf(energy, "J"), scaleOf(length, "m")};
+    return {siScaleFor(force, "N"), siScaleFor(energy, "J"), siScaleFor(length, "m")};
 }
 
 /// Its page has the channel, too.

@@ -83,7 +83,7 @@ SiScale scaleOfColumn(const TouchColumn& column, const std::vector<ContactCycle>
             largest = std::max(largest, std::abs(reading->value));
         }
     }
-    return scaleOf(largest, column.unit);
+    return siScaleFor(largest, column.unit);
 }
 
 std::string remarkOn(const ContactCycle& cycle) {

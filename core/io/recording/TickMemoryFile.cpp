@@ -100,6 +100,7 @@ void listMemory(Memory& memory, const Cell& cell) {
     listVector(cell, "base_", memory.base, "_m");
     listVector(cell, "correction_", memory.correction, "_n");
     listSignals(memory, later);
+    listVector(later, "tip_", memory.model.tip, "_m");
     listVector(cell, "hand_", memory.mapping.device, "_m");
     listCoupling(memory, later);
     listGuide(memory, later);

@@ -160,6 +160,34 @@ TEST(TipEquilibrium, FlanksOfAGrooveShareTheLoad) {
                 1e-3 * state.force.z());
 }
 
+/// Neither flank bears the lever's pull alone: each lets go at its own strongest pull, whatever the
+/// steps in which the base goes up.
+TEST(TipEquilibrium, FlanksOfAGrooveHoldTheTipTogether) {
+    SceneDescription description = test::plainScene();
+    description.sample.material.friction = {};
+    description.probe.azimuth = std::numbers::pi / 2.0;
+    description.probe.thickness = thicknessForStiffness(description.probe, 0.5);
+    const Scene scene = buildScene(description, test::ridgedMap(25.0_nm));
+    for (const double step : {0.02_nm, 0.3_nm}) {
+        SCOPED_TRACE(step);
+        EquilibriumMemory memory;
+        BaseMotion base{.position = {45.0_nm, 64.0_nm, -20.0_nm}};
+        TipState state = tipEquilibrium(scene.surface, scene.belief, base, memory);
+        ASSERT_EQ(state.points, 2);
+        TipState last;
+        while (state.contact.branch == ContactBranch::Bonded && state.converged) {
+            last = state;
+            base.position.z() += step;
+            state = tipEquilibrium(scene.surface, scene.belief, base, memory);
+        }
+        EXPECT_EQ(last.points, 2);
+        const double strongest =
+            contactModelAt(scene.belief, last).lastBonded(kMaxCompliance).force;
+        const double expected = 2.0 * strongest * last.closest.normal.z();
+        EXPECT_NEAR(last.force.z(), expected, 0.02 * std::abs(expected));
+    }
+}
+
 /// Friction that drags the tip deeper faster than a plain fixed point converges, on a steep flank.
 TEST(TipEquilibrium, SlidesDownASteepSlopeUnderStrongFriction) {
     SceneDescription description = test::plainScene();

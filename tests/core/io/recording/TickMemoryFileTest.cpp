@@ -20,6 +20,7 @@ TickMemory someMemory() {
     memory.model.points[1].guess = {.x = 2.0 / 3.0, .y = -1e-7 / 3.0, .valid = true};
     memory.model.pointCount = 2;
     memory.model.deflection = {1e-9 / 3.0, -2e-9, 3e-9};
+    memory.model.tip = {1e-7 / 3.0, -2e-8, 3e-9};
     memory.compensation = {1e-9 / 7.0, 0.0, -2e-9};
     memory.control = PositionControl::Tip;
     memory.base = {0.1, 0.2, 0.3};
@@ -78,6 +79,7 @@ TEST(TickMemoryFile, ReadsBackToTheSameBits) {
         EXPECT_EQ(read.model.points[i].friction, closest.friction);
     }
     EXPECT_EQ(read.model.deflection, written.model.deflection);
+    EXPECT_EQ(read.model.tip, written.model.tip);
     EXPECT_EQ(read.compensation, written.compensation);
     EXPECT_EQ(read.control, written.control);
     EXPECT_EQ(read.base, written.base);

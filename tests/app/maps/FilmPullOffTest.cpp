@@ -1,0 +1,55 @@
+#include "app/program/LoadedScene.h"
+#include "core/map/MapPlan.h"
+#include "core/map/PixelCycle.h"
+#include "tests/core/map/HeldTrace.h"
+#include "tests/support/ShippedScene.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace asperity {
+namespace {
+
+/// Relative, of the pull-off force at each pixel against the trace of a held tip, in rising order.
+std::vector<double> errorsOn(const LoadedScene& loaded, const MapPlan& plan) {
+    const MapInstrument instrument(loaded.scene, false);
+    std::vector<double> errors;
+    for (int row = 0; row < plan.grid.rows; ++row) {
+        for (int column = 0; column < plan.grid.columns; ++column) {
+            VerticalPath path(instrument, plan.place(row, column));
+            const CycleStates states = runCycle(path, plan.setpoint);
+            if (!states.retracted) {
+                errors.push_back(std::numeric_limits<double>::infinity());
+                continue;
+            }
+            const double expected = test::HeldTrace(path, states.engaged->atSetpoint).forceAtTurn();
+            const double error = std::abs(states.retracted->pullOff.forceBefore() / expected - 1.0);
+            errors.push_back(std::isfinite(error) ? error
+                                                  : std::numeric_limits<double>::infinity());
+        }
+    }
+    std::ranges::sort(errors);
+    return errors;
+}
+
+/// Levers that bend to the side, and tips that several walls hold, some of which let go before the
+/// others.
+TEST(FilmPullOff, IsWhereTheLeverLosesItsEquilibrium) {
+    const LoadedScene loaded =
+        loadScene(test::shippedScene("granular_film"), {}, nullptr, ModelFit::Later);
+    const MapPlan plan = planMap(loaded.scene, {.grid = MapGrid{.columns = 16, .rows = 16}});
+    const std::vector<double> errors = errorsOn(loaded, plan);
+    const auto shareBelow = [&errors](double limit) {
+        return static_cast<double>(std::ranges::lower_bound(errors, limit) - errors.begin()) /
+               static_cast<double>(errors.size());
+    };
+    EXPECT_LT(errors[errors.size() / 2], 1e-3);
+    EXPECT_GT(shareBelow(5e-3), 0.95);
+}
+
+}  // namespace
+}  // namespace asperity
