@@ -1,6 +1,7 @@
 #include "core/map/PixelCycle.h"
 
 #include "core/map/DmtFit.h"
+#include "core/map/LoopEnergy.h"
 
 #include <cmath>
 #include <numbers>
@@ -45,6 +46,13 @@ void takeRetract(const RetractCurve& curve, const VerticalPath& path, MapValues&
         dmtModulus(curve.bonded, adhesion, path.instrument().system().tipRadius());
 }
 
+/// The law's own energies of its jumps, without the error of steps; else the area of the loop.
+double dissipatedIn(VerticalPath& path, const FoundJump& snapIn, const RetractCurve& curve) {
+    const FoundJump& pullOff = curve.pullOff;
+    return snapIn.ofOnePoint && pullOff.ofOnePoint ? snapIn.energyLost() + pullOff.energyLost()
+                                                   : loopEnergy(path, snapIn, curve);
+}
+
 /// What the pull-off does not hold for. So near to it an equilibrium may take more steps than there
 /// are, which does not matter where the law knows the jump.
 ValidityFlags pullOffValidity(const MapInstrument& instrument, const FoundJump& pullOff) {
@@ -56,9 +64,13 @@ ValidityFlags pullOffValidity(const MapInstrument& instrument, const FoundJump& 
 }  // namespace
 
 CycleStates runCycle(VerticalPath& path, double setpoint) {
-    CycleStates states{.engaged = engage(path, setpoint), .retracted = std::nullopt};
+    CycleStates states{
+        .engaged = engage(path, setpoint), .retracted = std::nullopt, .dissipated = 0.0};
     if (states.engaged) {
         states.retracted = retract(path, states.engaged->atSetpoint);
+    }
+    if (states.retracted) {
+        states.dissipated = dissipatedIn(path, states.engaged->snapIn, *states.retracted);
     }
     return states;
 }
@@ -76,8 +88,7 @@ MapValues valuesOf(const CycleStates& states, const VerticalPath& path) {
     if (states.retracted) {
         const FoundJump& pullOff = states.retracted->pullOff;
         takeRetract(*states.retracted, path, values);
-        values[MapQuantity::DissipatedEnergy] =
-            states.engaged->snapIn.energyLost() + pullOff.energyLost();
+        values[MapQuantity::DissipatedEnergy] = states.dissipated;
         flags.add(pullOffValidity(instrument, pullOff));
     }
     values[MapQuantity::Validity] = flags.bits();

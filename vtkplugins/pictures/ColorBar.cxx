@@ -25,23 +25,27 @@ Color colorOf(vtkLookupTable* table, double value) {
     return {rgb[0], rgb[1], rgb[2]};
 }
 
-/// Round numbers from low to high whose labels do not run into each other. @param length of the
-/// bar, as the labels are sized
+/// Round numbers from low to high whose labels do not run into each other, more than one where
+/// there is room. @param length of the bar, as the labels are sized
 std::vector<double> fittingTicks(Painter& painter, double low, double high, double length,
                                  const TextStyle& style) {
-    int count = std::max(kLeastTicks, static_cast<int>(length / kTickDistance));
-    for (;; --count) {
-        std::vector<double> ticks = niceTicks(low, high, count);
+    const auto areApart = [&](const std::vector<double>& ticks) {
         double widest = 0.0;
         for (const std::string& label : tickLabels(ticks)) {
             widest = std::max(widest, painter.textWidth(label, style));
         }
-        const bool isApart =
-            ticks.size() < 2 || (ticks[1] - ticks[0]) / (high - low) * length >= widest + kBetween;
-        if (isApart || count == 1) {
-            return ticks;
-        }
+        return ticks.size() < 2 ||
+               (ticks[1] - ticks[0]) / (high - low) * length >= widest + kBetween;
+    };
+    int count = std::max(kLeastTicks, static_cast<int>(length / kTickDistance));
+    std::vector<double> ticks = niceTicks(low, high, count);
+    while (ticks.size() < 2 && count < 2 * kLeastTicks) {
+        ticks = niceTicks(low, high, ++count);
     }
+    while (!areApart(ticks) && count > 1) {
+        ticks = niceTicks(low, high, --count);
+    }
+    return ticks;
 }
 
 }  // namespace
