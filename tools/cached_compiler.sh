@@ -13,8 +13,8 @@ for argument in "$@"; do
     # VTK's, a header: it is found from the checkout's top folder, too.
     -D*_AUTOINIT_INCLUDE=*) command+=("${argument//"$top/"/}") ;;
     -D*) command+=("$argument") ;;
-    "$top"* | -*"$top"*) command+=("${argument/"$top"/"$up"}") ;;
-    *) command+=("$argument") ;; # a path inside of a relative one, too
+    "$top"/* | -[A-Z]"$top" | -[A-Z]"$top"/* | -*="$top"/*) command+=("${argument/"$top"/"$up"}") ;;
+    *) command+=("$argument") ;; # a path inside of another one, too
     esac
 done
 

@@ -70,6 +70,10 @@ FoundJump narrowed(VerticalPath& path, TipAtHeight before, double lost, TipAtHei
             after = std::move(middle);
         }
     }
+    TipAtHeight beside = path.at(lost, after.memory);
+    if (beside.isBonded() != wasBonded) {
+        after = std::move(beside);
+    }
     const double base = before.base;
     return {std::move(before), std::move(after), base, false, std::nullopt};
 }
@@ -100,15 +104,22 @@ std::optional<FoundJump> findJump(VerticalPath& path, TipAtHeight now, Way way, 
         visit(now);
         double step = stepTowards(wayToJump(path, now, way), maxStep);
         corrections += step < kNear ? 1 : 0;
-        if (std::abs(step) <= kThere || corrections > kCorrections) {
+        const bool isThere = std::abs(step) <= kThere || corrections > kCorrections;
+        if (isThere) {
             step = push;
             push *= 2.0;
         }
         TipAtHeight next = path.at(now.base + (static_cast<double>(way) * step), now.memory);
         if (next.isBonded() != wasBonded) {
+            if (isThere && now.state.converged) {
+                return jumpBetween(path, std::move(now), std::move(next), way);
+            }
             // A lever that bends to the side lets the tip go before the law at one place does.
-            return now.state.converged ? jumpBetween(path, std::move(now), std::move(next), way)
-                                       : narrowed(path, std::move(found), lost, std::move(next));
+            if (now.state.converged) {
+                found = std::move(now);
+                lost = next.base;
+            }
+            return narrowed(path, std::move(found), lost, std::move(next));
         }
         if (now.state.converged && !next.state.converged) {
             found = now;

@@ -5,11 +5,10 @@
 
 namespace asperity {
 
-/// What snap-in and pull-off dissipate [J]: area between the bonded and the free branch of the
-/// force along z over the base, from the one jump to the other. Of any number of contact points;
-/// trapezoids between the states of the retract. Friction, which makes the way up another one than
-/// the way down, is in it as far as it acts between the jumps.
-[[nodiscard]] double loopEnergy(VerticalPath& path, const FoundJump& snapIn,
+/// What a cycle dissipates [J]: area between its way down and its way up, of the force along z over
+/// the base, from the setpoint to the pull-off. Of any number of contact points, and whatever they
+/// do one after the other; friction is in it. Trapezoids between some 30 states of each way.
+[[nodiscard]] double loopEnergy(VerticalPath& path, const Engagement& engaged,
                                 const RetractCurve& curve);
 
 }  // namespace asperity

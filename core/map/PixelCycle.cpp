@@ -37,7 +37,7 @@ void takeRetract(const RetractCurve& curve, const VerticalPath& path, MapValues&
     const FoundJump& pullOff = curve.pullOff;
     const double pull = -pullOff.forceBefore();
     // A tip that jumps from one wall to another is no state to read a force from.
-    if (pullOff.jumps() && (pull > 0.0 || pullOff.before.state.converged)) {
+    if (pullOff.jumps() && pullOff.before.state.converged) {
         values[MapQuantity::PullOffForce] = pull;
     }
     values[MapQuantity::AdhesionForce] = adhesion;
@@ -46,19 +46,14 @@ void takeRetract(const RetractCurve& curve, const VerticalPath& path, MapValues&
         dmtModulus(curve.bonded, adhesion, path.instrument().system().tipRadius());
 }
 
-/// The law's own energies of its jumps, without the error of steps; else the area of the loop.
-double dissipatedIn(VerticalPath& path, const FoundJump& snapIn, const RetractCurve& curve) {
+/// The law's own energies of its jumps, without the error of steps; of several points, or where the
+/// law does not have the jump, the area of the loop.
+double dissipatedIn(VerticalPath& path, const Engagement& engaged, const RetractCurve& curve) {
+    const FoundJump& snapIn = engaged.snapIn;
     const FoundJump& pullOff = curve.pullOff;
-    return snapIn.ofOnePoint && pullOff.ofOnePoint ? snapIn.energyLost() + pullOff.energyLost()
-                                                   : loopEnergy(path, snapIn, curve);
-}
-
-/// What the pull-off does not hold for. So near to it an equilibrium may take more steps than there
-/// are, which does not matter where the law knows the jump.
-ValidityFlags pullOffValidity(const MapInstrument& instrument, const FoundJump& pullOff) {
-    TipState before = pullOff.before.state;
-    before.converged |= pullOff.exact.has_value();
-    return instrument.validity(before);
+    const bool isOfLaw =
+        snapIn.ofOnePoint && pullOff.ofOnePoint && engaged.atSetpoint.state.points == 1;
+    return isOfLaw ? snapIn.energyLost() + pullOff.energyLost() : loopEnergy(path, engaged, curve);
 }
 
 }  // namespace
@@ -70,7 +65,7 @@ CycleStates runCycle(VerticalPath& path, double setpoint) {
         states.retracted = retract(path, states.engaged->atSetpoint);
     }
     if (states.retracted) {
-        states.dissipated = dissipatedIn(path, states.engaged->snapIn, *states.retracted);
+        states.dissipated = dissipatedIn(path, *states.engaged, *states.retracted);
     }
     return states;
 }
@@ -89,7 +84,7 @@ MapValues valuesOf(const CycleStates& states, const VerticalPath& path) {
         const FoundJump& pullOff = states.retracted->pullOff;
         takeRetract(*states.retracted, path, values);
         values[MapQuantity::DissipatedEnergy] = states.dissipated;
-        flags.add(pullOffValidity(instrument, pullOff));
+        flags.add(instrument.validity(pullOff.before.state));
     }
     values[MapQuantity::Validity] = flags.bits();
     values[MapQuantity::Iterations] = path.solved();

@@ -104,7 +104,7 @@ double separationWork(const RetractCurve& curve) noexcept {
 std::optional<RetractPoint> strongestOfLaw(const VerticalPath& path,
                                            const RetractCurve& curve) noexcept {
     const FoundJump& jump = curve.pullOff;
-    if (!jump.exact || !jump.before.state.converged) {
+    if (!jump.exact) {
         return std::nullopt;
     }
     // Under a lever this soft the tip pulls off where it pulls hardest.

@@ -100,7 +100,9 @@ public:
         , tracker_(tracker) {}
 
     TipState solve(EquilibriumMemory& memory) {
-        deflection_ = memory.deflection;
+        // What several points hold stays where it is when the base moves; else the tip goes with
+        // it.
+        deflection_ = recalls(memory) ? Vector3(memory.tip - base_.position) : memory.deflection;
         findPoints(memory);
         for (int i = 0; i < kMaxSweeps && !state_.converged; ++i) {
             const Vector3 before = deflection_;
@@ -137,27 +139,26 @@ private:
         }
         addPoints({known.data(), known.size()}, memory);
         followSample();
-        const Vector3 left = memory.tip - base_.position;
-        const bool isNear = (left - deflection_).norm() <= kSameSlot * system_.tipRadius();
-        if (points_.size() > 1 && isNear) {
-            recallForces(left);
+        if (recalls(memory)) {
+            recallForces();
         }
     }
 
-    /// What each point bore where the tip was left. The first one to be settled would else have to
+    /// Whether several points hold the tip, and the base has not been moved to other ones.
+    [[nodiscard]] bool recalls(const EquilibriumMemory& memory) const {
+        const auto end = memory.points.begin() + static_cast<std::ptrdiff_t>(memory.pointCount);
+        const Vector3 moved = base_.position - (memory.tip - memory.deflection);
+        return memory.pointCount > 1 && moved.head<2>().norm() <= kSameSlot * system_.tipRadius() &&
+               std::any_of(memory.points.begin(), end, [](const ClosestPointMemory& point) {
+                   return point.contact.branch == ContactBranch::Bonded;
+               });
+    }
+
+    /// What each point bears where the tip was left. The first one to be settled would else have to
     /// bear all that the lever pulls, and would let go where they hold the tip together.
-    /// @param left deflection that leaves the tip there [m]
-    void recallForces(const Vector3& left) {
+    void recallForces() {
         constexpr double kHeld = 0.0;  // compliance [m/N]
-        const bool isBonded = std::ranges::any_of(points_, [](const TipContactPoint& closest) {
-            return closest.memory.contact.branch == ContactBranch::Bonded;
-        });
-        if (!isBonded) {
-            return;
-        }
-        deflection_ = left;
         for (TipContactPoint& closest : points_) {
-            closest.place = surface_.localClosestPoint(center(), closest.place.guess());
             closest.slip = slidingOf(closest.place.normal, base_.velocity).slip();
             closest.contact = closest.model.equilibrium(
                 system_.tipRadius() - closest.place.distance, kHeld, closest.memory.contact);

@@ -5,11 +5,14 @@
 #include "core/io/recording/ColumnList.h"
 #include "core/io/recording/StoredRow.h"
 
+#include <limits>
 #include <string>
 
 namespace asperity {
 
 namespace {
+
+constexpr double kMissing = std::numeric_limits<double>::quiet_NaN();
 
 template <class Memory, class Cell>
 void listModel(Memory& memory, const Cell& cell) {
@@ -131,7 +134,11 @@ TickMemory readTickMemory(const std::filesystem::path& path) {
     }
     TickMemory memory;
     memory.mapping.follows = true;  // there was no clutch
+    memory.model.tip.setConstant(kMissing);
     stored::readCells(table, 0, [&memory](const auto& cell) { listMemory(memory, cell); });
+    if (memory.model.tip.array().isNaN().any()) {
+        memory.model.tip = memory.base + memory.model.deflection;
+    }
     return memory;
 }
 

@@ -30,7 +30,7 @@ void expectEnergyOfTheLaw(double stiffness, const HeightMap& map) {
     ASSERT_TRUE(states.retracted);
     const FoundJump& snapIn = states.engaged->snapIn;
     ASSERT_TRUE(snapIn.exact && states.retracted->pullOff.exact);
-    EXPECT_NEAR(loopEnergy(path, snapIn, *states.retracted), states.dissipated,
+    EXPECT_NEAR(loopEnergy(path, *states.engaged, *states.retracted), states.dissipated,
                 0.01 * states.dissipated);
 }
 

@@ -110,8 +110,8 @@ TEST(TickMemoryFile, ReadsBackToTheSameBits) {
     EXPECT_EQ(read.rearms, written.rearms);
 }
 
-/// Memories from before there was an innovation monitor start it afresh.
-TEST(TickMemoryFile, ReadsAMemoryWithoutInnovations) {
+/// What is read of an earlier program's file, which had no columns that begin so.
+TickMemory readWithout(const std::string& beginning) {
     const test::ScratchFolder folder;
     const std::filesystem::path file = folder.path() / "memory.csv";
     writeTickMemory(file, someMemory());
@@ -119,15 +119,25 @@ TEST(TickMemoryFile, ReadsAMemoryWithoutInnovations) {
     std::string columns;
     std::string row;
     for (const std::string& column : table.columns()) {
-        if (!column.starts_with("innovation_")) {
+        if (!column.starts_with(beginning)) {
             columns += (columns.empty() ? "" : ",") + column;
             row += (row.empty() ? "" : ",") + table.text(0, column);
         }
     }
     std::ofstream(file) << columns << '\n' << row << '\n';
-    const TickMemory read = readTickMemory(file);
+    return readTickMemory(file);
+}
+
+/// Memories from before there was an innovation monitor start it afresh.
+TEST(TickMemoryFile, ReadsAMemoryWithoutInnovations) {
+    const TickMemory read = readWithout("innovation_");
     EXPECT_EQ(read.innovation, InnovationMemory{});
     EXPECT_EQ(read.base, someMemory().base);
+}
+
+TEST(TickMemoryFile, ReadsAMemoryWithoutThePlaceOfTheTip) {
+    const TickMemory read = readWithout("tip_");
+    EXPECT_EQ(read.model.tip, read.base + read.model.deflection);
 }
 
 TEST(TickMemoryFile, RefusesWhatIsNoMemory) {
