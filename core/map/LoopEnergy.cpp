@@ -32,8 +32,8 @@ std::vector<BasePoint> wayUp(const VerticalPath& path, const RetractCurve& curve
     for (const RetractPoint& point : curve.bonded) {
         points.push_back({point.height - (path.complianceZ() * point.force), point.force});
     }
-    std::ranges::sort(points, {},
-                      &BasePoint::base);  // near the jump its search goes back and forth
+    // Near to the jump its search goes back and forth.
+    std::ranges::sort(points, {}, &BasePoint::base);
     return points;
 }
 

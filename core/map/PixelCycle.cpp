@@ -36,7 +36,7 @@ void takeRetract(const RetractCurve& curve, const VerticalPath& path, MapValues&
     const double adhesion = strongestPull(path, curve);
     const FoundJump& pullOff = curve.pullOff;
     const double pull = -pullOff.forceBefore();
-    // A tip that jumps from one wall to another is no state to read a force from.
+    // What is no equilibrium has no force to read.
     if (pullOff.jumps() && pullOff.before.state.converged) {
         values[MapQuantity::PullOffForce] = pull;
     }

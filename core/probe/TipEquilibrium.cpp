@@ -1,9 +1,9 @@
 #include "core/probe/TipEquilibrium.h"
 
-#include "core/contact/EffectiveRadius.h"
 #include "core/contact/Within.h"
 #include "core/probe/ProbeSystem.h"
 #include "core/probe/Sliding.h"
+#include "core/probe/TipContactPoint.h"
 #include "core/surface/closest/ContactPoints.h"
 #include "core/surface/sample/SampleSurface.h"
 
@@ -12,7 +12,6 @@
 #include <algorithm>
 #include <boost/container/static_vector.hpp>
 #include <cmath>
-#include <numbers>
 #include <utility>
 
 namespace asperity {
@@ -21,28 +20,11 @@ namespace {
 
 constexpr int kMaxSweeps = 48;
 constexpr double kPositionTolerance =
-    1e-15;                           // [m]: a millionth of an atom's radius, above rounding
-constexpr double kSamePlace = 1e-6;  // relative change of R_eff, E*, w or mu that needs no new
-                                     // solution
-constexpr double kFlatEnough = 0.1;  // relative change of R_eff that a flat sample may stand for
-constexpr double kReach = 10e-9;     // [m]: attraction across a wider gap is below a piconewton
-constexpr double kSameSlot = 0.25;   // of the tip's radius: a point moves less from tick to tick
-constexpr double kMainPoint = 1.5;   // another point becomes the main one with so much more force
-constexpr double kBears = 1e-3;      // share of the main point's force from which a point counts
-
-/// One closest point with the contact law of its place and the force it bears.
-struct TipContactPoint {
-    ClosestPoint place;
-    ClosestPointMemory memory;
-    ContactModel model;
-    Friction friction;
-    EffectiveRadius radius;
-    ContactState contact;
-    Vector3 slip = Vector3::Zero();
-    Vector3 force = Vector3::Zero();  ///< on the tip, lab frame [N]
-
-    [[nodiscard]] double stiffness() const { return std::max(0.0, contact.stiffness); }
-};
+    1e-15;                          // [m]: a millionth of an atom's radius, above rounding
+constexpr double kReach = 10e-9;    // [m]: attraction across a wider gap is below a piconewton
+constexpr double kSameSlot = 0.25;  // of the tip's radius: a point moves less from tick to tick
+constexpr double kMainPoint = 1.5;  // another point becomes the main one with so much more force
+constexpr double kBears = 1e-3;     // share of the main point's force from which a point counts
 
 /// Whether a place is one from where the contact laws can be asked, whatever lies below it.
 bool isPlace(const Vector3& position) {
@@ -58,35 +40,6 @@ TipState nowhere() {
     return state;
 }
 
-bool differ(double now, double used) { return std::abs(now - used) > kSamePlace * used; }
-
-bool differ(const ContactPair& now, const ContactPair& used) {
-    return differ(now.tipRadius, used.tipRadius) ||
-           differ(now.reducedModulus, used.reducedModulus) ||
-           differ(now.workOfAdhesion, used.workOfAdhesion);
-}
-
-double areaOf(const ContactState& contact) {
-    return std::numbers::pi * contact.contactRadius * contact.contactRadius;
-}
-
-double frictionForce(const Friction& friction, const ContactState& contact) {
-    const double area = areaOf(contact);
-    if (area <= 0.0) {
-        return 0.0;
-    }  // nothing touches
-    return std::max(0.0, friction.coefficient * contact.force + friction.shearStrength * area);
-}
-
-/// A sphere against a curved surface is no sphere against a flat one where the contact is about as
-/// wide as the tip: the exact-sphere laws take the sample as flat.
-EffectiveRadius takenAsFlat(EffectiveRadius curved, double tipRadius) {
-    const bool isCurved = std::abs(curved.radius - tipRadius) > kFlatEnough * tipRadius;
-    return {.radius = tipRadius,
-            .tipFits = curved.tipFits,
-            .anisotropic = curved.anisotropic || isCurved};
-}
-
 /// Search for the tip's place between a lever of given compliance and all its closest points, one
 /// closest point at a time while the others answer to first order.
 class Balance {
@@ -100,8 +53,7 @@ public:
         , tracker_(tracker) {}
 
     TipState solve(EquilibriumMemory& memory) {
-        // What several points hold stays where it is when the base moves; else the tip goes with
-        // it.
+        // Several points hold the tip where it is when the base moves; else it goes with the base.
         deflection_ = recalls(memory) ? Vector3(memory.tip - base_.position) : memory.deflection;
         findPoints(memory);
         for (int i = 0; i < kMaxSweeps && !state_.converged; ++i) {
@@ -157,13 +109,8 @@ private:
     /// What each point bears where the tip was left. The first one to be settled would else have to
     /// bear all that the lever pulls, and would let go where they hold the tip together.
     void recallForces() {
-        constexpr double kHeld = 0.0;  // compliance [m/N]
         for (TipContactPoint& closest : points_) {
-            closest.slip = slidingOf(closest.place.normal, base_.velocity).slip();
-            closest.contact = closest.model.equilibrium(
-                system_.tipRadius() - closest.place.distance, kHeld, closest.memory.contact);
-            closest.force = closest.contact.force * closest.place.normal +
-                            closest.memory.friction * closest.slip;
+            closest.hold(system_.tipRadius(), base_.velocity);
         }
     }
 
@@ -230,30 +177,11 @@ private:
         return memory.points[best];
     }
 
-    /// The law of a sphere needs the curvature, too: to say where the sample is not as flat as it
-    /// takes it.
-    [[nodiscard]] EffectiveRadius radiusAt(const ClosestPoint& place) const {
-        const bool counts = system_.curvature || isSphere(system_.contact.law());
-        const PrincipalCurvatures bend = counts ? place.curvatures : PrincipalCurvatures{};
-        return effectiveRadius(system_.tipRadius(), bend.largest, bend.smallest);
-    }
-
     /// Updates effective radius and material at each closest point; whether one of them changed.
     bool followSample() {
         bool changed = false;
         for (TipContactPoint& closest : points_) {
-            closest.radius = radiusAt(closest.place);
-            if (isSphere(system_.contact.law())) {
-                closest.radius = takenAsFlat(closest.radius, system_.tipRadius());
-            }
-            const ContactPair pair = system_.pairAt(closest.place.point, closest.radius.radius);
-            const Friction friction = system_.frictionAt(closest.place.point);
-            if (differ(pair, closest.model.pair()) ||
-                differ(friction.coefficient, closest.friction.coefficient)) {
-                closest.model = system_.contact.withPair(pair);
-                closest.friction = friction;
-                changed = true;
-            }
+            changed |= closest.followSample(system_);
         }
         return changed;
     }
@@ -299,7 +227,7 @@ private:
         closest.contact = closest.model.equilibrium(approach, slides ? withFriction : along,
                                                     closest.memory.contact);
         closest.memory.contact.coordinate = closest.contact.coordinate;
-        closest.memory.friction = frictionForce(closest.friction, closest.contact);
+        closest.memory.friction = closest.frictionForce();
         closest.force = closest.contact.force * normal + closest.memory.friction * closest.slip;
         deflection_ = lever.offset + lever.compliance * closest.force;
     }
@@ -332,7 +260,7 @@ private:
             state_.points += bears ? 1 : 0;
             normalForce += closest.contact.force * closest.place.normal;
             state_.force += closest.force;
-            state_.contactArea += areaOf(closest.contact);
+            state_.contactArea += closest.area();
             state_.contactRatio = std::max(state_.contactRatio,
                                            closest.contact.contactRadius / closest.radius.radius);
         }

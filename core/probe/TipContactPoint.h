@@ -1,0 +1,33 @@
+#pragma once
+
+#include "core/contact/EffectiveRadius.h"
+#include "core/probe/ProbeSystem.h"
+#include "core/probe/TipEquilibrium.h"
+
+#include <algorithm>
+
+namespace asperity {
+
+/// One closest point of a tip with the contact law of its place and the force it bears.
+struct TipContactPoint {
+    ClosestPoint place;
+    ClosestPointMemory memory;
+    ContactModel model;
+    Friction friction;
+    EffectiveRadius radius;
+    ContactState contact;
+    Vector3 slip = Vector3::Zero();
+    Vector3 force = Vector3::Zero();  ///< on the tip, lab frame [N]
+
+    /// Takes effective radius and material of its place; whether one of them changed.
+    bool followSample(const ProbeSystem& system) noexcept;
+    /// Bears what a tip does that is held where the place was found from.
+    /// @param velocity of the base [m/s]
+    void hold(double tipRadius, const Vector3& velocity) noexcept;
+
+    [[nodiscard]] double stiffness() const noexcept { return std::max(0.0, contact.stiffness); }
+    [[nodiscard]] double area() const noexcept;           ///< of contact [m^2]
+    [[nodiscard]] double frictionForce() const noexcept;  ///< of a sliding tip [N]
+};
+
+}  // namespace asperity
