@@ -52,6 +52,22 @@ TEST_F(MapSheets, ShowPixelsInTheirColorsAndPlaces) {
     EXPECT_NEAR(gray, countOf(image, high[0], high[1], high[2]), 0.05 * gray);
 }
 
+/// 0.2 µm of a map of 1 µm, in its lower left corner.
+TEST_F(MapSheets, HaveAScaleBar) {
+    ASPERITY_NEEDS_DISPLAY();
+    SheetMap map = halves();
+    map.values = {1e-9, 1e-9, 3e-9, 1e-9};  // bright below the bar
+    writeMapSheet(folder / "sheet.png", "A map", std::vector{map});
+    const test::Image image(folder / "sheet.png");
+    int dark = 0;
+    for (int x = 50; x < 250; ++x) {
+        const auto rgb = image.at(x, 86);
+        dark += rgb[0] + rgb[1] + rgb[2] < 200 ? 1 : 0;
+    }
+    constexpr double kMapWidth = 468.0;
+    EXPECT_NEAR(dark, 0.2 * kMapWidth, 3.0);
+}
+
 TEST_F(MapSheets, ShowSignsByColor) {
     ASPERITY_NEEDS_DISPLAY();
     SheetMap map = halves();
