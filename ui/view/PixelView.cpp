@@ -71,6 +71,18 @@ void PixelView::setCoarse(bool coarse) {
     window_->SetSize(size.width(), size.height());
 }
 
+bool PixelView::makeBuffers() {
+    const QSize size = pixels(drawnRatio());
+    hasJustMadeBuffers_ = isVisible() && size != buffers_ && !hasJustMadeBuffers_;
+    if (hasJustMadeBuffers_) {
+        window_->SetSize(size.width(), size.height());
+        renderWindow().Start();
+        renderWindow().End();
+        buffers_ = size;
+    }
+    return hasJustMadeBuffers_;
+}
+
 bool PixelView::drawFrame() {
     if (!isVisible()) {
         return false;
@@ -79,6 +91,7 @@ bool PixelView::drawFrame() {
     const QSize size = pixels(ratio);
     window_->SetSize(size.width(), size.height());
     window_->Render();
+    buffers_ = size;
     window_->GetRGBACharPixelData(0, 0, size.width() - 1, size.height() - 1, 0, drawn_);
     const auto values = static_cast<vtkIdType>(4) * size.width() * size.height();
     if (drawn_->GetNumberOfValues() != values) {  // OpenGL could not draw it

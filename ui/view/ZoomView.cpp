@@ -235,6 +235,11 @@ void ZoomView::renderSoon() {
 
 void ZoomView::renderNow() {
     frameDue_.stop();
+    setCoarse(isTurning());
+    if (makeBuffers()) {
+        QTimer::singleShot(0, this, &ZoomView::renderNow);
+        return;
+    }
     if (std::exchange(contactDue_, false)) {
         picture_.showSample(camera_, isDragging());
     }
@@ -243,7 +248,6 @@ void ZoomView::renderNow() {
         picture_.showTerrain(camera_, isMoving ? TerrainDetail::Coarse : TerrainDetail::Fine);
     }
     picture_.cache().setEnabled(cacheEnabled_ && !isTurning());
-    setCoarse(isTurning());
     picture_.showLabels(camera_, height(), drawnRatio());
     if (drawFrame()) {
         Q_EMIT frameRendered();
