@@ -1,6 +1,6 @@
 #include "app/maps/MapKey.h"
 
-#include "core/Version.h"
+#include "app/program/ProgramParts.h"
 #include "core/io/FileHash.h"
 #include "core/io/TextValue.h"
 #include "core/io/scene/SceneFile.h"
@@ -31,7 +31,7 @@ std::string mapKey(const LoadedScene& loaded, const MapPlan& plan) {
     forEachFile(scene, [](std::string& file) { file.clear(); });  // contents count, not places
     Sha256 hash;
     for (const std::string& part :
-         {std::string(kVersion), loaded.sha256, sceneText(scene), textOf(plan)}) {
+         {versionWithCommit(), loaded.sha256, sceneText(scene), textOf(plan)}) {
         hash.add(part + "\n");
     }
     return hash.digits();

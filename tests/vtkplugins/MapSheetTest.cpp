@@ -37,6 +37,20 @@ int countOf(const test::Image& image, int red, int green, int blue) {
     });
 }
 
+/// Of the color bar of a sheet with one map.
+int ticksOf(const test::Image& image) {
+    constexpr int kBelowBar = 31;  // where ticks are drawn, and no labels [pixel]
+    int ticks = 0;
+    bool wasTick = false;
+    for (int x = 0; x < image.width(); ++x) {
+        const auto rgb = image.at(x, kBelowBar);
+        const bool isTick = rgb[0] + rgb[1] + rgb[2] < 700;
+        ticks += isTick && !wasTick ? 1 : 0;
+        wasTick = isTick;
+    }
+    return ticks;
+}
+
 }  // namespace
 
 TEST_F(MapSheets, ShowPixelsInTheirColorsAndPlaces) {
@@ -50,6 +64,35 @@ TEST_F(MapSheets, ShowPixelsInTheirColorsAndPlaces) {
     EXPECT_NEAR(image.at(400, 200)[0], 190, 2) << "no data is gray";
     const int gray = countOf(image, 190, 190, 190);
     EXPECT_NEAR(gray, countOf(image, high[0], high[1], high[2]), 0.05 * gray);
+}
+
+TEST_F(MapSheets, HaveTwoTicksOrMoreOnEachColorBar) {
+    ASPERITY_NEEDS_DISPLAY();
+    SheetMap map = halves();
+    for (const CentralRange& range :
+         {CentralRange{1.28e-9, 1.41e-9}, {0.0, 9e-9}, {1.05e-9, 1.66e-9}, {7.7e-10, 1.9e-9}}) {
+        map.range = range;
+        writeMapSheet(folder / "sheet.png", "A map", std::vector{map});
+        EXPECT_GE(ticksOf(test::Image(folder / "sheet.png")), 2) << range.low << " " << range.high;
+    }
+}
+
+/// Else its bar would go from a value to the same value.
+TEST_F(MapSheets, ShowAMapOfOneValueInTheMiddleOfARange) {
+    ASPERITY_NEEDS_DISPLAY();
+    const auto drawn = [&](const SheetMap& map) {
+        writeMapSheet(folder / "sheet.png", "A map", std::vector{map});
+        return test::Image(folder / "sheet.png");
+    };
+    SheetMap map = halves();
+    map.values = std::vector(4, 2e-9);
+    const test::Image one = drawn(map);
+    map.range = CentralRange{1.5e-9, 2.5e-9};
+    EXPECT_EQ(one.at(280, 300), drawn(map).at(280, 300)) << "the middle of the colors";
+    EXPECT_GE(ticksOf(one), 2);
+    map.range.reset();
+    map.values = std::vector(4, 0.0);
+    EXPECT_GE(ticksOf(drawn(map)), 2) << "zero everywhere";
 }
 
 /// 0.2 µm of a map of 1 µm, in its lower left corner.
