@@ -74,6 +74,7 @@ void requireTargets(const MapOptions& options, const MapFiles& files, const MapP
     if (useOf(options) == PartUse::New) {
         requireNoPart(files.part());
     }
+    requireWritable(files.part());
     std::vector<std::string> inputs{options.scene, options.compare};
     forEachFile(scene, [&inputs](const std::string& file) { inputs.push_back(file); });
     std::error_code none;
@@ -177,9 +178,10 @@ std::string speedText(const MapPlan& plan, int rows, double seconds) {
 [[noreturn]] void endCanceled(const MpiJob& job, const MapFiles& files, const MapPart& part) {
     const std::string count =
         formatted("canceled: %d of %d rows are in ", part.count(), part.rows());
-    throw Error(job.isAlone() ? count + files.gwy().string() +
-                                    ", the others hold no data; --resume goes on with the map"
-                              : count + files.part().string() + "; --resume goes on with the map");
+    throw Error(job.hasLauncher()
+                    ? count + files.part().string() + "; --resume goes on with the map"
+                    : count + files.gwy().string() +
+                          ", the others hold no data; --resume goes on with the map");
 }
 
 /// Of rank 0, or of the only process.
@@ -206,7 +208,7 @@ void lead(const MapOptions& options, const MpiJob& job) {
     const auto begin = std::chrono::steady_clock::now();
     const bool isWhole = compute(options, job, loaded.scene, plan, part);
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
-    if (isWhole || job.isAlone()) {
+    if (isWhole || !job.hasLauncher()) {
         writeAll(files, input, std::move(measured), part, !options.noPictures);
     }
     if (!isWhole) {

@@ -21,6 +21,17 @@ CLI::Validator gridText() {
             "WxH"};
 }
 
+CLI::Validator meters() {
+    return {[](const std::string& text) {
+                const std::optional<double> number = parseNumber(text);
+                return number && std::isfinite(*number)
+                           ? std::string()
+                           : "expected x0,y0,x1,y1 in meters, such as 0,0,1e-7,1e-7, not '" + text +
+                                 "'";
+            },
+            ""};
+}
+
 CLI::Validator gwyName() {
     return {[](const std::string& text) {
                 return lowerCase(std::filesystem::path(text).extension().string()) == ".gwy"
@@ -55,7 +66,7 @@ void addRequest(CLI::App& command, MapRequest& request) {
             "default: all of it")
         ->delimiter(',')
         ->expected(4)
-        ->check(finiteNumber());
+        ->check(meters());
     addSetpointOption(command, request.setpoint);
     command
         .add_option_function<std::string>(

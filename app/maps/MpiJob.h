@@ -21,6 +21,8 @@ public:
     [[nodiscard]] int rank() const noexcept { return rank_; }
     [[nodiscard]] int size() const noexcept { return size_; }
     [[nodiscard]] bool isAlone() const noexcept { return size_ == 1; }
+    /// It may end this process any time.
+    [[nodiscard]] bool hasLauncher() const noexcept { return isInitialized_; }
 
     /// Waits for all ranks. @throw Error where one of them has another text than rank 0
     /// @param what the text says: "the map"

@@ -13,6 +13,7 @@ constexpr double kSmallestStep = 1e-15;  // [m]
 constexpr double kGrowth = 2.0;          // of a step over the one before
 constexpr int kMaxSteps = 100;
 constexpr int kMaxHalvings = 100;
+constexpr int kMaxAway = 3;  // steps in turn that lead away from the force
 
 /// Force along z per height of the base, by the main contact point [N/m]; never zero.
 double slopeAt(const VerticalPath& path, const TipAtHeight& tip) {
@@ -84,6 +85,7 @@ std::optional<TipAtHeight> findForce(VerticalPath& path, TipAtHeight from, doubl
     TipAtHeight now = std::move(from);
     const bool isBelow = now.force() < force;
     double longest = 0.1 * path.instrument().system().tipRadius();
+    int away = 0;
     for (int i = 0; i < kMaxSteps; ++i) {
         const double missing = std::abs(force - now.force()) / slopeAt(path, now);
         const double step = std::clamp(missing, kSmallestStep, longest);
@@ -92,6 +94,10 @@ std::optional<TipAtHeight> findForce(VerticalPath& path, TipAtHeight from, doubl
             TipAtHeight& less = isBelow ? now : next;
             TipAtHeight& more = isBelow ? next : now;
             return Bracket(path, std::move(less), std::move(more), force).solve();
+        }
+        away = (next.force() < now.force()) == isBelow ? away + 1 : 0;
+        if (away > kMaxAway) {
+            return std::nullopt;
         }
         longest = kGrowth * std::max(step, longest);
         now = std::move(next);

@@ -43,6 +43,13 @@ double stepTowards(double left, double maxStep) {
     return left > kSampled * maxStep ? std::min(0.5 * left, maxStep) : left - kNear;
 }
 
+/// Whether the law of the main contact point can say when the tip jumps. Where another one holds
+/// the tip it may ask for a way back, which would push the tip into the sample.
+bool isOfMainPoint(const TipAtHeight& tip, double left, Way way) {
+    return way == Way::Down ||
+           (tip.state.contact.branch == ContactBranch::Bonded && left >= -kNear);
+}
+
 bool isOfOnePoint(const TipAtHeight& before, const TipAtHeight& after) {
     return before.state.points == 1 && after.state.points == 1;
 }
@@ -90,6 +97,25 @@ FoundJump jumpBetween(VerticalPath& path, TipAtHeight before, TipAtHeight after,
     return {std::move(before), std::move(after), base, true, exact};
 }
 
+/// Whether a step was too long to follow the tip: a wall let go while others hold on, or there is
+/// no equilibrium. The pull is strongest just before, and short steps may keep both.
+bool losesTrack(const TipAtHeight& from, const TipAtHeight& next) {
+    return next.isBonded() &&
+           (next.bondedPoints() < from.bondedPoints() ||
+            (from.state.points > 1 && from.state.converged && !next.state.converged));
+}
+
+/// The base moved by a step, or by a part of it where the tip is followed so only.
+TipAtHeight moved(VerticalPath& path, const TipAtHeight& from, double step, double maxStep) {
+    constexpr double kShortest = 1.0 / 32.0;  // of the longest step
+    TipAtHeight next = path.at(from.base + step, from.memory);
+    while (losesTrack(from, next) && step > kShortest * maxStep) {
+        step *= 0.5;
+        next = path.at(from.base + step, from.memory);
+    }
+    return next;
+}
+
 template <class Visit>
 std::optional<FoundJump> findJump(VerticalPath& path, TipAtHeight now, Way way, double maxStep,
                                   const Visit& visit) {
@@ -102,14 +128,16 @@ std::optional<FoundJump> findJump(VerticalPath& path, TipAtHeight now, Way way, 
     double lost = now.base;   // the next height, at which there was none
     for (int i = 0; i < kMaxSteps; ++i) {
         visit(now);
-        double step = stepTowards(wayToJump(path, now, way), maxStep);
-        corrections += step < kNear ? 1 : 0;
+        const double left = wayToJump(path, now, way);
+        const bool knowsWay = isOfMainPoint(now, left, way);
+        double step = stepTowards(left, maxStep);
+        corrections += knowsWay && step < kNear ? 1 : 0;
         const bool isThere = std::abs(step) <= kThere || corrections > kCorrections;
-        if (isThere) {
+        if (isThere || !knowsWay) {
             step = push;
-            push *= 2.0;
+            push = std::min(2.0 * push, std::max(push, maxStep));
         }
-        TipAtHeight next = path.at(now.base + (static_cast<double>(way) * step), now.memory);
+        TipAtHeight next = moved(path, now, static_cast<double>(way) * step, maxStep);
         if (next.isBonded() != wasBonded) {
             if (isThere && now.state.converged) {
                 return jumpBetween(path, std::move(now), std::move(next), way);
@@ -152,7 +180,6 @@ std::optional<FoundJump> findSnapIn(VerticalPath& path, TipAtHeight from) {
 
 std::optional<FoundJump> findPullOff(VerticalPath& path, TipAtHeight from, double maxStep,
                                      std::vector<TipAtHeight>& passed) {
-    path.goUp();
     return findJump(path, std::move(from), Way::Up, maxStep,
                     [&](const TipAtHeight& tip) { passed.push_back(tip); });
 }

@@ -34,7 +34,8 @@ struct FoundJump {
 /// None: the tip does not snap in.
 [[nodiscard]] std::optional<FoundJump> findSnapIn(VerticalPath& path, TipAtHeight from);
 
-/// Raises the base from a bonded tip until it is free. None: it stays bonded.
+/// Raises the base from a bonded tip until it is free, as the path goes: up, or without friction.
+/// None: it stays bonded.
 /// @param maxStep of the base [m]
 /// @param passed gets each state on the way, the first and the last bonded one among them
 [[nodiscard]] std::optional<FoundJump>

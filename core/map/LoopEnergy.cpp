@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ranges>
+#include <utility>
 #include <vector>
 
 namespace asperity {
@@ -27,30 +29,58 @@ double areaUnder(const std::vector<BasePoint>& points) {
     return area;
 }
 
-std::vector<BasePoint> wayUp(const VerticalPath& path, const RetractCurve& curve) {
-    std::vector<BasePoint> points;
-    for (const RetractPoint& point : curve.bonded) {
-        points.push_back({point.height - (path.complianceZ() * point.force), point.force});
+void add(const TipAtHeight& tip, std::vector<BasePoint>& points) {
+    if (tip.state.converged) {
+        points.push_back({tip.base, tip.force()});
     }
-    // Near to the jump its search goes back and forth.
-    std::ranges::sort(points, {}, &BasePoint::base);
-    return points;
 }
 
-/// Bonded, from the setpoint up to the snap-in.
-void addBondedWay(VerticalPath& path, const Engagement& engaged, std::vector<BasePoint>& points) {
-    const double top = engaged.snapIn.base;
-    const double bottom = engaged.atSetpoint.base;
-    std::vector<BasePoint> down;
-    EquilibriumMemory memory = engaged.snapIn.after.memory;
-    for (int i = 0; i < kBondedSteps; ++i) {
-        const TipAtHeight tip =
-            path.at(std::lerp(top, bottom, static_cast<double>(i) / kBondedSteps), memory);
-        memory = tip.memory;
-        down.push_back({tip.base, tip.force()});
+/// Heights of the bonded way, the same down and up: where the states are, too, the area is none.
+std::vector<double> bondedHeights(const Engagement& engaged) {
+    std::vector<double> heights;
+    for (int i = 0; i <= kBondedSteps; ++i) {
+        heights.push_back(std::lerp(engaged.atSetpoint.base, engaged.snapIn.base,
+                                    static_cast<double>(i) / kBondedSteps));
     }
-    down.push_back({bottom, engaged.atSetpoint.force()});
-    points.insert(points.end(), down.rbegin(), down.rend());
+    return heights;
+}
+
+/// Bonded, from the snap-in down to the setpoint's height; points in rising order.
+/// @return the state there
+TipAtHeight goDown(VerticalPath& path, const Engagement& engaged, std::vector<BasePoint>& points) {
+    TipAtHeight tip = engaged.snapIn.after;
+    for (const double height : bondedHeights(engaged) | std::views::reverse) {
+        tip = path.at(height, tip.memory);
+        add(tip, points);
+    }
+    std::ranges::reverse(points);
+    return tip;
+}
+
+/// From there up to the snap-in's height or the pull-off, whichever is first, and on to the
+/// pull-off.
+std::optional<FoundJump> goUp(VerticalPath& path, const Engagement& engaged, TipAtHeight tip,
+                              std::vector<BasePoint>& points) {
+    const double step = heightToPullOff(path, tip) / kBondedSteps;
+    for (const double height : bondedHeights(engaged)) {
+        TipAtHeight next = path.at(height, tip.memory);
+        if (!next.isBonded()) {
+            break;
+        }
+        tip = std::move(next);
+        add(tip, points);
+    }
+    std::vector<TipAtHeight> passed;
+    std::optional<FoundJump> pullOff = findPullOff(path, std::move(tip), step, passed);
+    if (pullOff) {
+        for (const TipAtHeight& bonded : passed) {
+            add(bonded, points);
+        }
+        points.push_back({pullOff->base, pullOff->forceBefore()});
+        // Near to the jump its search goes back and forth by some picometers.
+        std::ranges::stable_sort(points, {}, &BasePoint::base);
+    }
+    return pullOff;
 }
 
 /// Free, from the snap-in up to the pull-off. Near the snap-in the attraction changes most: steps
@@ -67,20 +97,18 @@ void addFreeWay(VerticalPath& path, const FoundJump& snapIn, double top,
     }
 }
 
-/// The way down, as points in rising order.
-std::vector<BasePoint> wayDown(VerticalPath& path, const Engagement& engaged, double top) {
-    std::vector<BasePoint> points;
-    path.goDown();
-    addBondedWay(path, engaged, points);
-    addFreeWay(path, engaged.snapIn, top, points);
-    return points;
-}
-
 }  // namespace
 
-double loopEnergy(VerticalPath& path, const Engagement& engaged, const RetractCurve& curve) {
-    const std::vector<BasePoint> down = wayDown(path, engaged, curve.pullOff.base);
-    return std::max(0.0, areaUnder(down) - areaUnder(wayUp(path, curve)));
+std::optional<double> loopEnergy(VerticalPath& path, const Engagement& engaged) {
+    path.stop();
+    std::vector<BasePoint> down;
+    std::vector<BasePoint> up;
+    const std::optional<FoundJump> pullOff = goUp(path, engaged, goDown(path, engaged, down), up);
+    if (!pullOff) {
+        return std::nullopt;
+    }
+    addFreeWay(path, engaged.snapIn, pullOff->base, down);
+    return areaUnder(down) - areaUnder(up);
 }
 
 }  // namespace asperity

@@ -1,14 +1,15 @@
 #pragma once
 
 #include "core/map/Engagement.h"
-#include "core/map/RetractCurve.h"
+
+#include <optional>
 
 namespace asperity {
 
-/// What a cycle dissipates [J]: area between its way down and its way up, of the force along z over
-/// the base, from the setpoint to the pull-off. Of any number of contact points, and whatever they
-/// do one after the other; friction is in it. Trapezoids between some 30 states of each way.
-[[nodiscard]] double loopEnergy(VerticalPath& path, const Engagement& engaged,
-                                const RetractCurve& curve);
+/// What adhesion dissipates in a cycle [J], of any number of contact points and whatever they do
+/// one after the other: area between its way down and its way up, of the force along z over the
+/// base, from the setpoint to the pull-off, both without friction. Trapezoids between some 30
+/// states of each way. None: the tip stays bonded.
+[[nodiscard]] std::optional<double> loopEnergy(VerticalPath& path, const Engagement& engaged);
 
 }  // namespace asperity

@@ -1,6 +1,7 @@
 #include "core/map/MapPlan.h"
 
 #include "core/Error.h"
+#include "core/FormattedText.h"
 #include "core/SiFormat.h"
 
 #include <algorithm>
@@ -51,8 +52,9 @@ MapRegion regionOf(const BSplineSurface& surface, const MapRequest& request) {
     const bool isInside = region.left >= whole.left && region.bottom >= whole.bottom &&
                           region.right <= whole.right && region.top <= whole.top;
     if (!isInside) {
-        throw Error("the region of the map lies outside the scan, which is " +
-                    formatSi(whole.right, "m") + " wide and " + formatSi(whole.top, "m") + " high");
+        throw Error(formatted("the region of the map lies outside the scan, which is %.9g m wide "
+                              "and %.9g m high",
+                              whole.right, whole.top));
     }
     if (!(region.right > region.left) || !(region.top > region.bottom)) {
         throw Error("the region of the map is empty: expected x0 < x1 and y0 < y1");

@@ -26,14 +26,14 @@ enum class MapQuantity : std::uint8_t {
     AdhesionForce,     ///< along z, the strongest pull of the retract, > 0
     SnapInDistance,    ///< of the undeflected tip from the undeformed surface, along the normal
     SeparationWork,    ///< area between the retract and zero force, where it pulls
-    DissipatedEnergy,  ///< in snap-in and pull-off
+    DissipatedEnergy,  ///< by adhesion, in snap-in and pull-off; not by friction
     Height,            ///< that the instrument records at the setpoint
     Indentation,       ///< at the setpoint, of the undeformed surface along the normal
     ContactRadius,     ///< at the setpoint; of a circle with the area of all contacts
     Stiffness,         ///< at the setpoint, d(force)/d(indentation) of the main contact
     ApparentModulus,   ///< reduced modulus of a DMT fit to the retract, see DmtFit.h
     LateralForce,      ///< at the setpoint, across z
-    NormalAngle,       ///< between the normal of the contact and z, at the setpoint
+    NormalAngle,       ///< between the normal at the main contact point and z, at the setpoint
     HeightTrace,
     HeightRetrace,
     LateralTrace,    ///< along x, the fast axis

@@ -18,12 +18,12 @@ void takeSnapIn(const FoundJump& snapIn, const VerticalPath& path, MapValues& va
     const double approach = snapIn.exact ? snapIn.exact->basePosition
                                          : before.contact.indentation +
                                                (path.compliance(before) * before.contact.force);
-    values[MapQuantity::SnapInDistance] = -approach;
+    values[MapQuantity::SnapInDistance] = 0.0 - approach;  // no -0
 }
 
 void takeSetpoint(const TipAtHeight& tip, const VerticalPath& path, MapValues& values) {
     const TipState& state = tip.state;
-    const Vector3& normal = state.normal;
+    const Vector3& normal = state.closest.normal;
     values[MapQuantity::Height] = path.recordedHeight(tip);
     values[MapQuantity::Indentation] = state.contact.indentation;
     values[MapQuantity::ContactRadius] = std::sqrt(state.contactArea / std::numbers::pi);
@@ -48,20 +48,21 @@ void takeRetract(const RetractCurve& curve, const VerticalPath& path, MapValues&
 
 /// The law's own energies of its jumps, without the error of steps; of several points, or where the
 /// law does not have the jump, the area of the loop.
-double dissipatedIn(VerticalPath& path, const Engagement& engaged, const RetractCurve& curve) {
+std::optional<double> dissipatedIn(VerticalPath& path, const Engagement& engaged,
+                                   const RetractCurve& curve) {
     const FoundJump& snapIn = engaged.snapIn;
     const FoundJump& pullOff = curve.pullOff;
     const bool isOfLaw =
         snapIn.ofOnePoint && pullOff.ofOnePoint && engaged.atSetpoint.state.points == 1;
-    return isOfLaw ? snapIn.energyLost() + pullOff.energyLost() : loopEnergy(path, engaged, curve);
+    return isOfLaw ? snapIn.energyLost() + pullOff.energyLost() : loopEnergy(path, engaged);
 }
 
 }  // namespace
 
 CycleStates runCycle(VerticalPath& path, double setpoint) {
     CycleStates states{
-        .engaged = engage(path, setpoint), .retracted = std::nullopt, .dissipated = 0.0};
-    if (states.engaged) {
+        .engaged = engage(path, setpoint), .retracted = std::nullopt, .dissipated = std::nullopt};
+    if (states.engaged && states.engaged->atSetpoint.state.converged) {
         states.retracted = retract(path, states.engaged->atSetpoint);
     }
     if (states.retracted) {
@@ -77,14 +78,18 @@ MapValues valuesOf(const CycleStates& states, const VerticalPath& path) {
     flags.set(Validity::NotInEquilibrium, !states.retracted);
     if (states.engaged) {
         takeSnapIn(states.engaged->snapIn, path, values);
-        takeSetpoint(states.engaged->atSetpoint, path, values);
+        if (states.engaged->atSetpoint.state.converged) {
+            takeSetpoint(states.engaged->atSetpoint, path, values);
+        }
         flags.add(instrument.validity(states.engaged->atSetpoint.state));
     }
     if (states.retracted) {
         const FoundJump& pullOff = states.retracted->pullOff;
         takeRetract(*states.retracted, path, values);
-        values[MapQuantity::DissipatedEnergy] = states.dissipated;
         flags.add(instrument.validity(pullOff.before.state));
+    }
+    if (states.dissipated) {
+        values[MapQuantity::DissipatedEnergy] = *states.dissipated;
     }
     values[MapQuantity::Validity] = flags.bits();
     values[MapQuantity::Iterations] = path.solved();

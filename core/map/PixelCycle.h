@@ -14,7 +14,7 @@ namespace asperity {
 struct CycleStates {
     std::optional<Engagement> engaged;
     std::optional<RetractCurve> retracted;  ///< none: it does not engage, or stays bonded
-    double dissipated = 0.0;                ///< in snap-in and pull-off [J]
+    std::optional<double> dissipated;       ///< by adhesion, not friction [J]
 };
 
 /// Lowers the tip at the path's place, a fresh one, until the force along z is the setpoint [N],

@@ -26,6 +26,13 @@ constexpr RasterWay kTrace{1.0, MapQuantity::HeightTrace, MapQuantity::LateralTr
 constexpr RasterWay kRetrace{-1.0, MapQuantity::HeightRetrace, MapQuantity::LateralRetrace,
                              MapQuantity::ErrorRetrace};
 
+/// Whether friction holds the tip down on a wall by about as much as the wall pushes it up: hardly
+/// anything of the force is left along z, the base goes on and presses the tip to the wall.
+bool isJammed(const TipState& state) {
+    constexpr double kLeastShare = 0.05;
+    return state.normalForce > 0.0 && state.force.z() < kLeastShare * state.force.norm();
+}
+
 /// The tip on its way along a row.
 class Raster {
 public:
@@ -65,7 +72,17 @@ private:
             tip_ = tip_ ? std::optional(path.at(tip_->base, tip_->memory)) : std::nullopt;
         }
         tip_ = tip_ ? findForce(path, std::move(*tip_), setpoint_) : std::nullopt;
+        letGoWhereStuck();
         solved_ += path.solved();
+    }
+
+    /// The tip is lifted off what is no equilibrium, and off a wall that jams it.
+    void letGoWhereStuck() {
+        if (tip_ && (!tip_->state.converged || tip_->state.locked || isJammed(tip_->state))) {
+            flags_.add(instrument_.validity(tip_->state));
+            flags_.set(Validity::FrictionLock, tip_->state.locked || isJammed(tip_->state));
+            tip_.reset();
+        }
     }
 
     void record(const RasterWay& way, MapValues& values) {

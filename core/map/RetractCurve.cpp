@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <numeric>
 #include <span>
 #include <utility>
 
@@ -19,6 +21,33 @@ RetractPoint pointAt(const VerticalPath& path, double base, double force) {
 
 RetractPoint pointOf(const VerticalPath& path, const TipAtHeight& tip) {
     return pointAt(path, tip.base, tip.force());
+}
+
+/// Between two steps the tip may pull harder than at both: where no law has the strongest pull, the
+/// steps beside it are halved, and again. @param ofLaw whether one has that of a single point
+void refineStrongest(VerticalPath& path, std::vector<TipAtHeight>& passed, bool ofLaw) {
+    constexpr int kHalvings = 3;
+    const auto addBetween = [&](std::ptrdiff_t left) {
+        const TipAtHeight& from = passed[static_cast<std::size_t>(left)];
+        const TipAtHeight& to = passed[static_cast<std::size_t>(left) + 1];
+        TipAtHeight between = path.at(std::midpoint(from.base, to.base), from.memory);
+        if (between.state.converged) {
+            passed.insert(passed.begin() + left + 1, std::move(between));
+        }
+    };
+    for (int i = 0; i < kHalvings; ++i) {
+        const auto strongest = std::ranges::min_element(passed, {}, &TipAtHeight::force);
+        if (ofLaw && strongest->state.points == 1) {
+            return;
+        }
+        const std::ptrdiff_t place = strongest - passed.begin();
+        if (strongest + 1 != passed.end()) {
+            addBetween(place);
+        }
+        if (place > 0) {
+            addBetween(place - 1);
+        }
+    }
 }
 
 /// The rest of the attraction falls with the square of the distance: steps grow.
@@ -76,18 +105,21 @@ double freeArea(std::span<const RetractPoint> points) {
 
 std::optional<RetractCurve> retract(VerticalPath& path, TipAtHeight atSetpoint) {
     const double step = heightToPullOff(path, atSetpoint) / kSteps;
-    std::vector<TipAtHeight> passed;
-    std::optional<FoundJump> pullOff = findPullOff(path, std::move(atSetpoint), step, passed);
+    path.goUp();
+    // Friction turns before the base moves; on a slope that moves the tip to the side.
+    TipAtHeight turned = path.at(atSetpoint.base, atSetpoint.memory);
+    std::vector<TipAtHeight> passed{std::move(atSetpoint)};
+    std::optional<FoundJump> pullOff = findPullOff(path, std::move(turned), step, passed);
     if (!pullOff) {
         return std::nullopt;
     }
+    std::erase_if(passed, [](const TipAtHeight& tip) { return !tip.state.converged; });
+    refineStrongest(path, passed, pullOff->exact.has_value());
     RetractCurve curve{.bonded = {}, .free = {}, .pullOff = std::move(*pullOff), .jumpWork = 0.0};
     double pull = 0.0;
     for (const TipAtHeight& tip : passed) {
-        if (tip.state.converged) {
-            curve.bonded.push_back(pointOf(path, tip));
-            pull = std::max(pull, -tip.force());
-        }
+        curve.bonded.push_back(pointOf(path, tip));
+        pull = std::max(pull, -tip.force());
     }
     const FoundJump& jump = curve.pullOff;
     const RetractPoint last = pointAt(path, jump.base, jump.forceBefore());

@@ -2,6 +2,7 @@
 
 #include "core/map/MapInstrument.h"
 
+#include <cstddef>
 #include <utility>
 
 namespace asperity {
@@ -14,8 +15,9 @@ struct TipAtHeight {
 
     /// Force along z [N].
     [[nodiscard]] double force() const noexcept { return state.force.z(); }
-    /// Whether any contact point has snapped in.
-    [[nodiscard]] bool isBonded() const noexcept;
+    /// Contact points that have snapped in.
+    [[nodiscard]] std::ptrdiff_t bondedPoints() const noexcept;
+    [[nodiscard]] bool isBonded() const noexcept { return bondedPoints() > 0; }
 };
 
 /// The heights of the base above one place of the scan. The same heights from the same memory give
@@ -33,6 +35,8 @@ public:
     void setVelocity(const Vector3& velocity) noexcept { velocity_ = velocity; }
     void goDown() noexcept { velocity_ = -kSpeed * Vector3::UnitZ(); }
     void goUp() noexcept { velocity_ = kSpeed * Vector3::UnitZ(); }
+    /// From now on there is no friction.
+    void stop() noexcept { velocity_ = Vector3::Zero(); }
 
     /// The equilibrium at a height of the base [m].
     [[nodiscard]] TipAtHeight at(double base, const EquilibriumMemory& memory);

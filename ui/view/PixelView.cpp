@@ -39,6 +39,8 @@ void copyFrame(const unsigned char* drawn, QImage& frame) {
     }
 }
 
+qint64 areaOf(const QSize& size) { return qint64{size.width()} * size.height(); }
+
 }  // namespace
 
 PixelView::PixelView(QWidget* parent) : QWidget(parent) {
@@ -73,7 +75,8 @@ void PixelView::setCoarse(bool coarse) {
 
 bool PixelView::makeBuffers() {
     const QSize size = pixels(drawnRatio());
-    hasJustMadeBuffers_ = isVisible() && size != buffers_ && !hasJustMadeBuffers_;
+    const bool areSmall = areaOf(size) > areaOf(buffers_);
+    hasJustMadeBuffers_ = isVisible() && areSmall && !hasJustMadeBuffers_;
     if (hasJustMadeBuffers_) {
         window_->SetSize(size.width(), size.height());
         renderWindow().Start();

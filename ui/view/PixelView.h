@@ -37,8 +37,9 @@ protected:
     /// Pixels that are drawn for each of the widget, along each side.
     [[nodiscard]] double drawnRatio() const;
 
-    /// Makes the buffers for frames of the present size, which takes longer than a frame where the
-    /// processor draws: a call of its own for each, so that neither holds up the window for long.
+    /// Makes larger buffers where frames of the present size need them, which takes longer than a
+    /// frame where the processor draws: a call of its own for each, so that neither holds up the
+    /// window for long.
     /// @return whether it did; not twice in a row, so that frames come while a border is dragged
     bool makeBuffers();
     /// Draws a frame and has it painted; not while the widget is hidden. @return whether it did
@@ -52,7 +53,7 @@ private:
     vtkNew<vtkRenderWindow> window_;
     vtkNew<vtkUnsignedCharArray> drawn_;
     QImage frame_;
-    QSize buffers_;  ///< of the frames that the buffers are for
+    QSize buffers_{0, 0};  ///< of the frames that the buffers are for
     bool hasJustMadeBuffers_ = false;
     bool coarse_ = false;
 };

@@ -30,8 +30,9 @@ void expectEnergyOfTheLaw(double stiffness, const HeightMap& map) {
     ASSERT_TRUE(states.retracted);
     const FoundJump& snapIn = states.engaged->snapIn;
     ASSERT_TRUE(snapIn.exact && states.retracted->pullOff.exact);
-    EXPECT_NEAR(loopEnergy(path, *states.engaged, *states.retracted), states.dissipated,
-                0.01 * states.dissipated);
+    const std::optional<double> found = loopEnergy(path, *states.engaged);
+    ASSERT_TRUE(found && states.dissipated);
+    EXPECT_NEAR(*found, *states.dissipated, 0.01 * *states.dissipated);
 }
 
 TEST(LoopEnergy, IsThatOfTheLawsJumps) {
@@ -48,13 +49,13 @@ TEST(LoopEnergy, OfAGrooveIsThatOfBothFlanks) {
     const MapInstrument instrument(scene, false);
     VerticalPath path(instrument, Vector2(45.0_nm, 64.0_nm));
     const CycleStates states = runCycle(path, kSetpoint);
-    ASSERT_TRUE(states.retracted);
+    ASSERT_TRUE(states.retracted && states.dissipated);
     EXPECT_EQ(states.retracted->pullOff.before.state.points, 2);
     // The lever lets go with what it stores, and the flanks with their work of adhesion.
     const double pull = states.retracted->pullOff.forceBefore();
     const double stored = 0.5 * path.complianceZ() * pull * pull;
-    EXPECT_GT(states.dissipated, 0.9 * stored);
-    EXPECT_LT(states.dissipated, separationWork(*states.retracted));
+    EXPECT_GT(*states.dissipated, 0.9 * stored);
+    EXPECT_LT(*states.dissipated, separationWork(*states.retracted));
 }
 
 }  // namespace

@@ -53,7 +53,8 @@ TEST(MapPlan, RefusesWhatCannotBeMapped) {
     EXPECT_EQ(refusalOf({.mode = MapMode::Contact, .quantities = {"pull_off_force"}}).substr(0, 56),
               "mode contact has no quantity 'pull_off_force': expected ");
     EXPECT_EQ(refusalOf({.region = MapRegion{0.0, 0.0, 200.0_nm, 20.0_nm}}),
-              "the region of the map lies outside the scan, which is 128 nm wide and 128 nm high");
+              "the region of the map lies outside the scan, which is 1.28e-07 m wide and 1.28e-07 "
+              "m high");
     EXPECT_EQ(refusalOf({.region = MapRegion{20.0_nm, 0.0, 20.0_nm, 20.0_nm}}),
               "the region of the map is empty: expected x0 < x1 and y0 < y1");
     EXPECT_EQ(refusalOf({.grid = MapGrid{0, 8}}),
