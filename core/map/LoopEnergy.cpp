@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ranges>
 #include <utility>
 #include <vector>
 
@@ -49,7 +48,9 @@ std::vector<double> bondedHeights(const Engagement& engaged) {
 /// @return the state there
 TipAtHeight goDown(VerticalPath& path, const Engagement& engaged, std::vector<BasePoint>& points) {
     TipAtHeight tip = engaged.snapIn.after;
-    for (const double height : bondedHeights(engaged) | std::views::reverse) {
+    std::vector<double> heights = bondedHeights(engaged);
+    std::ranges::reverse(heights);
+    for (const double height : heights) {
         tip = path.at(height, tip.memory);
         add(tip, points);
     }
