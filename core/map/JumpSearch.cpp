@@ -12,7 +12,8 @@ namespace {
 
 constexpr double kNear = 2e-11;        // of the base to the jump, where the law knows the rest [m]
 constexpr double kResolution = 1e-13;  // where it does not [m]
-constexpr double kMinNormal = 0.1;     // z of a normal that says how far to go along z
+constexpr double kShortest = 1.0 / 32.0;  // step of a way that is sampled, of the longest one
+constexpr double kMinNormal = 0.1;        // z of a normal that says how far to go along z
 constexpr int kMaxSteps = 400;
 constexpr int kMaxHalvings = 60;
 
@@ -39,8 +40,7 @@ double wayToJump(const VerticalPath& path, const TipAtHeight& tip, Way way) {
 /// jump, so that the last state is a smooth function of the place. Near to it, where the force
 /// bends, steps of a way that is sampled grow short by halves.
 double stepTowards(double left, double maxStep) {
-    constexpr double kSampled = 1.0 / 32.0;  // of the longest step
-    return left > kSampled * maxStep ? std::min(0.5 * left, maxStep) : left - kNear;
+    return left > kShortest * maxStep ? std::min(0.5 * left, maxStep) : left - kNear;
 }
 
 /// Whether the law of the main contact point can say when the tip jumps. Where another one holds
@@ -107,7 +107,6 @@ bool losesTrack(const TipAtHeight& from, const TipAtHeight& next) {
 
 /// The base moved by a step, or by a part of it where the tip is followed so only.
 TipAtHeight moved(VerticalPath& path, const TipAtHeight& from, double step, double maxStep) {
-    constexpr double kShortest = 1.0 / 32.0;  // of the longest step
     TipAtHeight next = path.at(from.base + step, from.memory);
     while (losesTrack(from, next) && step > kShortest * maxStep) {
         step *= 0.5;
