@@ -97,12 +97,11 @@ FoundJump jumpBetween(VerticalPath& path, TipAtHeight before, TipAtHeight after,
     return {std::move(before), std::move(after), base, true, exact};
 }
 
-/// Whether a step was too long to follow the tip: a wall let go while others hold on, or there is
-/// no equilibrium. The pull is strongest just before, and short steps may keep both.
+/// Whether a step was too long for a tip on several points: they have no equilibrium after it, but
+/// short steps may follow one.
 bool losesTrack(const TipAtHeight& from, const TipAtHeight& next) {
-    return next.isBonded() &&
-           (next.bondedPoints() < from.bondedPoints() ||
-            (from.state.points > 1 && from.state.converged && !next.state.converged));
+    return from.state.points > 1 && from.state.converged && next.isBonded() &&
+           !next.state.converged;
 }
 
 /// The base moved by a step, or by a part of it where the tip is followed so only.

@@ -4,9 +4,9 @@
 
 namespace asperity {
 
-std::ptrdiff_t TipAtHeight::bondedPoints() const noexcept {
+bool TipAtHeight::isBonded() const noexcept {
     const auto end = memory.points.begin() + static_cast<std::ptrdiff_t>(memory.pointCount);
-    return std::count_if(memory.points.begin(), end, [](const ClosestPointMemory& point) {
+    return std::any_of(memory.points.begin(), end, [](const ClosestPointMemory& point) {
         return point.contact.branch == ContactBranch::Bonded;
     });
 }

@@ -2,7 +2,6 @@
 
 #include "core/map/MapInstrument.h"
 
-#include <cstddef>
 #include <utility>
 
 namespace asperity {
@@ -15,9 +14,8 @@ struct TipAtHeight {
 
     /// Force along z [N].
     [[nodiscard]] double force() const noexcept { return state.force.z(); }
-    /// Contact points that have snapped in.
-    [[nodiscard]] std::ptrdiff_t bondedPoints() const noexcept;
-    [[nodiscard]] bool isBonded() const noexcept { return bondedPoints() > 0; }
+    /// Whether any contact point has snapped in.
+    [[nodiscard]] bool isBonded() const noexcept;
 };
 
 /// The heights of the base above one place of the scan. The same heights from the same memory give

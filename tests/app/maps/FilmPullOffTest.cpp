@@ -2,6 +2,7 @@
 #include "core/map/MapPlan.h"
 #include "core/map/PixelCycle.h"
 #include "tests/core/map/HeldTrace.h"
+#include "tests/core/map/SlowRetract.h"
 #include "tests/support/ShippedScene.h"
 
 #include <gtest/gtest.h>
@@ -49,6 +50,21 @@ TEST(FilmPullOff, IsWhereTheLeverLosesItsEquilibrium) {
     };
     EXPECT_LT(errors[errors.size() / 2], 1e-3);
     EXPECT_GT(shareBelow(5e-3), 0.9);
+}
+
+/// Long steps lose the equilibrium of many points that short ones follow: then the pull ended
+/// before it began.
+TEST(FilmPullOff, IsFoundInAValleyOfFourPoints) {
+    const LoadedScene loaded =
+        loadScene(test::shippedScene("granular_film"), {}, nullptr, ModelFit::Later);
+    const MapPlan plan = planMap(loaded.scene, {.grid = MapGrid{.columns = 96, .rows = 96}});
+    const MapInstrument instrument(loaded.scene, false);
+    VerticalPath path(instrument, plan.place(21, 61));
+    const CycleStates states = runCycle(path, plan.setpoint);
+    ASSERT_TRUE(states.retracted);
+    EXPECT_EQ(states.engaged->atSetpoint.state.points, 4);
+    const double slow = test::slowRetractPull(path, states.engaged->atSetpoint, 5e-12);
+    EXPECT_NEAR(strongestPull(path, *states.retracted), slow, 0.02 * slow);
 }
 
 }  // namespace
