@@ -13,7 +13,7 @@ import tempfile
 import time
 
 SKIPPED = 77  # as CTest is told
-GRID = "40x24"
+GRID = "64x64"
 ENVIRONMENT = os.environ | {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"}
 
 
@@ -50,20 +50,29 @@ def workers_of(job):
     return sorted(int(pid) for pid in listed.stdout.split())
 
 
-def check_killed(program, scene, folder, whole):
-    out = folder / "killed.gwy"
+def kill_last_rank(job):
+    os.kill(workers_of(job)[-1], signal.SIGKILL)
+
+
+def interrupt(job):
+    job.send_signal(signal.SIGINT)
+
+
+def check_ended(program, scene, folder, whole, count, end):
+    """A job of so many ranks that is ended early: rank 0 has a second to say what is kept."""
+    out = folder / f"ended{count}.gwy"
     part = out.with_name(out.name + ".part")
     command = map_command(program, scene, out, "--threads", "1")
-    job = subprocess.Popen(ranks(2) + command, env=ENVIRONMENT, stdout=subprocess.DEVNULL,
+    job = subprocess.Popen(ranks(count) + command, env=ENVIRONMENT, stdout=subprocess.DEVNULL,
                            stderr=subprocess.PIPE, text=True)
     while job.poll() is None and not (part.exists() and part.stat().st_size > 4000):
         time.sleep(0.005)
-    os.kill(workers_of(job)[-1], signal.SIGKILL)
+    end(job)
     said = job.communicate(timeout=60)[1]
     assert job.returncode != 0
     assert "--resume goes on with the map" in said, said
     assert part.exists() and not out.exists()
-    done = run(ranks(2) + command + ["--resume"])
+    done = run(ranks(count) + command + ["--resume"])
     assert done.returncode == 0, done.stderr
     assert bytes_of(out) == whole
 
@@ -87,7 +96,8 @@ def main():
         assert done.returncode == 0, done.stderr
         whole = bytes_of(alone)
         check_same(program, scene, folder, whole)
-        check_killed(program, scene, folder, whole)
+        check_ended(program, scene, folder, whole, 2, kill_last_rank)
+        check_ended(program, scene, folder, whole, 1, interrupt)
         check_refused(program, scene, folder)
     print("1, 2, 3 and 8 ranks, in shared memory and over TCP: the same bytes")
     return 0
