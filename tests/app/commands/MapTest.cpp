@@ -123,6 +123,9 @@ TEST_F(Map, RefusesInOneSentence) {
     expectRefused("--quantities color", 1, "has no quantity 'color'");
     expectRefused("--mode contact --quantities pull_off_force", 1, "has no quantity");
     expectRefused("--region 0,0,1e-6,1e-8", 1, "the region of the map lies outside the scan");
+    expectRefused("--region 0,0,10nm,10nm", 2,
+                  "expected x0,y0,x1,y1 in meters, such as 0,0,1e-7,1e-7, not '10nm'");
+    expectRefused("--region 0,0,nan,1", 2, "expected x0,y0,x1,y1 in meters");
     expectRefused("--grid 0x8", 1, "1 to 65536 pixels");
     expectRefused("--grid 8", 2, "expected WIDTHxHEIGHT");
     expectRefused("--grid 60000x60000", 1, "a .gwy file holds at most 4 GiB");
@@ -137,6 +140,14 @@ TEST_F(Map, ReplacesNothingUnasked) {
     EXPECT_THAT(refused.output, HasSubstr("map.vti: exists; --force replaces it"));
     EXPECT_EQ(test::contentOf(scratch.file("map.vti")), "precious");
     EXPECT_EQ(run("map.gwy", "--grid 4x4 --force").exitCode, 0);
+}
+
+TEST_F(Map, LeavesAFolderOfThePartsNameAlone) {
+    std::filesystem::create_directory(scratch.file("map.gwy.part"));
+    const auto refused = run("map.gwy", "--grid 4x4 --force");
+    EXPECT_EQ(refused.exitCode, 3);
+    EXPECT_THAT(refused.output, HasSubstr("no regular file"));
+    EXPECT_TRUE(std::filesystem::is_directory(scratch.file("map.gwy.part")));
 }
 
 /// Ends a map by a signal when some rows are finished. @return its exit code
