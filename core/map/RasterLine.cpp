@@ -27,10 +27,11 @@ constexpr RasterWay kRetrace{-1.0, MapQuantity::HeightRetrace, MapQuantity::Late
                              MapQuantity::ErrorRetrace};
 
 /// Whether friction holds the tip down on a wall by about as much as the wall pushes it up: hardly
-/// anything of the force is left along z, the base goes on and presses the tip to the wall.
-bool isJammed(const TipState& state) {
+/// anything of what presses the tip to it is left along z, and the base goes on.
+bool isJammed(const ProbeSystem& system, const TipState& state) {
     constexpr double kLeastShare = 0.05;
-    return state.normalForce > 0.0 && state.force.z() < kLeastShare * state.force.norm();
+    const double friction = system.frictionAt(state.closest.point).coefficient;
+    return state.closest.normal.z() + (friction * state.slip.z()) < kLeastShare;
 }
 
 /// The tip on its way along a row.
@@ -78,9 +79,14 @@ private:
 
     /// The tip is lifted off what is no equilibrium, and off a wall that jams it.
     void letGoWhereStuck() {
-        if (tip_ && (!tip_->state.converged || tip_->state.locked || isJammed(tip_->state))) {
-            flags_.add(instrument_.validity(tip_->state));
-            flags_.set(Validity::FrictionLock, tip_->state.locked || isJammed(tip_->state));
+        if (!tip_) {
+            return;
+        }
+        const TipState& state = tip_->state;
+        const bool sticks = state.locked || isJammed(instrument_.system(), state);
+        if (sticks || !state.converged) {
+            flags_.add(instrument_.validity(state));
+            flags_.set(Validity::FrictionLock, sticks);
             tip_.reset();
         }
     }

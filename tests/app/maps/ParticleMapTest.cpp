@@ -73,7 +73,7 @@ TEST_P(ParticleMap, HasTheStrongestPullOfASlowRetract) {
 /// The sample's heights lie between -12 and 45 nm, a tip in equilibrium a little lower.
 TEST_P(ParticleMap, AWallThatJamsTheTipHasNoData) {
     constexpr double kLowest = -14e-9;
-    constexpr double kLargest = 500e-9;  // 20 setpoints and their slope
+    constexpr double kLargest = 200e-9;  // 20 setpoints along the wall, and twice that at a foot
     const MapPlan plan = planMap(
         loaded_.scene, {.mode = MapMode::Contact, .grid = MapGrid{.columns = 96, .rows = 96}});
     const MapInstrument instrument(loaded_.scene, false);

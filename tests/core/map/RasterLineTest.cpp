@@ -12,9 +12,10 @@ namespace {
 
 constexpr double kSetpoint = 5e-9;
 
-std::vector<MapValues> lineOn(const Scene& scene, int columns, int row = 0) {
+std::vector<MapValues> lineOn(const Scene& scene, int columns, int row = 0,
+                              double setpoint = kSetpoint) {
     const MapPlan plan = planMap(
-        scene, {.mode = MapMode::Contact, .grid = MapGrid{columns, 3}, .setpoint = kSetpoint});
+        scene, {.mode = MapMode::Contact, .grid = MapGrid{columns, 3}, .setpoint = setpoint});
     return rasterLine(MapInstrument(scene, false), plan, row, {});
 }
 
@@ -46,6 +47,18 @@ TEST(RasterLine, ShowsTheBendingOfFrictionAsADeflection) {
         EXPECT_NEAR(std::abs(pixel[MapQuantity::ErrorTrace]), expected, 1e-5 * expected);
         EXPECT_NEAR(pixel[MapQuantity::ErrorTrace], -pixel[MapQuantity::ErrorRetrace],
                     1e-5 * expected);
+    }
+}
+
+/// Friction of an adhesive contact is many times a small setpoint, but only a wall jams the tip.
+TEST(RasterLine, OnAFlatScanJamsNoTip) {
+    constexpr double kSmall = 10e-12;
+    SceneDescription description = test::plainScene();
+    description.sample.material.friction.shearStrength = 2e7;
+    const Scene scene = buildScene(description, test::flatMap());
+    for (const MapValues& pixel : lineOn(scene, 4, 0, kSmall)) {
+        EXPECT_GT(pixel[MapQuantity::FrictionForce], 20.0 * kSmall);
+        EXPECT_FALSE(std::isnan(pixel[MapQuantity::HeightTrace]));
     }
 }
 
