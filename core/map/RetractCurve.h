@@ -24,7 +24,7 @@ struct RetractCurve {
 };
 
 /// Raises the base from the setpoint in about 32 steps until the tip pulls off, and on.
-/// None: it stays bonded.
+/// None: it stays bonded. @param atSetpoint in equilibrium
 [[nodiscard]] std::optional<RetractCurve> retract(VerticalPath& path, TipAtHeight atSetpoint);
 
 /// Area between the retract and zero force, where it pulls, over the height of the tip [J]. The

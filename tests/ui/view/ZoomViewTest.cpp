@@ -341,6 +341,17 @@ TEST_F(ZoomViewTest, DrawsFewerPixelsWhileTheCameraTurns) {
     EXPECT_LT((view->onScreen(apex) - whileTurning).manhattanLength(), 2.0);
 }
 
+/// Where the processor draws, each of both takes so long that the window must answer in between.
+TEST_F(ZoomViewTest, DrawsInLargerBuffersOnlyAfterTheyAreMade) {
+    view->resize(400, 300);
+    settle();
+    view->showSnapshot(moments.deep);
+    view->resize(1200, 800);
+    view->showSnapshot(moments.deep);
+    EXPECT_EQ(view->frame().size(), QSize(400, 300)) << "the buffers are made";
+    EXPECT_TRUE(QTest::qWaitFor([&] { return view->frame().size() == QSize(1200, 800); }));
+}
+
 TEST_F(ZoomViewTest, DrawsAllPixelsOfASmallViewWhileTheCameraTurns) {
     view->showSnapshot(moments.deep);
     const QSize still = view->frame().size();
