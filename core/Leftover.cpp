@@ -11,11 +11,11 @@ namespace asperity {
 namespace {
 
 constexpr std::string_view kSuffix = ".part";
-constexpr int kDigits = 16;
+constexpr int kSuffixDigits = 16;
 
 std::string hexadecimal(std::uint64_t number) {
     std::string text;
-    for (int shift = 4 * (kDigits - 1); shift >= 0; shift -= 4) {
+    for (int shift = 4 * (kSuffixDigits - 1); shift >= 0; shift -= 4) {
         text += "0123456789abcdef"[(number >> static_cast<unsigned>(shift)) & 0xFU];
     }
     return text;
@@ -31,8 +31,8 @@ std::uint64_t hashOf(std::string_view text) {
 }
 
 bool isTemporaryName(const std::string& name, const std::string& prefix) {
-    return name.size() == prefix.size() + kDigits + kSuffix.size() && name.starts_with(prefix) &&
-           name.ends_with(kSuffix);
+    return name.size() == prefix.size() + kSuffixDigits + kSuffix.size() &&
+           name.starts_with(prefix) && name.ends_with(kSuffix);
 }
 
 /// The lock says that nobody writes it any more; then it is looked at again, since whoever made it

@@ -7,7 +7,7 @@ namespace asperity {
 namespace {
 
 constexpr std::string_view kScheme = "file://";  // what follows begins with the path's own slash
-constexpr std::string_view kDigits = "0123456789ABCDEF";
+constexpr std::string_view kHexDigits = "0123456789ABCDEF";
 
 bool isUri(std::string_view text) {
     return text.starts_with(kScheme) && text.substr(kScheme.size()).starts_with('/');
@@ -28,8 +28,8 @@ std::string encoded(std::string_view bytes) {
         } else {
             const auto value = static_cast<unsigned char>(byte);
             text += '%';
-            text += kDigits[value >> 4U];
-            text += kDigits[value & 0xFU];
+            text += kHexDigits[value >> 4U];
+            text += kHexDigits[value & 0xFU];
         }
     }
     return text;
@@ -38,7 +38,7 @@ std::string encoded(std::string_view bytes) {
 /// 16 for what is no hexadecimal digit.
 unsigned digitValue(char digit) {
     const char upper = digit >= 'a' && digit <= 'f' ? static_cast<char>(digit - 'a' + 'A') : digit;
-    const std::size_t value = kDigits.find(upper);
+    const std::size_t value = kHexDigits.find(upper);
     return value == std::string_view::npos ? 16U : static_cast<unsigned>(value);
 }
 

@@ -22,6 +22,11 @@ namespace asperity {
 using Double4 [[gnu::vector_size(32)]] = double;
 using Long4 [[gnu::vector_size(32)]] = long;
 
+// Eight floats or ints, likewise.
+constexpr int kFloatLanes = 8;
+using Float8 [[gnu::vector_size(32)]] = float;
+using Int8 [[gnu::vector_size(32)]] = int;
+
 ASPERITY_INLINE Double4 least(Double4 a, Double4 b) { return b < a ? b : a; }
 ASPERITY_INLINE Double4 most(Double4 a, Double4 b) { return a < b ? b : a; }
 ASPERITY_INLINE Double4 magnitude(Double4 a) {

@@ -17,6 +17,14 @@ std::optional<double> numberFromText(const QString& text, const QLocale& locale)
     return std::nullopt;
 }
 
+QString siText(double value, const char* unit) {
+    return QString::fromStdString(formatSi(value, unit));
+}
+
+QString threeDigits(double value, const SiScale& scale) {
+    return QString::fromStdString(threeDigitText(value, scale));
+}
+
 void keepDecimalPoint() {
     (void)std::setlocale(LC_NUMERIC, "C");  // NOLINT(concurrency-mt-unsafe): no threads yet
 }

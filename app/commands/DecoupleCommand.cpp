@@ -12,7 +12,7 @@ namespace asperity {
 
 namespace {
 
-constexpr const char* kHelp =
+constexpr const char* kCasesHelp =
     "The cases are a CSV table with the columns\n"
     "  nx,ny,nz                 surface normal out of the sample, of any length\n"
     "  vx,vy,vz                 velocity of the tip relative to the sample [m/s]\n"
@@ -48,7 +48,7 @@ void addDecoupleCommand(CLI::App& program) {
     CLI::App* command = program.add_subcommand(
         "decouple",
         "Compute 3-D forces with covariance from lever signals, for each case of a table");
-    command->footer(kHelp);
+    command->footer(kCasesHelp);
     command->add_option("--probe", options->probe, "probe file (TOML)")
         ->required()
         ->check(notEmpty());

@@ -21,7 +21,7 @@ namespace asperity {
 
 namespace {
 
-constexpr const char* kHelp =
+constexpr const char* kPointsHelp =
     "The points are a CSV table with the columns x_m,y_m,z_m, in the world frame of the leveled\n"
     "map (x right, y up, origin at the lower left corner). Added are\n"
     "  foot_x_m,foot_y_m,foot_z_m   closest point on the surface\n"
@@ -157,7 +157,7 @@ void addProjectCommand(CLI::App& program) {
         program.add_subcommand("project", "Compute the closest point on the fitted surface, with "
                                           "normal, curvatures and whether it is "
                                           "proven, for each point of a table");
-    command->footer(kHelp);
+    command->footer(kPointsHelp);
     command->add_option("INPUT", options->input, "height map, or scene file")
         ->required()
         ->check(notEmpty());

@@ -27,8 +27,8 @@ namespace asperity {
 namespace {
 
 constexpr const char* kDirectory = "bundle.json";
-constexpr const char* kFormat = "asperity bundle";
-constexpr int kFormatVersion = 1;
+constexpr const char* kBundleFormat = "asperity bundle";
+constexpr int kBundleVersion = 1;
 constexpr const char* kPicture = "picture.png";
 constexpr std::string_view kScanFolder = "scan/";
 constexpr std::uint64_t kMostDirectory = 1U << 20U;  // [byte]
@@ -102,8 +102,8 @@ nlohmann::ordered_json directoryOf(const std::vector<BundledFile>& files, Progre
         list.push_back(
             {{"name", files[i].name}, {"bytes", bytes.size()}, {"sha256", sha256Of(bytes, &part)}});
     }
-    return {{"format", kFormat},
-            {"format_version", kFormatVersion},
+    return {{"format", kBundleFormat},
+            {"format_version", kBundleVersion},
             {"versions", {{"asperity", kVersion}, {"compiler", __VERSION__}}},
             {"files", list}};
 }
@@ -160,7 +160,7 @@ std::vector<ListedFile> listed(const ZipArchive& archive, const std::string& fil
         nlohmann::json::parse(archive.decoded(*entry, kMostDirectory), nullptr, false);
     std::vector<ListedFile> files;
     try {
-        if (json.at("format") != kFormat || json.at("format_version") != kFormatVersion) {
+        if (json.at("format") != kBundleFormat || json.at("format_version") != kBundleVersion) {
             throw InputError(file, kDirectory, "expected a bundle, format version 1");
         }
         for (const auto& one : json.at("files")) {

@@ -12,15 +12,15 @@ namespace asperity {
 
 namespace {
 
-constexpr const char* kFormat = "asperity recording";
-constexpr int kFormatVersion = 1;
+constexpr const char* kRecordingFormat = "asperity recording";
+constexpr int kRecordingVersion = 1;
 
 }  // namespace
 
 void writeManifest(const std::filesystem::path& folder, const RecordingManifest& manifest) {
     const nlohmann::ordered_json json{
-        {"format", kFormat},
-        {"format_version", kFormatVersion},
+        {"format", kRecordingFormat},
+        {"format_version", kRecordingVersion},
         {"versions", {{"asperity", kVersion}, {"compiler", __VERSION__}}},
         {"input", {{"sha256", manifest.sha256}}},
         {"complete", manifest.complete},
@@ -40,7 +40,8 @@ std::optional<RecordingManifest> readManifest(const std::filesystem::path& folde
     std::ifstream file(path);
     const auto json = nlohmann::json::parse(file, nullptr, false);
     try {
-        if (json.at("format") == kFormat && json.at("format_version") == kFormatVersion) {
+        if (json.at("format") == kRecordingFormat &&
+            json.at("format_version") == kRecordingVersion) {
             return RecordingManifest{.sha256 = json.at("input").at("sha256").get<std::string>(),
                                      .complete = json.at("complete").get<bool>(),
                                      .recovered = json.at("recovered").get<bool>()};

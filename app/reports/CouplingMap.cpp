@@ -11,7 +11,7 @@ namespace asperity {
 namespace {
 
 /// Told apart with any color vision. Source: Okabe and Ito (2008).
-std::vector<ShareKey> keys() {
+std::vector<ShareKey> couplingKeys() {
     return {{{0, 158, 115}, "settles"},
             {{86, 180, 233}, "settles, but for the detector's noise"},
             {{110, 110, 110}, "refused: no coupling for this rate and delay"},
@@ -93,7 +93,7 @@ ShareMapPage couplingMap(const std::vector<HoldOutcome>& holds) {
     const std::vector<HoldOutcome> judged = judgedOnes(holds);
     ShareMapPage page{.title = "Stability of a device that holds a tip on a sample: every "
                                "sample, lever, scale and grip",
-                      .keys = keys(),
+                      .keys = couplingKeys(),
                       .mapsPerRow = 2};
     for (const bool coupled : {true, false}) {
         page.maps.push_back(mapOf(holds, coupled, delay));

@@ -12,7 +12,7 @@ namespace asperity {
 namespace {
 
 /// Told apart with any color vision. Source: Okabe and Ito (2008).
-std::vector<ShareKey> keys() {
+std::vector<ShareKey> extremesKeys() {
     return {{{0, 158, 115}, "exact: within 0.1 % of the reference"},
             {{86, 180, 233}, "valid: within 5 %"},
             {{213, 94, 0}, "inaccurate: error above 5 %, not flagged"},
@@ -106,7 +106,7 @@ ShareMapPage extremesMap(const std::vector<ExtremesRegion>& regions) {
     ShareMapPage page{.title = "Validity of each contact law: adhesive samples (Hertz on a film: "
                                "films without adhesion), every lever and depth; Maugis-Dugdale on "
                                "the sphere, Hertz on a film and the tick are their own reference",
-                      .keys = keys(),
+                      .keys = extremesKeys(),
                       .mapsPerRow = kMapsPerRow};
     for (const ContactLaw law : kValues<ContactLaw>) {
         page.maps.push_back(lawMap(regions, law));

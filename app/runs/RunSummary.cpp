@@ -17,15 +17,15 @@ namespace asperity {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
-Json sceneJson(const SceneDescription& scene) {
+OrderedJson sceneJson(const SceneDescription& scene) {
     std::ostringstream text;
     text << toml::json_formatter(toml::parse(sceneText(scene)));
-    return Json::parse(text.str());
+    return OrderedJson::parse(text.str());
 }
 
-Json inputJson(const LoadedScene& loaded) {
+OrderedJson inputJson(const LoadedScene& loaded) {
     const BSplineSurface& surface = loaded.scene.surface;
     return {{"file", pathText(loaded.scene.description.sample.file)},
             {"sha256", loaded.sha256},
@@ -41,7 +41,7 @@ Json inputJson(const LoadedScene& loaded) {
             {"provenance", provenanceJson(loaded.provenance)}};
 }
 
-Json termJson(const TermNeed& need, const SceneNeeds& needs) {
+OrderedJson termJson(const TermNeed& need, const SceneNeeds& needs) {
     return {{"term", nameOf(need.term)},
             {"on", need.on},
             {"overruled", need.overruled},
@@ -50,12 +50,13 @@ Json termJson(const TermNeed& need, const SceneNeeds& needs) {
 }
 
 /// Times are not in it: a run's summary is the same on every machine.
-Json modelJson(const SceneNeeds& needs) {
-    Json terms = Json::array();
+OrderedJson modelJson(const SceneNeeds& needs) {
+    OrderedJson terms = OrderedJson::array();
     for (const TermNeed& need : needs.terms) {
         terms.push_back(termJson(need, needs));
     }
-    Json model = {{"tolerance", needs.tolerance}, {"force_error", nullptr}, {"terms", terms}};
+    OrderedJson model = {
+        {"tolerance", needs.tolerance}, {"force_error", nullptr}, {"terms", terms}};
     if (needs.measured) {
         model["force_error"] = needs.totalError();
         model["force_error_left_out"] = needs.wholeError;
@@ -64,9 +65,9 @@ Json modelJson(const SceneNeeds& needs) {
     return model;
 }
 
-Json vectorJson(const Vector3& vector) { return {vector.x(), vector.y(), vector.z()}; }
+OrderedJson vectorJson(const Vector3& vector) { return {vector.x(), vector.y(), vector.z()}; }
 
-Json stateJson(const TickSample& sample) {
+OrderedJson stateJson(const TickSample& sample) {
     const TickOutput& out = sample.output;
     return {{"time_s", sample.time},
             {"base_m", vectorJson(out.base.position)},
@@ -80,12 +81,12 @@ Json stateJson(const TickSample& sample) {
             {"flags", validityText(out.flags)}};
 }
 
-Json optionalState(const std::optional<TickSample>& sample) {
-    return sample ? stateJson(*sample) : Json(nullptr);
+OrderedJson optionalState(const std::optional<TickSample>& sample) {
+    return sample ? stateJson(*sample) : OrderedJson(nullptr);
 }
 
 /// The half-space's view of a state; null where the scene does not ask for it.
-Json halfSpaceJson(const Scene& scene, const std::optional<TickSample>& sample) {
+OrderedJson halfSpaceJson(const Scene& scene, const std::optional<TickSample>& sample) {
     if (!sample || scene.model.deformation != DeformationModel::HalfSpace) {
         return nullptr;
     }
@@ -98,7 +99,8 @@ Json halfSpaceJson(const Scene& scene, const std::optional<TickSample>& sample) 
 }
 
 /// A jump of the model between two states; null when there was none.
-Json jumpJson(const std::optional<TickSample>& before, const std::optional<TickSample>& after) {
+OrderedJson jumpJson(const std::optional<TickSample>& before,
+                     const std::optional<TickSample>& after) {
     if (!before || !after) {
         return nullptr;
     }
@@ -108,29 +110,32 @@ Json jumpJson(const std::optional<TickSample>& before, const std::optional<TickS
 }
 
 /// The last jump off, and when signals and model last held the tip both.
-Json pullOffJson(const RunEvents& events) {
-    Json json = jumpJson(events.beforePullOff, events.pullOff);
+OrderedJson pullOffJson(const RunEvents& events) {
+    OrderedJson json = jumpJson(events.beforePullOff, events.pullOff);
     if (!json.is_null()) {
         json["last_hold"] = optionalState(events.lastHold);
     }
     return json;
 }
 
-Json readingJson(const std::optional<Reading>& reading) {
-    return reading ? Json(reading->value) : Json(nullptr);
+OrderedJson readingJson(const std::optional<Reading>& reading) {
+    return reading ? OrderedJson(reading->value) : OrderedJson(nullptr);
 }
 
 /// What the force-distance curve of a cycle shows; null: it shows no such thing.
-Json cycleJson(const ContactCycle& cycle) {
+OrderedJson cycleJson(const ContactCycle& cycle) {
     return {{"touch_s", cycle.touchTime},
-            {"off_s", cycle.complete() ? Json(cycle.offTime) : Json(nullptr)},
+            {"off_s", cycle.complete() ? OrderedJson(cycle.offTime) : OrderedJson(nullptr)},
             {"x_m", cycle.place.x()},
             {"y_m", cycle.place.y()},
             {"snap_in_force_n", readingJson(cycle.snapIn)},
-            {"snap_in_force_sigma_n", cycle.snapIn ? Json(cycle.snapIn->sigma) : Json(nullptr)},
-            {"snap_in_distance_m", cycle.snapIn ? Json(cycle.snapInBaseDistance) : Json(nullptr)},
+            {"snap_in_force_sigma_n",
+             cycle.snapIn ? OrderedJson(cycle.snapIn->sigma) : OrderedJson(nullptr)},
+            {"snap_in_distance_m",
+             cycle.snapIn ? OrderedJson(cycle.snapInBaseDistance) : OrderedJson(nullptr)},
             {"pull_off_force_n", readingJson(cycle.pullOff)},
-            {"pull_off_force_sigma_n", cycle.pullOff ? Json(cycle.pullOff->sigma) : Json(nullptr)},
+            {"pull_off_force_sigma_n",
+             cycle.pullOff ? OrderedJson(cycle.pullOff->sigma) : OrderedJson(nullptr)},
             {"adhesion_work_j", cycle.adhesionWork},
             {"hysteresis_j", readingJson(cycle.closedHysteresis())},
             {"area_sigma_j", cycle.areaSigma},
@@ -140,16 +145,16 @@ Json cycleJson(const ContactCycle& cycle) {
             {"max_indentation_m", cycle.maxIndentation}};
 }
 
-Json cyclesJson(const std::vector<ContactCycle>& cycles) {
-    Json list = Json::array();
+OrderedJson cyclesJson(const std::vector<ContactCycle>& cycles) {
+    OrderedJson list = OrderedJson::array();
     for (const ContactCycle& cycle : cycles) {
         list.push_back(cycleJson(cycle));
     }
     return list;
 }
 
-Json flagsJson(const RunEvents& events) {
-    Json flags = Json::object();
+OrderedJson flagsJson(const RunEvents& events) {
+    OrderedJson flags = OrderedJson::object();
     for (std::size_t i = 0; i < kValidityFlagCount; ++i) {
         flags[kValidityTraits.at(i).key] = events.flagged.at(i);
     }
@@ -159,7 +164,7 @@ Json flagsJson(const RunEvents& events) {
 }  // namespace
 
 std::string runSummary(const LoadedScene& loaded, const RunEvents& events) {
-    const Json summary{
+    const OrderedJson summary{
         {"versions", {{"asperity", kVersion}, {"compiler", __VERSION__}}},
         {"input", inputJson(loaded)},
         {"scene", sceneJson(settled(loaded.scene.description, loaded.scene.model))},

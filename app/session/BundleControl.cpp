@@ -3,8 +3,8 @@
 #include "app/recording/Bundle.h"
 #include "app/runs/RunFolder.h"
 #include "core/Error.h"
-#include "core/PrintableText.h"
 #include "core/PrivateFolder.h"
+#include "ui/ShownPath.h"
 #include "ui/window/MainWindow.h"
 #include "ui/window/WindowMenus.h"
 
@@ -48,7 +48,7 @@ BundleControl::BundleControl(MainWindow& window, RunControl& runs, RecordingCont
     , work_(loadingLine(window),
             {.finished =
                  [this](const std::filesystem::path& file) {
-                     const QString name = QString::fromStdString(printable(file.string()));
+                     const QString name = shownPath(file);
                      window_.tell(
                          tr("Bundled in %1: it opens and replays on any machine").arg(name));
                      Q_EMIT bundled(name);
@@ -94,11 +94,10 @@ void BundleControl::bundle(const QString& folder) {
     const std::filesystem::path run = folder.toStdString();
     const std::filesystem::path file = freeFile(run);
     const QImage picture = views_.picture().toImage();
-    work_.start(tr("Bundling %1 …").arg(QString::fromStdString(printable(file.string()))),
-                [run, file, picture](Progress& progress) {
-                    write(run, picture, file, progress);
-                    return file;
-                });
+    work_.start(tr("Bundling %1 …").arg(shownPath(file)), [run, file, picture](Progress& progress) {
+        write(run, picture, file, progress);
+        return file;
+    });
 }
 
 }  // namespace asperity

@@ -3,7 +3,7 @@
 #include "app/recording/RunComparison.h"
 #include "app/recording/RunPlace.h"
 #include "core/Error.h"
-#include "core/SiFormat.h"
+#include "ui/NumberText.h"
 #include "ui/playback/ThinnedLine.h"
 #include "ui/window/Dialogs.h"
 #include "ui/window/MainWindow.h"
@@ -12,9 +12,9 @@ namespace asperity {
 
 namespace {
 
-constexpr int kDrawnStretches = 50'000;
+constexpr int kComparedStretches = 50'000;
 
-QString forceText(double newtons) { return QString::fromStdString(formatSi(newtons, "N")); }
+QString forceText(double newtons) { return siText(newtons, "N"); }
 
 /// @param begin of the first run [s]
 PlaybackPage::Comparison pageOf(const RunComparison& forces, double begin) {
@@ -23,7 +23,7 @@ PlaybackPage::Comparison pageOf(const RunComparison& forces, double begin) {
     for (const ComparedForces& tick : forces.ticks) {
         difference.append({begin + tick.time, tick.difference()});
     }
-    page.difference = thinned(difference, 0, difference.size(), kDrawnStretches);
+    page.difference = thinned(difference, 0, difference.size(), kComparedStretches);
     page.mean = forceText(forces.mean);
     page.rms = forceText(forces.rms);
     page.largest = ComparisonControl::tr("%1 at %2 s")

@@ -1,6 +1,6 @@
 #include "app/session/EngageControl.h"
 
-#include "core/SiFormat.h"
+#include "ui/NumberText.h"
 #include "ui/panels/EngageBar.h"
 #include "ui/window/MainWindow.h"
 
@@ -22,7 +22,7 @@ void EngageControl::setSetpoint(double force) {
     if (const SceneDescription* const now = edits_.wanted()) {
         SceneDescription next = *now;
         next.setpoint = force;
-        edits_.change(tr("Setpoint: %1").arg(QString::fromStdString(formatSi(force, "N"))), next,
+        edits_.change(tr("Setpoint: %1").arg(siText(force, "N")), next,
                       QStringLiteral("setpoint_n"));
     }
 }
@@ -68,7 +68,7 @@ void EngageControl::advance() {
         const QString words = phase == ApproachPhase::Dwell
                                   ? tr("Engaged at %1")
                                   : tr("Not engaged: the force did not reach %1");
-        window_.tell(words.arg(QString::fromStdString(formatSi(asked_, "N"))));
+        window_.tell(words.arg(siText(asked_, "N")));
     }
 }
 

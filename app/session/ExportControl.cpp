@@ -13,6 +13,7 @@
 #include "core/Error.h"
 #include "core/PrintableText.h"
 #include "core/TemporaryFile.h"
+#include "ui/ShownPath.h"
 #include "ui/window/Dialogs.h"
 #include "ui/window/MainWindow.h"
 #include "ui/window/WindowMenus.h"
@@ -30,14 +31,10 @@ namespace asperity {
 
 namespace {
 
-constexpr int kSettled = 150;   // that choices rest before they are drawn [ms]
-constexpr int kLeastSide = 32;  // of a preview [pixel]
+constexpr int kPreviewDelay = 150;  // that choices rest before they are drawn [ms]
+constexpr int kLeastSide = 32;      // of a preview [pixel]
 
 std::string bytesOf(const QString& text) { return QFile::encodeName(text).toStdString(); }
-
-QString textOf(const std::filesystem::path& path) {
-    return QString::fromStdString(printable(path.string()));
-}
 
 ExportOffer offer() {
     const QString png = QStringLiteral("png");
@@ -111,7 +108,7 @@ ExportControl::ExportControl(MainWindow& window, RunControl& runs, ViewControl& 
                                           window_.tell(reasonOf(reason), MessageKind::Error);
                                       }}) {
     soon_.setSingleShot(true);
-    soon_.setInterval(kSettled);
+    soon_.setInterval(kPreviewDelay);
     connect(&soon_, &QTimer::timeout, this, &ExportControl::preview);
     connect(window.menus().exportView, &QAction::triggered, this, &ExportControl::ask);
 }
@@ -189,7 +186,7 @@ void ExportControl::showFile() {
         if (dialog_->choices().subject == ExportSubject::Film) {
             requireFilm(dialog_->choices().film);
         }
-        dialog_->showFile(textOf(file()));
+        dialog_->showFile(shownPath(file()));
     } catch (const std::exception& error) {
         dialog_->showFile({});
         nameFailure_ = QString::fromStdString(printable(error.what()));
@@ -312,7 +309,7 @@ void ExportControl::write() {
         draw(path);
         return;
     }
-    askWhether(dialog_, tr("%1 is there already. Replace it?").arg(textOf(path)), tr("Replace"),
+    askWhether(dialog_, tr("%1 is there already. Replace it?").arg(shownPath(path)), tr("Replace"),
                [this, path] {
                    if (dialog_ != nullptr) {
                        draw(path);
@@ -351,8 +348,8 @@ void ExportControl::start(const std::filesystem::path& path) {
                                          .spec = spec(),
                                          .path = path});
         dialog_->accept();
-        work_.start(tr("Writing %1 …").arg(textOf(path.filename())),
-                    [work, told = tr("Exported to %1").arg(textOf(path))](Progress& progress) {
+        work_.start(tr("Writing %1 …").arg(shownPath(path.filename())),
+                    [work, told = tr("Exported to %1").arg(shownPath(path))](Progress& progress) {
                         work(progress);
                         return told;
                     });

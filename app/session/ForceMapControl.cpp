@@ -4,10 +4,10 @@
 #include "app/session/ToolBinding.h"
 #include "core/DurationText.h"
 #include "core/Error.h"
-#include "core/SiFormat.h"
 #include "core/map/PixelCurve.h"
 #include "core/scene/SceneChange.h"
 #include "ui/CoreWords.h"
+#include "ui/NumberText.h"
 #include "ui/measure/ForceMapForm.h"
 #include "ui/measure/ForceMapPage.h"
 #include "ui/measure/PixelCurveView.h"
@@ -24,16 +24,12 @@ namespace asperity {
 
 namespace {
 
-constexpr int kSettled = 250;  // that what is asked for rests before it is measured [ms]
+constexpr int kEstimateDelay = 250;  // that what is asked for rests before it is measured [ms]
 
 QString durationOf(double seconds) {
     return seconds < 1.0
                ? ForceMapControl::tr("less than a second")
                : ForceMapControl::tr("about %1").arg(QString::fromStdString(durationText(seconds)));
-}
-
-QString siText(double value, const char* unit) {
-    return QString::fromStdString(formatSi(value, unit));
 }
 
 /// "64 × 64 pixels, approach to 5 nN, model"
@@ -98,7 +94,7 @@ ForceMapControl::ForceMapControl(MainWindow& window, RunControl& runs)
     bindTool(map, rectangle_, page_->form(), &ForceMapForm::drawingChosen,
              &ForceMapForm::setDrawing);
     soon_.setSingleShot(true);
-    soon_.setInterval(kSettled);
+    soon_.setInterval(kEstimateDelay);
     connectParts();
     follow();
 }

@@ -7,6 +7,7 @@
 #include "core/TemporaryFile.h"
 #include "core/io/TextValue.h"
 #include "core/scene/SceneFiles.h"
+#include "ui/ShownPath.h"
 #include "ui/window/Dialogs.h"
 #include "ui/window/MainWindow.h"
 
@@ -15,10 +16,6 @@
 namespace asperity {
 
 namespace {
-
-QString textOf(const std::filesystem::path& path) {
-    return QString::fromStdString(printable(path.string()));
-}
 
 /// @throw Error where a file is an input of the scene, or cannot be written
 void requireTargets(const HeldMap& map, const MapFiles& files) {
@@ -53,7 +50,7 @@ ForceMapSaving::ForceMapSaving(MainWindow& window)
 void ForceMapSaving::ask(const std::shared_ptr<const HeldMap>& map) {
     const QString file = askForForceMap(&window_, suggestionFor(*map));
     if (!file.isEmpty()) {
-        saveTo(map, QFile::encodeName(file).toStdString());
+        saveTo(map, pathOf(file));
     }
 }
 
@@ -62,7 +59,7 @@ void ForceMapSaving::saveTo(const std::shared_ptr<const HeldMap>& map,
     const std::filesystem::path path =
         gwy.has_extension() ? gwy : std::filesystem::path(gwy.string() + ".gwy");
     if (lowerCase(path.extension().string()) != ".gwy") {
-        window_.complain(QObject::tr("%1: expected the name of a .gwy file").arg(textOf(path)));
+        window_.complain(QObject::tr("%1: expected the name of a .gwy file").arg(shownPath(path)));
         return;
     }
     const MapFiles files(path);
@@ -72,7 +69,7 @@ void ForceMapSaving::saveTo(const std::shared_ptr<const HeldMap>& map,
             askWhether(&window_,
                        QObject::tr("%1 is there already, beside the map. Replace it and the other "
                                    "files of the map?")
-                           .arg(textOf(file)),
+                           .arg(shownPath(file)),
                        QObject::tr("Replace"), [this, map, path] { write(map, path); });
             return;
         }
@@ -91,8 +88,8 @@ void ForceMapSaving::write(const std::shared_ptr<const HeldMap>& map,
         return;
     }
     work_.start(
-        QObject::tr("Writing %1 …").arg(textOf(gwy.filename())),
-        [map, files, told = QObject::tr("Saved as %1").arg(textOf(gwy))](Progress& progress) {
+        QObject::tr("Writing %1 …").arg(shownPath(gwy.filename())),
+        [map, files, told = QObject::tr("Saved as %1").arg(shownPath(gwy))](Progress& progress) {
             writeMapFiles(files, map->loaded(), map->plan(), map->part(), &progress);
             return told;
         });

@@ -4,6 +4,7 @@
 #include "core/PrintableText.h"
 #include "core/io/scene/TomlFile.h"
 #include "core/scene/SceneFieldChange.h"
+#include "ui/ShownPath.h"
 #include "ui/panels/LibraryBar.h"
 #include "ui/window/Dialogs.h"
 #include "ui/window/MainWindow.h"
@@ -165,8 +166,7 @@ void LibraryControl::withName(const QString& name, const std::filesystem::path& 
         items_, [&](const Item& listed) { return listed.entry.file == replaced; });
     askWhether(&window_,
                tr("“%1” is in the same file, %2. Replace it?")
-                   .arg(item == items_.end() ? name : item->name,
-                        QString::fromStdString(printable(replaced.filename().string()))),
+                   .arg(item == items_.end() ? name : item->name, shownPath(replaced.filename())),
                tr("Replace"), act);
 }
 

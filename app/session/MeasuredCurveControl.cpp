@@ -1,8 +1,8 @@
 #include "app/session/MeasuredCurveControl.h"
 
-#include "core/PrintableText.h"
-#include "core/SiFormat.h"
 #include "core/io/curves/ForceCurveFile.h"
+#include "ui/NumberText.h"
+#include "ui/ShownPath.h"
 #include "ui/window/Dialogs.h"
 #include "ui/window/MainWindow.h"
 
@@ -44,9 +44,7 @@ QVector<QPointF> thinned(const std::vector<double>& distances, const std::vector
 }
 
 QString detailsOf(const AlignedForceCurve& curve, const QString& name) {
-    const auto text = [](double value, const char* unit) {
-        return QString::fromStdString(formatSi(value, unit));
-    };
+    const auto text = [](double value, const char* unit) { return siText(value, unit); };
     return MeasuredCurveControl::tr(
                "%1\nBaseline taken off: %2 at the contact, tilt %3\nNoise about it: %4\n"
                "Lever: %5\nContact: where the approach last passes zero force")
@@ -106,7 +104,7 @@ void MeasuredCurveControl::ask() {
 
 void MeasuredCurveControl::load(const std::filesystem::path& file) {
     const double stiffness = 1.0 / runs_.run()->scene().belief.cantilever.compliance()(2, 2);
-    const QString name = QString::fromStdString(printable(file.filename().string()));
+    const QString name = shownPath(file.filename());
     work_.start([file, name, stiffness](Progress& /*progress*/) {
         return drawnCurve(alignedCurve(readForceCurve(file), stiffness), name);
     });

@@ -3,8 +3,8 @@
 #include "app/program/DataFolder.h"
 #include "app/session/ShownPreview.h"
 #include "core/PathText.h"
-#include "core/PrintableText.h"
 #include "core/io/heightmap/HeightMapFile.h"
+#include "ui/ShownPath.h"
 #include "ui/window/Dialogs.h"
 #include "ui/window/MainWindow.h"
 #include "ui/window/PreviewPane.h"
@@ -21,7 +21,7 @@ namespace asperity {
 
 namespace {
 
-constexpr int kSettled = 120;  // that choices rest before they are looked at [ms]
+constexpr int kLookDelay = 120;  // that choices rest before they are looked at [ms]
 
 std::vector<ScanFileType> scanFiles() {
     std::vector<ScanFileType> types;
@@ -35,14 +35,12 @@ std::vector<ScanFileType> scanFiles() {
     return types;
 }
 
-std::filesystem::path pathOf(const QString& file) { return QFile::encodeName(file).toStdString(); }
-
 std::vector<RecentFile> shownFiles(const RecentFiles& recent) {
     std::vector<RecentFile> shown;
     for (const std::filesystem::path& file : recent.files()) {
         std::error_code unknown;
         shown.push_back({.path = QFile::decodeName(file.string().c_str()),
-                         .name = QString::fromStdString(printable(file.filename().string())),
+                         .name = shownPath(file.filename()),
                          .isThere = std::filesystem::is_regular_file(file, unknown)});
     }
     return shown;
@@ -79,7 +77,7 @@ OpenControl::OpenControl(MainWindow& window, SceneControl& scenes)
                      }
                  }}) {
     soon_.setSingleShot(true);
-    soon_.setInterval(kSettled);
+    soon_.setInterval(kLookDelay);
     connect(&soon_, &QTimer::timeout, this, &OpenControl::look);
     connect(window.menus().open, &QAction::triggered, this, &OpenControl::ask);
     RecentMenu& menu = *window.menus().recent;

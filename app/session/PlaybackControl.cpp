@@ -6,6 +6,7 @@
 #include "app/recording/RunWithScene.h"
 #include "app/session/StayingRun.h"
 #include "ui/CoreWords.h"
+#include "ui/NumberText.h"
 #include "ui/Steady.h"
 #include "ui/panels/RunPanel.h"
 #include "ui/panels/StateBanner.h"
@@ -22,10 +23,10 @@ namespace {
 
 /// What the panels are shown before a moment, so that their curves are those of the live run.
 constexpr std::size_t kHistory = 10'000;
-constexpr std::size_t kAtOnce = 1'000;   ///< that the curves go on by; more are another time
-constexpr double kUnpacked = 0.1;        ///< share of the time that a bundle takes
-constexpr double kLoaded = 0.3;          ///< the same with reading the run
-constexpr int kDrawnStretches = 50'000;  ///< of a line: a zoom by ten still shows all
+constexpr std::size_t kAtOnce = 1'000;     ///< that the curves go on by; more are another time
+constexpr double kUnpacked = 0.1;          ///< share of the time that a bundle takes
+constexpr double kLoaded = 0.3;            ///< the same with reading the run
+constexpr int kPlottedStretches = 50'000;  ///< of a line: a zoom by ten still shows all
 
 /// Reads a run and runs through it once, so that any tick is at hand. @return its scene
 LoadedScene read(LookedAtRun& run, Progress& progress) {
@@ -57,7 +58,7 @@ QString distanceText(const ContactState& contact) {
                          : contact.indentation < 0.0 ? PlaybackControl::tr("neck height")
                                                      : PlaybackControl::tr("indentation");
     const double length = isAbove ? -contact.indentation : contact.indentation;
-    return name + QLatin1Char(' ') + QString::fromStdString(formatSi(length, "m"));
+    return name + QLatin1Char(' ') + siText(length, "m");
 }
 
 PlaybackPage::Readings readingsOf(const TickSample& sample) {
@@ -87,8 +88,8 @@ PlaybackPage::Curves curvesOf(const ForceTrace& trace, const QString& name, doub
         distance.append({trace.indentation()[tick], trace.force()[tick]});
     }
     return {.name = name,
-            .force = thinned(force, 0, force.size(), kDrawnStretches),
-            .distance = thinned(distance, 0, distance.size(), kDrawnStretches)};
+            .force = thinned(force, 0, force.size(), kPlottedStretches),
+            .distance = thinned(distance, 0, distance.size(), kPlottedStretches)};
 }
 
 PlaybackControl::PlaybackControl(MainWindow& window, RunControl& runs, SceneControl& scenes)

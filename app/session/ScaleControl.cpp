@@ -1,7 +1,7 @@
 #include "app/session/ScaleControl.h"
 
-#include "core/PrintableText.h"
 #include "core/surface/MergedScale.h"
+#include "ui/ShownPath.h"
 #include "ui/window/MainWindow.h"
 
 namespace asperity {
@@ -16,7 +16,7 @@ ScaleControl::Kind kindOf(const std::filesystem::path& file, const ScaleGap& gap
 
 void ScaleControl::ask(const std::filesystem::path& file, const ScaleGap& gap) {
     withdraw();
-    const QString name = QString::fromStdString(printable(file.filename().string()));
+    const QString name = shownPath(file.filename());
     dialog_ = new ScaleDialog(name, gap, &window_);
     dialog_->setAttribute(Qt::WA_DeleteOnClose);
     if (const auto known = suggestion(file, gap)) {

@@ -6,9 +6,9 @@
 #include "app/session/WindowSection.h"
 #include "core/Error.h"
 #include "core/PathText.h"
-#include "core/PrintableText.h"
 #include "core/io/heightmap/MissingScale.h"
 #include "core/surface/MergedScale.h"
+#include "ui/ShownPath.h"
 #include "ui/window/MainWindow.h"
 #include "ui/window/WindowMenus.h"
 
@@ -94,7 +94,7 @@ void SceneControl::begin(const std::filesystem::path& input, SceneEdits::Opening
                          const FailureWords& failureWords) {
     scales_.withdraw();
     asked_ = input;
-    const QString name = QString::fromStdString(printable(input.filename().string()));
+    const QString name = shownPath(input.filename());
     opening.name = name;
     opening.opened = [this, opened = opening.opened] {
         Q_EMIT sceneTaken();

@@ -3,12 +3,12 @@
 #include "app/session/WindowSection.h"
 #include "core/Error.h"
 #include "core/PathText.h"
-#include "core/PrintableText.h"
 #include "core/TemporaryFile.h"
 #include "core/io/scene/SceneFile.h"
 #include "core/io/scene/SceneSaving.h"
 #include "core/scene/SceneFiles.h"
 #include "core/scene/SettingFields.h"
+#include "ui/ShownPath.h"
 #include "ui/window/LayoutMemory.h"
 #include "ui/window/MainWindow.h"
 #include "ui/window/ViewMemory.h"
@@ -24,12 +24,6 @@ namespace {
 
 constexpr int kKeepPeriod = 250;  // between two looks at what has changed [ms]
 const QString kFile = QStringLiteral("session/file");
-
-std::filesystem::path pathOf(const QString& file) { return QFile::encodeName(file).toStdString(); }
-
-QString textOf(const std::filesystem::path& path) {
-    return QString::fromStdString(printable(path.string()));
-}
 
 }  // namespace
 
@@ -80,7 +74,7 @@ QString SessionControl::setLastAside(const QString& reason) {
     const std::filesystem::path aside = folder_->setLastAside();
     showBefore();
     const QString words = tr("The last session could not be opened: %1\n\nIt stays as %2. ")
-                              .arg(reason, textOf(aside));
+                              .arg(reason, shownPath(aside));
     return words + (aside == folder_->before()
                         ? tr("File > Restore the session before tries again.")
                         : tr("File > Open tries again."));
@@ -111,7 +105,7 @@ void SessionControl::saveAs(const std::filesystem::path& file) {
         saveScene(scene(), target, windowSection(window()));
         files_[edits_.origin()] = std::filesystem::absolute(target);
         saved_ = QFile::decodeName(target.parent_path().c_str());
-        window_.tell(tr("Saved as %1").arg(textOf(target)));
+        window_.tell(tr("Saved as %1").arg(shownPath(target)));
     } catch (const Error& error) {
         window_.complain(QString::fromUtf8(error.what()));
     }

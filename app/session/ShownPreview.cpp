@@ -1,8 +1,8 @@
 #include "app/session/ShownPreview.h"
 
 #include "core/PrintableText.h"
-#include "core/SiFormat.h"
 #include "core/io/heightmap/PhysicalUnit.h"
+#include "ui/NumberText.h"
 #include "ui/panels/HeightPicture.h"
 
 #include <cmath>
@@ -19,9 +19,8 @@ QString quantity(double value, const std::string& unit) {
         return QStringLiteral("–");
     }
     const PhysicalUnit known = parseUnit(unit);  // "mV" must not become "mmV"
-    return known.base.empty()
-               ? QString::number(value, 'g', 3)
-               : QString::fromStdString(formatSi(value * known.factor, known.base.c_str()));
+    return known.base.empty() ? QString::number(value, 'g', 3)
+                              : siText(value * known.factor, known.base.c_str());
 }
 
 QString product(const QString& x, const QString& y) { return QStringLiteral("%1 × %2").arg(x, y); }

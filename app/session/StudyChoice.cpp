@@ -3,14 +3,13 @@
 #include "app/program/DataFolder.h"
 #include "app/session/UserFolder.h"
 #include "core/Error.h"
-#include "core/PrintableText.h"
 #include "core/experiment/StudyChecks.h"
 #include "core/io/experiment/StudyFile.h"
 #include "core/io/experiment/TrialTable.h"
+#include "ui/ShownPath.h"
 #include "ui/experiment/StudyForm.h"
 #include "ui/window/MainWindow.h"
 
-#include <QFile>
 #include <QStringList>
 
 namespace asperity {
@@ -18,10 +17,6 @@ namespace asperity {
 namespace {
 
 std::filesystem::path shippedStudy() { return dataFolder() / "studies" / "positioning.toml"; }
-
-QString textOf(const std::filesystem::path& path) {
-    return QString::fromStdString(printable(path.string()));
-}
 
 /// Tasks and trials, in a few words.
 QString aboutOf(const Study& study) {
@@ -59,10 +54,9 @@ StudyChoice::StudyChoice(MainWindow& window, StudyForm& form, StudyResultsContro
            .failed =
                [this](const std::exception_ptr& reason) { window_.complain(reasonOf(reason)); }}) {
     connect(&form, &StudyForm::studyChosen, this,
-            [this](const QString& file) { chooseStudy(QFile::encodeName(file).toStdString()); });
-    connect(&form, &StudyForm::folderChosen, this, [this](const QString& folder) {
-        chooseFolder(QFile::encodeName(folder).toStdString());
-    });
+            [this](const QString& file) { chooseStudy(pathOf(file)); });
+    connect(&form, &StudyForm::folderChosen, this,
+            [this](const QString& folder) { chooseFolder(pathOf(folder)); });
     connect(&form, &StudyForm::shown, this, &StudyChoice::show);
     connect(&form, &StudyForm::startChosen, this, &StudyChoice::open);
     connect(&form, &StudyForm::resultsChosen, this, &StudyChoice::showResults);
@@ -98,7 +92,7 @@ void StudyChoice::chooseFolder(const std::filesystem::path& folder) {
 
 void StudyChoice::showFolder() {
     const auto refuse = [this](const QString& why) {
-        form_.showFolder(textOf(folder_), {});
+        form_.showFolder(shownPath(folder_), {});
         form_.refuse(why);
     };
     try {
@@ -112,9 +106,9 @@ void StudyChoice::showFolder() {
             return;
         }
         const auto counting = std::ranges::count_if(trials, &TrialRecord::counts);
-        form_.showFolder(textOf(folder_), trials.empty()
-                                              ? tr("New: no trial is in it yet")
-                                              : tr("Goes on; trials that count: %1").arg(counting));
+        form_.showFolder(shownPath(folder_),
+                         trials.empty() ? tr("New: no trial is in it yet")
+                                        : tr("Goes on; trials that count: %1").arg(counting));
         form_.showParticipant(participantToGoOn(*study_, trials));
         form_.refuse({});
     } catch (const std::exception& error) {

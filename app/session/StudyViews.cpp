@@ -18,9 +18,9 @@ namespace asperity {
 namespace {
 
 constexpr double kTurn = std::numbers::pi / 12.0;  // of the view, a step [rad]
-constexpr double kRoom = 1.3;        // half of the view's width, in distances of a target
-constexpr double kRoomAbove = 1.2;   // the same in heights, in a view much wider than high
-constexpr double kUsualRadii = 2.4;  // the same at least, in tip radii
+constexpr double kTargetRoom = 1.3;       // half of the view's width, in distances of a target
+constexpr double kTargetRoomAbove = 1.2;  // the same in heights, in a view much wider than high
+constexpr double kUsualRadii = 2.4;       // the same at least, in tip radii
 
 /// Wide enough that start and target of every trial are seen, and the same for all of a study.
 double halfWidthFor(const Study& study) {
@@ -32,7 +32,8 @@ double halfWidthFor(const Study& study) {
     for (const StudyTask& task : study.tasks) {
         highest = std::max(highest, task.kind == TaskKind::Above ? task.farthest : 0.0);
     }
-    return std::max({kRoom * farthest, kRoomAbove * highest, kUsualRadii * study.scene.tip.radius});
+    return std::max(
+        {kTargetRoom * farthest, kTargetRoomAbove * highest, kUsualRadii * study.scene.tip.radius});
 }
 
 }  // namespace

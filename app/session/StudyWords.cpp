@@ -1,15 +1,11 @@
 #include "app/session/StudyWords.h"
 
-#include "core/SiFormat.h"
 #include "ui/CoreWords.h"
+#include "ui/NumberText.h"
 
 namespace asperity {
 
 namespace {
-
-QString siText(double value, const char* unit) {
-    return QString::fromStdString(formatSi(value, unit));
-}
 
 QString wordsOf(const std::string& name) { return QString::fromStdString(name).replace('_', ' '); }
 

@@ -15,14 +15,14 @@ namespace asperity {
 
 namespace {
 
-constexpr std::size_t kRoom = 64;    ///< touches between two frames
-constexpr int kFramesPerUpdate = 8;  ///< of a touch that goes on: five times a second
+constexpr std::size_t kTouchRoom = 64;  ///< touches between two frames
+constexpr int kFramesPerUpdate = 8;     ///< of a touch that goes on: five times a second
 
 }  // namespace
 
 TouchControl::TouchControl(MainWindow& window, RunControl& runs)
     : window_(window), runs_(runs), page_(new TouchesPage(&window)) {
-    fresh_.reserve(kRoom);
+    fresh_.reserve(kTouchRoom);
     window.addTool(page_, tr("Touches"));
     window.overview().map().addTool(marks_);
     connect(page_, &TouchesPage::markingChosen, &marks_, &TouchMarks::setShown);

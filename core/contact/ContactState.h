@@ -32,6 +32,9 @@ struct ContactMemory {
     double coordinate = 0.0;  ///< of the state on its law's curve; 0: none
 };
 
+/// Of a bonded tip whose place on the curve is not known.
+inline constexpr ContactMemory kBondedMemory{ContactBranch::Bonded, 0.0};
+
 /// One equilibrium of tip and sample along the surface normal.
 struct ContactState {
     double force = 0.0;           ///< on the tip, along the outward normal, > 0 repulsive [N]

@@ -9,7 +9,7 @@ namespace asperity {
 
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kNoUpperLimit = std::numeric_limits<double>::infinity();
 
 /// Whether it is an elastic body or a rigid one; quiet for what is not a number.
 bool isBody(const Elastic& body) noexcept {
@@ -31,7 +31,7 @@ double reducedModulus(const Elastic& sample, const Elastic& tip) noexcept {
         return 0.0;
     }
     const double compliance = planeCompliance(sample) + planeCompliance(tip);
-    return compliance > 1.0 / std::numeric_limits<double>::max() ? 1.0 / compliance : kInfinity;
+    return compliance > 1.0 / std::numeric_limits<double>::max() ? 1.0 / compliance : kNoUpperLimit;
 }
 
 double sampleShare(const Elastic& sample, const Elastic& tip) noexcept {

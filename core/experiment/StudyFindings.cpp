@@ -8,9 +8,6 @@ namespace asperity {
 
 namespace {
 
-double errorOf(const TrialRecord& trial) { return trial.errorPercent; }
-double timeOf(const TrialRecord& trial) { return trial.time; }
-
 std::string textOf(const Estimate& estimate, const char* unit) {
     return formatted("%.3g (%.3g to %.3g) %s", estimate.mean, estimate.low, estimate.high, unit);
 }
@@ -21,8 +18,8 @@ struct Measure {
     const char* unit;
 };
 
-const Measure kError{errorOf, "%"};
-const Measure kTime{timeOf, "s"};
+const Measure kError{&TrialRecord::errorPercent, "%"};
+const Measure kTime{&TrialRecord::time, "s"};
 
 /// The trials of one study, and what they say.
 class Findings {
@@ -134,8 +131,8 @@ std::vector<StudyFinding> findingsOf(const Study& study, std::span<const TrialRe
     std::vector<Estimate> between;
     for (const auto& [one, other] : {std::pair(oxide, polystyrene), std::pair(polystyrene, rubber),
                                      std::pair(oxide, rubber)}) {
-        between.push_back(
-            findings.differenceOf(findings.on(a, one), findings.on(a, other), errorOf));
+        between.push_back(findings.differenceOf(findings.on(a, one), findings.on(a, other),
+                                                &TrialRecord::errorPercent));
     }
     findings.isNothing("in A the error is about the same on all materials", between, "%");
     findings.isMore("in B the error is larger on silicon oxide than on rubber",

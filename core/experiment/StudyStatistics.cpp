@@ -12,9 +12,6 @@ namespace {
 
 using Trials = std::vector<const TrialRecord*>;
 
-double errorOf(const TrialRecord& trial) { return trial.errorPercent; }
-double timeOf(const TrialRecord& trial) { return trial.time; }
-
 std::vector<double> valuesOf(const Trials& trials, const TrialValue& value) {
     std::vector<double> values;
     for (const TrialRecord* trial : trials) {
@@ -115,10 +112,13 @@ private:
             return;
         }
         addMeans({.task = task}, counting);
-        add({.quantity = StudyQuantity::ErrorLearning, .task = task}, slopeOver(counting, errorOf));
-        add({.quantity = StudyQuantity::TimeLearning, .task = task}, slopeOver(counting, timeOf));
+        add({.quantity = StudyQuantity::ErrorLearning, .task = task},
+            slopeOver(counting, &TrialRecord::errorPercent));
+        add({.quantity = StudyQuantity::TimeLearning, .task = task},
+            slopeOver(counting, &TrialRecord::time));
         add({.quantity = StudyQuantity::TimeAndError, .task = task},
-            correlationOf(deviationsOf(counting, timeOf), deviationsOf(counting, errorOf)));
+            correlationOf(deviationsOf(counting, &TrialRecord::time),
+                          deviationsOf(counting, &TrialRecord::errorPercent)));
         addCells(task, counting);
     }
 
@@ -143,9 +143,9 @@ private:
 
     void addMeans(StudyEstimate estimate, const Trials& trials) {
         estimate.quantity = StudyQuantity::ErrorPercent;
-        add(estimate, meanOver(trials, errorOf));
+        add(estimate, meanOver(trials, &TrialRecord::errorPercent));
         estimate.quantity = StudyQuantity::Time;
-        add(estimate, meanOver(trials, timeOf));
+        add(estimate, meanOver(trials, &TrialRecord::time));
     }
 
     void add(StudyEstimate estimate, const Estimate& value) {

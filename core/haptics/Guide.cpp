@@ -6,8 +6,8 @@ namespace asperity {
 
 namespace {
 
-constexpr double kComesOnIn = 0.5;  // [s]
-constexpr double kMaxStep = 10e-3;  // that a stall counts as [s]
+constexpr double kComesOnIn = 0.5;       // [s]
+constexpr double kMaxGuideStep = 10e-3;  // that a stall counts as [s]
 
 }  // namespace
 
@@ -21,7 +21,7 @@ GuideStep stepGuide(const TickInput& input, const Vector3& place,
     if (step.changed) {
         return step;
     }
-    const double more = std::min(input.timeStep, kMaxStep) / kComesOnIn;
+    const double more = std::min(input.timeStep, kMaxGuideStep) / kComesOnIn;
     step.share = std::min(1.0, memory.share + more);
     VirtualFixture fixture = atDeviceScale(settings.guide, settings.positionGain);
     fixture.forceLimit *= step.share;

@@ -9,8 +9,8 @@ namespace asperity {
 
 namespace {
 
-constexpr double kGainTime = 0.1;   // in which a gain changes by a factor of e [s]
-constexpr double kMaxStep = 10e-3;  // that a stall counts as [s]
+constexpr double kGainTime = 0.1;        // in which a gain changes by a factor of e [s]
+constexpr double kMaxProxyStep = 10e-3;  // that a stall counts as [s]
 
 /// The force gain of this tick.
 double nextGain(const TickInput& input, double before) {
@@ -18,7 +18,7 @@ double nextGain(const TickInput& input, double before) {
     if (!(before > 0.0 && wanted > 0.0)) {
         return wanted;
     }
-    const double factor = std::exp(std::min(input.timeStep, kMaxStep) / kGainTime);
+    const double factor = std::exp(std::min(input.timeStep, kMaxProxyStep) / kGainTime);
     return std::clamp(wanted, before / factor, before * factor);
 }
 

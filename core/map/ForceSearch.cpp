@@ -11,8 +11,8 @@ namespace {
 constexpr double kTolerance = 1e-12;     // of the force
 constexpr double kSmallestStep = 1e-15;  // [m]
 constexpr double kGrowth = 2.0;          // of a step over the one before
-constexpr int kMaxSteps = 100;
-constexpr int kMaxHalvings = 100;
+constexpr int kMaxForceSteps = 100;
+constexpr int kMaxForceHalvings = 100;
 constexpr int kMaxAway = 3;  // steps in turn that lead away from the force
 
 /// Force along z per height of the base, by the main contact point [N/m]; never zero.
@@ -37,7 +37,7 @@ public:
 
     /// Illinois: the false position, whose end that stays counts half.
     TipAtHeight solve() {
-        for (int i = 0; i < kMaxHalvings && !isDone(); ++i) {
+        for (int i = 0; i < kMaxForceHalvings && !isDone(); ++i) {
             const double share = lessMiss_ / (lessMiss_ - moreMiss_);
             const double base = std::lerp(less_.base, more_.base, share);
             if (base == less_.base || base == more_.base) {
@@ -86,7 +86,7 @@ std::optional<TipAtHeight> findForce(VerticalPath& path, TipAtHeight from, doubl
     const bool isBelow = now.force() < force;
     double longest = 0.1 * path.instrument().system().tipRadius();
     int away = 0;
-    for (int i = 0; i < kMaxSteps; ++i) {
+    for (int i = 0; i < kMaxForceSteps; ++i) {
         const double missing = std::abs(force - now.force()) / slopeAt(path, now);
         const double step = std::clamp(missing, kSmallestStep, longest);
         TipAtHeight next = path.at(now.base + (isBelow ? -step : step), now.memory);

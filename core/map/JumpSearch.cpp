@@ -13,9 +13,8 @@ namespace {
 constexpr double kNear = 2e-11;        // of the base to the jump, where the law knows the rest [m]
 constexpr double kResolution = 1e-13;  // where it does not [m]
 constexpr double kShortest = 1.0 / 32.0;  // step of a way that is sampled, of the longest one
-constexpr double kMinNormal = 0.1;        // z of a normal that says how far to go along z
-constexpr int kMaxSteps = 400;
-constexpr int kMaxHalvings = 60;
+constexpr int kMaxJumpSteps = 400;
+constexpr int kMaxJumpHalvings = 60;
 
 enum class Way : std::int8_t { Down = -1, Up = 1 };
 
@@ -33,7 +32,7 @@ double wayToJump(const VerticalPath& path, const TipAtHeight& tip, Way way) {
     const double approach = approachOf(path, tip);
     const double along = way == Way::Down ? law.jumpInApproach(compliance) - approach
                                           : approach - law.pullOffApproach(compliance);
-    return along / std::max(tip.state.closest.normal.z(), kMinNormal);
+    return along / std::max(tip.state.closest.normal.z(), kMinNormalZ);
 }
 
 /// The next step of the base towards a jump that is so far away. It ends at one distance from the
@@ -65,7 +64,7 @@ std::optional<TipJump> jumpOfLaw(const VerticalPath& path, const TipState& state
 /// @param lost a height at which it is not any more
 FoundJump narrowed(VerticalPath& path, TipAtHeight before, double lost, TipAtHeight after) {
     const bool wasBonded = before.isBonded();
-    for (int i = 0; i < kMaxHalvings && std::abs(lost - before.base) > kResolution; ++i) {
+    for (int i = 0; i < kMaxJumpHalvings && std::abs(lost - before.base) > kResolution; ++i) {
         TipAtHeight middle = path.at(std::midpoint(before.base, lost), before.memory);
         const bool changed = middle.isBonded() != wasBonded;
         if (middle.state.converged && !changed) {
@@ -124,7 +123,7 @@ std::optional<FoundJump> findJump(VerticalPath& path, TipAtHeight now, Way way, 
     int corrections = 0;
     TipAtHeight found = now;  // the last one in equilibrium
     double lost = now.base;   // the next height, at which there was none
-    for (int i = 0; i < kMaxSteps; ++i) {
+    for (int i = 0; i < kMaxJumpSteps; ++i) {
         visit(now);
         const double left = wayToJump(path, now, way);
         const bool knowsWay = isOfMainPoint(now, left, way);

@@ -10,15 +10,15 @@ namespace {
 constexpr int kFreePoints = 32;    // of the way down to the snap-in
 constexpr int kBondedPoints = 24;  // of the way from there to the setpoint
 
-PixelCurvePoint pointAt(const VerticalPath& path, double base, double force) {
+PixelCurvePoint curvePointAt(const VerticalPath& path, double base, double force) {
     return {.base = base, .tip = base + (path.complianceZ() * force), .force = force};
 }
 
-PixelCurvePoint pointOf(const VerticalPath& path, const TipAtHeight& tip) {
-    return pointAt(path, tip.base, tip.force());
+PixelCurvePoint curvePointOf(const VerticalPath& path, const TipAtHeight& tip) {
+    return curvePointAt(path, tip.base, tip.force());
 }
 
-PixelCurvePoint pointOf(const VerticalPath& path, const RetractPoint& point) {
+PixelCurvePoint curvePointOf(const VerticalPath& path, const RetractPoint& point) {
     return {.base = point.height - (path.complianceZ() * point.force),
             .tip = point.height,
             .force = point.force};
@@ -27,8 +27,8 @@ PixelCurvePoint pointOf(const VerticalPath& path, const RetractPoint& point) {
 /// The two sides of a jump, before it and after it.
 std::pair<PixelCurvePoint, PixelCurvePoint> sidesOf(const VerticalPath& path,
                                                     const FoundJump& jump) {
-    return {pointAt(path, jump.base, jump.forceBefore()),
-            pointAt(path, jump.base, jump.forceAfter())};
+    return {curvePointAt(path, jump.base, jump.forceBefore()),
+            curvePointAt(path, jump.base, jump.forceAfter())};
 }
 
 /// Where the tip of a retract is free, the approach begins: both show the same way.
@@ -36,8 +36,9 @@ double topOf(const VerticalPath& path, const CycleStates& states) {
     constexpr double kClearance = 0.5;  // of the tip's radius
     const double above =
         states.engaged->snapIn.base + (kClearance * path.instrument().system().tipRadius());
-    return states.retracted ? std::max(above, pointOf(path, states.retracted->free.back()).base)
-                            : above;
+    return states.retracted
+               ? std::max(above, curvePointOf(path, states.retracted->free.back()).base)
+               : above;
 }
 
 /// Towards the snap-in the attraction grows with the inverse square of the distance: steps get
@@ -51,7 +52,7 @@ void addFreeWay(VerticalPath& path, const CycleStates& states,
         const double left = 1.0 - (static_cast<double>(i) / kFreePoints);
         const TipAtHeight tip = path.at(bottom + (left * left * left * way), memory);
         memory = tip.memory;
-        points.push_back(pointOf(path, tip));
+        points.push_back(curvePointOf(path, tip));
     }
 }
 
@@ -64,9 +65,9 @@ void addBondedWay(VerticalPath& path, const Engagement& engaged,
         const TipAtHeight tip =
             path.at(top - (way * static_cast<double>(i) / kBondedPoints), memory);
         memory = tip.memory;
-        points.push_back(pointOf(path, tip));
+        points.push_back(curvePointOf(path, tip));
     }
-    points.push_back(pointOf(path, engaged.atSetpoint));
+    points.push_back(curvePointOf(path, engaged.atSetpoint));
 }
 
 void takeApproach(VerticalPath& path, const CycleStates& states, PixelCurve& curve) {
@@ -84,13 +85,13 @@ void takeApproach(VerticalPath& path, const CycleStates& states, PixelCurve& cur
 void takeRetract(const VerticalPath& path, const RetractCurve& states, PixelCurve& curve) {
     std::vector<PixelCurvePoint>& points = curve.retract;
     for (const RetractPoint& point : states.bonded) {
-        points.push_back(pointOf(path, point));
+        points.push_back(curvePointOf(path, point));
     }
     const auto [before, after] = sidesOf(path, states.pullOff);
     points.back() = before;
     // The strongest pull may lie between two steps; there the law has it.
     if (const std::optional<RetractPoint> strongest = strongestOfLaw(path, states)) {
-        points.push_back(pointOf(path, *strongest));
+        points.push_back(curvePointOf(path, *strongest));
         points.back().base = std::min(points.back().base, before.base);
     }
     // Near to the jump its search goes back and forth by some picometers.
@@ -100,7 +101,7 @@ void takeRetract(const VerticalPath& path, const RetractCurve& states, PixelCurv
         points.push_back(after);
     }
     for (const RetractPoint& point : states.free) {
-        const PixelCurvePoint free = pointOf(path, point);
+        const PixelCurvePoint free = curvePointOf(path, point);
         if (free.base >= points.back().base) {
             points.push_back(free);
         }

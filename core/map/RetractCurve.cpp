@@ -12,15 +12,14 @@ namespace asperity {
 namespace {
 
 constexpr int kSteps = 32;
-constexpr double kMinNormal = 0.1;  // z of a normal that says how far to go along z
 
 /// @param base its height [m] @param force along z [N]
-RetractPoint pointAt(const VerticalPath& path, double base, double force) {
+RetractPoint retractPointAt(const VerticalPath& path, double base, double force) {
     return {.height = base + (path.complianceZ() * force), .force = force};
 }
 
-RetractPoint pointOf(const VerticalPath& path, const TipAtHeight& tip) {
-    return pointAt(path, tip.base, tip.force());
+RetractPoint retractPointOf(const VerticalPath& path, const TipAtHeight& tip) {
+    return retractPointAt(path, tip.base, tip.force());
 }
 
 /// Between two steps the tip may pull harder than at both: where no law has the strongest pull, the
@@ -56,12 +55,12 @@ std::vector<RetractPoint> freeWay(VerticalPath& path, const TipAtHeight& first, 
     constexpr double kGrowth = 1.4;
     constexpr double kEnd = 1e-3;  // of the pull
     constexpr int kMaxPoints = 24;
-    std::vector<RetractPoint> points{pointOf(path, first)};
+    std::vector<RetractPoint> points{retractPointOf(path, first)};
     double step = kFirstStep * path.instrument().system().tipRadius();
     TipAtHeight tip = first;
     while (points.back().force < -kEnd * pull && points.size() < kMaxPoints) {
         tip = path.at(tip.base + step, tip.memory);
-        points.push_back(pointOf(path, tip));
+        points.push_back(retractPointOf(path, tip));
         step *= kGrowth;
     }
     return points;
@@ -118,13 +117,13 @@ std::optional<RetractCurve> retract(VerticalPath& path, TipAtHeight atSetpoint) 
     RetractCurve curve{.bonded = {}, .free = {}, .pullOff = std::move(*pullOff), .jumpWork = 0.0};
     double pull = 0.0;
     for (const TipAtHeight& tip : passed) {
-        curve.bonded.push_back(pointOf(path, tip));
+        curve.bonded.push_back(retractPointOf(path, tip));
         pull = std::max(pull, -tip.force());
     }
     const FoundJump& jump = curve.pullOff;
-    const RetractPoint last = pointAt(path, jump.base, jump.forceBefore());
+    const RetractPoint last = retractPointAt(path, jump.base, jump.forceBefore());
     curve.bonded.push_back(last);
-    curve.jumpWork = pullingArea(last, pointAt(path, jump.base, jump.forceAfter()));
+    curve.jumpWork = pullingArea(last, retractPointAt(path, jump.base, jump.forceAfter()));
     curve.free = freeWay(path, curve.pullOff.after, pull);
     return curve;
 }
@@ -145,8 +144,8 @@ std::optional<RetractPoint> strongestOfLaw(const VerticalPath& path,
         contactModelAt(path.instrument().system(), state).lastBonded(kMaxCompliance);
     const double approach = strongest.indentation + (path.compliance(state) * strongest.force);
     const double normal = state.closest.normal.z();
-    const double below = (approach - jump.exact->basePosition) / std::max(normal, kMinNormal);
-    return pointAt(path, jump.base - below, strongest.force * normal);
+    const double below = (approach - jump.exact->basePosition) / std::max(normal, kMinNormalZ);
+    return retractPointAt(path, jump.base - below, strongest.force * normal);
 }
 
 double strongestPull(const VerticalPath& path, const RetractCurve& curve) noexcept {

@@ -6,6 +6,9 @@
 
 namespace asperity {
 
+/// The least z of a normal that says how far to go along z.
+inline constexpr double kMinNormalZ = 0.1;
+
 /// The tip where the base stands at one height.
 struct TipAtHeight {
     double base = 0.0;  ///< height of the base [m]

@@ -16,7 +16,7 @@ double valueAt(const std::shared_ptr<const PixelField>& map, double x, double y,
     return map != nullptr ? map->at(x, y) : otherwise;
 }
 
-bool differ(double a, double b) noexcept {
+bool differMuch(double a, double b) noexcept {
     return std::abs(a - b) > kUniform * std::max(std::abs(a), std::abs(b));
 }
 
@@ -39,9 +39,9 @@ bool MaterialField::variesWithin(double x, double y, double radius) const noexce
         {{1.0, 0.0}, {-1.0, 0.0}, {0.0, 1.0}, {0.0, -1.0}}};
     return std::ranges::any_of(kWays, [&](const auto& way) {
         const PlaceMaterial rim = at(x + way.first * radius, y + way.second * radius);
-        return differ(rim.youngsModulus, middle.youngsModulus) ||
-               differ(rim.workOfAdhesion, middle.workOfAdhesion) ||
-               differ(rim.frictionCoefficient, middle.frictionCoefficient);
+        return differMuch(rim.youngsModulus, middle.youngsModulus) ||
+               differMuch(rim.workOfAdhesion, middle.workOfAdhesion) ||
+               differMuch(rim.frictionCoefficient, middle.frictionCoefficient);
     });
 }
 

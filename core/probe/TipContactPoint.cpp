@@ -13,12 +13,12 @@ constexpr double kSamePlace = 1e-6;  // relative change of R_eff, E*, w or mu th
                                      // solution
 constexpr double kFlatEnough = 0.1;  // relative change of R_eff that a flat sample may stand for
 
-bool differ(double now, double used) { return std::abs(now - used) > kSamePlace * used; }
+bool needsNewSolution(double now, double used) { return std::abs(now - used) > kSamePlace * used; }
 
-bool differ(const ContactPair& now, const ContactPair& used) {
-    return differ(now.tipRadius, used.tipRadius) ||
-           differ(now.reducedModulus, used.reducedModulus) ||
-           differ(now.workOfAdhesion, used.workOfAdhesion);
+bool needsNewSolution(const ContactPair& now, const ContactPair& used) {
+    return needsNewSolution(now.tipRadius, used.tipRadius) ||
+           needsNewSolution(now.reducedModulus, used.reducedModulus) ||
+           needsNewSolution(now.workOfAdhesion, used.workOfAdhesion);
 }
 
 /// A sphere against a curved surface is no sphere against a flat one where the contact is about as
@@ -46,7 +46,8 @@ bool TipContactPoint::followSample(const ProbeSystem& system) noexcept {
     radius = radiusAt(place, system);
     const ContactPair pair = system.pairAt(place.point, radius.radius);
     const Friction now = system.frictionAt(place.point);
-    if (!differ(pair, model.pair()) && !differ(now.coefficient, friction.coefficient)) {
+    if (!needsNewSolution(pair, model.pair()) &&
+        !needsNewSolution(now.coefficient, friction.coefficient)) {
         return false;
     }
     model = system.contact.withPair(pair);

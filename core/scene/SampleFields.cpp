@@ -18,10 +18,9 @@ namespace asperity {
 namespace {
 
 using scene_field::at;
-
-constexpr double kNano = 1e-9;
-constexpr double kMicro = 1e-6;
-constexpr double kDegree = std::numbers::pi / 180.0;  ///< [rad]
+using scene_field::kDegree;
+using scene_field::kMicro;
+using scene_field::kNano;
 
 constexpr double kMaxSlope = 85.0 * kDegree;  ///< as checkShape() has it [rad]
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <optional>
 #include <string>
 #include <type_traits>
@@ -17,6 +18,11 @@ inline constexpr const char* kLeftOpen = "auto";
 /// The rows of a scene's fields from the place where the value stands: `place` is a lambda without
 /// captures from a scene to its member.
 namespace scene_field {
+
+// Units in which people see fields, and their own [SI].
+inline constexpr double kNano = 1e-9;
+inline constexpr double kMicro = 1e-6;
+inline constexpr double kDegree = std::numbers::pi / 180.0;  ///< [rad]
 
 template <class Value>
 inline constexpr bool kIsOptional = false;

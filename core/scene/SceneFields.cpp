@@ -14,13 +14,13 @@ namespace asperity {
 namespace {
 
 using scene_field::at;
+using scene_field::kDegree;
+using scene_field::kMicro;
+using scene_field::kNano;
 
-constexpr double kNano = 1e-9;
-constexpr double kMicro = 1e-6;
 constexpr double kMilli = 1e-3;
 constexpr double kKilo = 1e3;
 constexpr double kGiga = 1e9;
-constexpr double kDegree = std::numbers::pi / 180.0;  ///< [rad]
 
 constexpr double kQuarterTurn = std::numbers::pi / 2.0;  ///< [rad]
 constexpr double kHalfTurn = std::numbers::pi;           ///< [rad]

@@ -18,7 +18,7 @@ namespace asperity {
 
 namespace {
 
-using Weights = Eigen::Vector4d;
+using SplineWeights = Eigen::Vector4d;
 
 ASPERITY_WITH_AVX2 void sampleAt(const SplineSampling& surface, double x, double y,
                                  HeightSample& sample) {
@@ -33,7 +33,7 @@ double storedControl(const BSplineSurface::Grid& grid, std::size_t index) {
 }
 
 /// Continues a cubic sequence before c0: the fourth difference is zero.
-double continued(const Weights& c) { return 4.0 * c[0] - 6.0 * c[1] + 4.0 * c[2] - c[3]; }
+double continued(const SplineWeights& c) { return 4.0 * c[0] - 6.0 * c[1] + 4.0 * c[2] - c[3]; }
 
 /// Value of a control sequence of `pixels` pixels at `index`, which may lie outside -1..pixels.
 /// `stored(i)` gives what the padded grid holds for i in -1..pixels.
@@ -47,10 +47,10 @@ double controlAlong(int index, int pixels, const Stored& stored) {
     }
     const int inward = index < 0 ? 1 : -1;
     int last = index < 0 ? -1 : pixels;
-    Weights c(stored(last), stored(last + inward), stored(last + 2 * inward),
-              stored(last + 3 * inward));
+    SplineWeights c(stored(last), stored(last + inward), stored(last + 2 * inward),
+                    stored(last + 3 * inward));
     for (; last != index; last -= inward) {
-        c = Weights(continued(c), c[0], c[1], c[2]);
+        c = SplineWeights(continued(c), c[0], c[1], c[2]);
     }
     return c[0];
 }

@@ -24,7 +24,7 @@ struct RawBounds {
 };
 
 /// Single precision tells a Bezier point to this share of the largest height that it is made of.
-constexpr float kRounding = 0x1p-20F;
+constexpr float kBoundRounding = 0x1p-20F;
 /// Below this no scan's heights differ; keeps the scales away from zero [m].
 constexpr float kMinReach = 1e-30F;
 
@@ -141,7 +141,7 @@ ASPERITY_WITH_AVX2 void innerBounds(const float* corner, std::size_t stride, con
     cells.bends(bounds.size(), bends);
     const float noiseScale = scale.xx + scale.yy + scale.xy;
     for (std::size_t j = 0; j < bounds.size(); ++j) {
-        const float noise = kRounding * std::max(std::abs(lowest[j]), std::abs(highest[j]));
+        const float noise = kBoundRounding * std::max(std::abs(lowest[j]), std::abs(highest[j]));
         const float xx = scale.xx * bends.xx[j];
         const float yy = scale.yy * bends.yy[j];
         const float xy = scale.xy * bends.xy[j];
@@ -149,7 +149,8 @@ ASPERITY_WITH_AVX2 void innerBounds(const float* corner, std::size_t stride, con
         const float most = 0.5F * (xx + yy) + spread;
         bounds[j] = {.lowest = lowest[j] - noise,
                      .highest = highest[j] + noise,
-                     .concavity = std::max(0.0F, most + spread * kRounding) + noise * noiseScale};
+                     .concavity =
+                         std::max(0.0F, most + spread * kBoundRounding) + noise * noiseScale};
     }
 }
 
@@ -249,11 +250,11 @@ private:
             bendsOf(net, {across.length() * grid_.pitchX, up.length() * grid_.pitchY});
         const auto lowest = static_cast<float>(net.minCoeff());
         const auto highest = static_cast<float>(net.maxCoeff());
-        const float noise = kRounding * std::max(std::abs(lowest), std::abs(highest));
+        const float noise = kBoundRounding * std::max(std::abs(lowest), std::abs(highest));
         const auto concavity = static_cast<float>(std::max(0.0, largestBend(bends)));
         return {.lowest = lowest - noise,
                 .highest = highest + noise,
-                .concavity = concavity * (1.0F + kRounding) + noise * scale_.xx};
+                .concavity = concavity * (1.0F + kBoundRounding) + noise * scale_.xx};
     }
 
     /// Scales in which every bound has a code: from the control heights, which bound them all.

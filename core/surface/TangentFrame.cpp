@@ -10,7 +10,7 @@ namespace asperity {
 
 namespace {
 
-constexpr double kNever = -std::numeric_limits<double>::infinity();
+constexpr double kBelowAll = -std::numeric_limits<double>::infinity();
 
 /// Height above `base` along the normal at which the surface is met [m], by Newton's method.
 double heightAlong(const BSplineSurface& surface, const Vector3& base, const Vector3& normal) {
@@ -23,7 +23,7 @@ double heightAlong(const BSplineSurface& surface, const Vector3& base, const Vec
         const HeightSample sample = surface.at(point.x(), point.y());
         const double slope = normal.z() - sample.dx * normal.x() - sample.dy * normal.y();
         if (slope < kGrazing) {
-            return kNever;
+            return kBelowAll;
         }
         const double step = (sample.height - point.z()) / slope;
         height += step;
@@ -31,7 +31,7 @@ double heightAlong(const BSplineSurface& surface, const Vector3& base, const Vec
             return height;
         }
     }
-    return kNever;
+    return kBelowAll;
 }
 
 }  // namespace

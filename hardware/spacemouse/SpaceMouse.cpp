@@ -11,7 +11,7 @@ namespace asperity {
 
 namespace {
 
-constexpr std::chrono::milliseconds kReadPatience{20};  // how long a stop may have to wait
+constexpr std::chrono::milliseconds kReportPatience{20};  // how long a stop may have to wait
 
 constexpr double kDeadZone = 0.05;    // a knob let go does not always rest at zero
 constexpr double kGentleSlope = 0.2;  // speed per deflection where it begins
@@ -49,7 +49,7 @@ private:
 /// The state after all reports that wait, or nothing when the device is lost.
 std::optional<SpaceMouseState> drain(HidConnection& device, SpaceMouseState state) {
     const Drained drained =
-        drainReports(device, kReadPatience, [&state](std::span<const std::uint8_t> report) {
+        drainReports(device, kReportPatience, [&state](std::span<const std::uint8_t> report) {
             state = afterReport(state, report);
         });
     if (drained == Drained::Lost) {

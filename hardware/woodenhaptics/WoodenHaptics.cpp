@@ -13,7 +13,7 @@ namespace {
 
 using std::chrono::milliseconds;
 
-constexpr milliseconds kReadPatience{10};  // the board speaks when spoken to: then ask it again
+constexpr milliseconds kAnswerPatience{10};  // the board speaks when spoken to: then ask it again
 constexpr int kOldReadings = 3;        // may be on their way when it is calibrated, and one more
 constexpr double kFirstReading = 0.2;  // how long the beginning waits for it [s]
 constexpr double kNever = 0.0;         // no reading: longer ago than any force lasts [s]
@@ -94,7 +94,7 @@ void WoodenHaptics::follow(const FoundDevice& found, const std::stop_token& stop
 bool WoodenHaptics::listen(Link& link) {
     std::optional<WoodenHapticsReading> newest;
     const Drained drained =
-        drainReports(link.device, kReadPatience, [&](std::span<const std::uint8_t> report) {
+        drainReports(link.device, kAnswerPatience, [&](std::span<const std::uint8_t> report) {
             if (const auto reading = readingOf(link.board, report)) {
                 newest = reading;
             }

@@ -1,5 +1,6 @@
 #include "ui/experiment/StudyForm.h"
 
+#include "ui/measure/PageParts.h"
 #include "ui/panels/Card.h"
 
 #include <QFileDialog>
@@ -25,15 +26,6 @@ QLabel* newText(const char* name, const QString& toolTip) {
     return label;
 }
 
-QPushButton* newPush(const QString& text, const char* name, const QString& toolTip) {
-    auto* button = new QPushButton(text);
-    button->setObjectName(QString::fromLatin1(name));
-    button->setToolTip(toolTip);
-    button->setAutoDefault(false);
-    button->setFocusPolicy(Qt::TabFocus);  // a click leaves the keys to the view
-    return button;
-}
-
 }  // namespace
 
 StudyForm::StudyForm(QWidget* parent)
@@ -43,17 +35,21 @@ StudyForm::StudyForm(QWidget* parent)
     , folder_(newText("studyFolder", tr("Where trials, tables and figures go")))
     , state_(newText("studyState", tr("What is in that folder already")))
     , participant_(new QSpinBox(this))
-    , start_(newPush(tr("Start the study"), "startStudy",
-                     tr("Loads the materials; then comes the training, then one trial after the "
-                        "other")))
-    , results_(newPush(tr("Results…"), "formResults", tr("Figures and tables of that folder"))) {
+    , start_(pushButton(tr("Start the study"), "startStudy",
+                        tr("Loads the materials; then comes the training, then one trial after the "
+                           "other"),
+                        Qt::TabFocus))
+    , results_(pushButton(tr("Results…"), "formResults", tr("Figures and tables of that folder"),
+                          Qt::TabFocus)) {
     participant_->setObjectName(QStringLiteral("studyParticipant"));
     participant_->setRange(1, kMostParticipants);
     participant_->setToolTip(tr("Number of the participant: no names are kept. It decides on the "
                                 "order of the trials"));
-    auto* otherStudy = newPush(tr("Other study…"), "chooseStudy", tr("A study file (TOML)"));
-    auto* otherFolder = newPush(tr("Other folder…"), "chooseStudyFolder",
-                                tr("A new folder, or one in which this study goes on"));
+    auto* otherStudy =
+        pushButton(tr("Other study…"), "chooseStudy", tr("A study file (TOML)"), Qt::TabFocus);
+    auto* otherFolder =
+        pushButton(tr("Other folder…"), "chooseStudyFolder",
+                   tr("A new folder, or one in which this study goes on"), Qt::TabFocus);
     auto* grid = new QGridLayout;
     grid->setColumnStretch(1, 1);
     grid->setHorizontalSpacing(10);

@@ -1,6 +1,7 @@
 #include "ui/experiment/TrialPanel.h"
 
 #include "ui/Theme.h"
+#include "ui/measure/PageParts.h"
 #include "ui/measure/ReadingGrid.h"
 #include "ui/panels/Card.h"
 
@@ -21,15 +22,6 @@ constexpr double kLarge = 1.35;    // letters of the task, of the usual ones
 constexpr int kActionWidth = 170;  // [px]
 constexpr int kActionHeight = 46;  // [px]
 constexpr int kBarHeight = 6;      // [px]
-
-QPushButton* newPush(const QString& text, const char* name, const QString& toolTip) {
-    auto* button = new QPushButton(text);
-    button->setObjectName(QString::fromLatin1(name));
-    button->setToolTip(toolTip);
-    button->setAutoDefault(false);
-    button->setFocusPolicy(Qt::NoFocus);  // the keys are the view's
-    return button;
-}
 
 QLabel* newLabel(const char* name, const QString& toolTip) {
     auto* label = new QLabel;
@@ -53,20 +45,22 @@ TrialPanel::TrialPanel(QWidget* parent)
     , progress_(new QProgressBar(this))
     , task_(newLabel("trialTask", tr("What is to be done, and on which material")))
     , instruction_(newLabel("trialInstruction", tr("What comes next")))
-    , action_(newPush(QString(), "trialAction",
-                      tr("The same button begins and ends a trial: Enter, or the device's "
-                         "trial_button")))
+    , action_(pushButton(QString(), "trialAction",
+                         tr("The same button begins and ends a trial: Enter, or the device's "
+                            "trial_button"),
+                         Qt::NoFocus))
     , time_(newLabel("trialTime", tr("Since the trial, or the training, began")))
     , resultName_(captionLabel(QString(), this))
     , readings_(new ReadingGrid(this))
     , note_(newLabel("trialNote", tr("Why that trial does not count")))
-    , strikeOut_(
-          newPush(tr("Strike out…"), "strikeOut",
-                  tr("The trial does not count, for a reason that is kept, and comes again")))
-    , pause_(newPush(QString(), "pauseStudy",
-                     tr("A trial that is under way ends, does not count, and comes again")))
-    , results_(
-          newPush(tr("Results…"), "studyResults", tr("Figures and tables of all trials so far"))) {
+    , strikeOut_(pushButton(
+          tr("Strike out…"), "strikeOut",
+          tr("The trial does not count, for a reason that is kept, and comes again"), Qt::NoFocus))
+    , pause_(pushButton(QString(), "pauseStudy",
+                        tr("A trial that is under way ends, does not count, and comes again"),
+                        Qt::NoFocus))
+    , results_(pushButton(tr("Results…"), "studyResults",
+                          tr("Figures and tables of all trials so far"), Qt::NoFocus)) {
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(8, 6, 8, 6);
     row->setSpacing(12);
@@ -155,8 +149,9 @@ QWidget* TrialPanel::newTurning() {
     grid->addWidget(captionLabel(tr("view"), part), 1, 1, Qt::AlignCenter);
     addArrow(Qt::RightArrow, "turnRight", 1, 2, 1, 0);
     addArrow(Qt::DownArrow, "turnDown", 2, 1, 0, -1);
-    auto* leave = newPush(tr("Leave the study"), "leaveStudy",
-                          tr("Ends it here and gives the window back; it can go on later"));
+    auto* leave =
+        pushButton(tr("Leave the study"), "leaveStudy",
+                   tr("Ends it here and gives the window back; it can go on later"), Qt::NoFocus);
     connect(results_, &QPushButton::clicked, this, &TrialPanel::resultsChosen);
     connect(leave, &QPushButton::clicked, this, &TrialPanel::leaveChosen);
     auto* buttons = new QVBoxLayout;

@@ -16,7 +16,7 @@ namespace asperity {
 
 namespace {
 
-constexpr QSize kUsualSize(720, 520);
+constexpr QSize kAboutSize(720, 520);
 constexpr int kListWidth = 240;  ///< of the libraries [px]
 
 QPlainTextEdit* newText(const QString& name, const QString& tip, const QString& text,
@@ -79,7 +79,7 @@ AboutBox::AboutBox(const ProgramFacts& facts, QWidget* parent) : QDialog(parent)
     column->addWidget(heading);
     column->addWidget(pages, 1);
     column->addWidget(buttons);
-    resize(kUsualSize);
+    resize(kAboutSize);
 }
 
 QWidget* AboutBox::versions(const ProgramFacts& facts) {

@@ -15,7 +15,7 @@ namespace asperity {
 
 namespace {
 
-constexpr QSize kUsualSize(640, 720);
+constexpr QSize kSheetSize(640, 720);
 
 /// Whether each word of the search is somewhere in the line.
 bool matches(const InputHelp& line, const QString& search) {
@@ -63,7 +63,7 @@ CheatSheet::CheatSheet(MakeSections makeSections, QWidget* parent)
     column->addWidget(list_, 1);
     connect(search_, &QLineEdit::textChanged, this, &CheatSheet::list);
     connect(print, &QPushButton::clicked, this, &CheatSheet::askAndPrint);
-    resize(kUsualSize);
+    resize(kSheetSize);
 }
 
 QString CheatSheet::text() const { return list_->toPlainText(); }

@@ -14,11 +14,11 @@ namespace asperity {
 
 namespace {
 
-constexpr double kReach = 8.0;      ///< of the pointer to an end [px]
-constexpr double kNear = 5.0;       ///< of the pointer to the line [px]
-constexpr double kHandle = 4.0;     ///< radius of an end [px]
-constexpr double kStop = 5.0;       ///< half a cursor's bar [px]
-constexpr double kLineWidth = 1.8;  ///< [px]
+constexpr double kEndReach = 8.0;       ///< of the pointer to an end [px]
+constexpr double kNear = 5.0;           ///< of the pointer to the line [px]
+constexpr double kEndRadius = 4.0;      ///< radius of an end [px]
+constexpr double kStop = 5.0;           ///< half a cursor's bar [px]
+constexpr double kToolLineWidth = 1.8;  ///< [px]
 
 /// Distance of a point to a line's stretch [px].
 double distanceTo(const QLineF& line, const QPointF& point) {
@@ -52,13 +52,13 @@ void LineTool::paint(QPainter& painter, const OverviewMap& map) const {
             path.lineTo(drawn.pointAt(share) + kStop * across);
         }
     }
-    strokeOverWhite(painter, kLightPalette.blue, kLineWidth, path);
+    strokeOverWhite(painter, kLightPalette.blue, kToolLineWidth, path);
     painter.setPen(QPen(toQColor(kLightPalette.paper), 1.0));
     painter.setBrush(toQColor(kLightPalette.blue));
-    painter.drawEllipse(drawn.p1(), kHandle, kHandle);  // where the profile begins: filled
-    painter.setPen(QPen(toQColor(kLightPalette.blue), kLineWidth));
+    painter.drawEllipse(drawn.p1(), kEndRadius, kEndRadius);  // where the profile begins: filled
+    painter.setPen(QPen(toQColor(kLightPalette.blue), kToolLineWidth));
     painter.setBrush(toQColor(kLightPalette.paper));
-    painter.drawEllipse(drawn.p2(), kHandle, kHandle);
+    painter.drawEllipse(drawn.p2(), kEndRadius, kEndRadius);
 }
 
 bool LineTool::isEmptyShape(const QLineF& points) const { return !(points.length() > 0.0); }
@@ -67,7 +67,7 @@ LineTool::Grip LineTool::gripAt(const QPointF& pixel, const OverviewMap& map) co
     const QLineF drawn = pixels(map);
     const double toFirst = QLineF(drawn.p1(), pixel).length();
     const double toSecond = QLineF(drawn.p2(), pixel).length();
-    if (std::min(toFirst, toSecond) <= kReach) {
+    if (std::min(toFirst, toSecond) <= kEndReach) {
         return toFirst < toSecond ? Grip{-1, -1} : Grip{1, 1};
     }
     return distanceTo(drawn, pixel) <= kNear ? kWhole : kAnew;

@@ -5,7 +5,7 @@ namespace asperity {
 namespace {
 
 /// In a unit that is the same for all rows.
-QString lengthText(double meters, double factor, int decimals) {
+QString markerLengthText(double meters, double factor, int decimals) {
     return QString::number(factor * meters, 'f', decimals);
 }
 
@@ -50,11 +50,11 @@ QVariant MarkerModel::data(const QModelIndex& index, int role) const {
     }
     switch (index.column()) {
     case X:
-        return lengthText(marker.x, 1e6, 4);
+        return markerLengthText(marker.x, 1e6, 4);
     case Y:
-        return lengthText(marker.y, 1e6, 4);
+        return markerLengthText(marker.y, 1e6, 4);
     case Z:
-        return lengthText(heights_.at(row), 1e9, 2);
+        return markerLengthText(heights_.at(row), 1e9, 2);
     default:
         return QString::fromStdString(marker.name);
     }

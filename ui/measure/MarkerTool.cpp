@@ -14,9 +14,8 @@ namespace asperity {
 
 namespace {
 
-constexpr double kReach = 8.0;    ///< of the pointer to a marker [px]
-constexpr double kMinDrag = 4.0;  ///< a shorter one is a click [px]
-constexpr double kArm = 5.0;      ///< half a marker's cross [px]
+constexpr double kMarkerReach = 8.0;  ///< of the pointer to a marker [px]
+constexpr double kArm = 5.0;          ///< half a marker's cross [px]
 
 QPointF placeOf(const Marker& marker) { return {marker.x, marker.y}; }
 
@@ -56,7 +55,7 @@ void MarkerTool::paint(QPainter& painter, const OverviewMap& map) const {
 
 int MarkerTool::markerAt(const MapPointer& pointer, const OverviewMap& map) const {
     int nearest = -1;
-    double distance = kReach;
+    double distance = kMarkerReach;
     for (std::size_t i = 0; i < markers_.size(); ++i) {
         const double one = QLineF(map.toPixel(placeOf(markers_[i])), pointer.pixel).length();
         if (one <= distance) {

@@ -3,6 +3,7 @@
 #include "ui/Theme.h"
 
 #include <QHeaderView>
+#include <QPushButton>
 #include <QTableView>
 #include <QToolButton>
 
@@ -21,6 +22,16 @@ QToolButton* pageButton(const QString& text, const char* objectName, const QStri
     button->setText(text);
     button->setToolTip(toolTip);
     button->setFocusPolicy(Qt::TabFocus);
+    return button;
+}
+
+QPushButton* pushButton(const QString& text, const char* objectName, const QString& toolTip,
+                        Qt::FocusPolicy focus) {
+    auto* button = new QPushButton(text);
+    button->setObjectName(QString::fromLatin1(objectName));
+    button->setToolTip(toolTip);
+    button->setAutoDefault(false);
+    button->setFocusPolicy(focus);
     return button;
 }
 

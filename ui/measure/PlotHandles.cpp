@@ -11,7 +11,7 @@ namespace asperity {
 
 namespace {
 
-constexpr double kReach = 6.0;  ///< of the pointer [px]
+constexpr double kHandleReach = 6.0;  ///< of the pointer [px]
 
 }  // namespace
 
@@ -22,7 +22,7 @@ PlotHandles::PlotHandles(QWidget& canvas, const PlotNavigation& navigation)
 
 int PlotHandles::handleAt(double pixel) const {
     int nearest = -1;
-    double distance = kReach;
+    double distance = kHandleReach;
     for (int i = 0; i < places_.size(); ++i) {
         const double one = std::abs(navigation_.pixelOf(places_[i]) - pixel);
         if (one <= distance) {

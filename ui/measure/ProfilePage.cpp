@@ -24,7 +24,7 @@ namespace {
 constexpr int kMaxWidth = 31;  ///< lines side by side
 
 /// To four digits: a difference must show what the cursors do.
-QString lengthText(double meters) {
+QString profileLengthText(double meters) {
     const SiScale scale = siScaleFor(std::max(std::abs(meters), 1e-12), "m");
     return QStringLiteral("%1 %2")
         .arg(scale.factor * meters, 0, 'g', 4)
@@ -158,7 +158,7 @@ void ProfilePage::show() {
         points.append({profile_->distance(i), profile_->heights[i]});
     }
     plot_->setProfile(points);
-    readings_->set("profileLength", profile_ ? lengthText(profile_->length()) : QString());
+    readings_->set("profileLength", profile_ ? profileLengthText(profile_->length()) : QString());
     showCursors();
     showStep();
     Q_EMIT stopsChanged();
@@ -177,8 +177,8 @@ void ProfilePage::showCursors() {
     const auto reading = readingBetween(*profile_, places[0], places[1]);
     // The reading is in the order along the line, the cursors may have changed sides.
     const double sign = places[0] <= places[1] ? 1.0 : -1.0;
-    readings_->set("cursorDistance", lengthText(std::abs(places[1] - places[0])));
-    readings_->set("cursorRise", reading ? lengthText(sign * reading->rise) : QString());
+    readings_->set("cursorDistance", profileLengthText(std::abs(places[1] - places[0])));
+    readings_->set("cursorRise", reading ? profileLengthText(sign * reading->rise) : QString());
     readings_->set("cursorAngle", reading ? angleText(reading->angle) : QString());
 }
 

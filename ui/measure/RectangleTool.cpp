@@ -15,9 +15,9 @@ namespace asperity {
 
 namespace {
 
-constexpr double kReach = 6.0;      ///< of the pointer to a side [px]
-constexpr double kHandle = 3.0;     ///< half a corner's square [px]
-constexpr double kLineWidth = 2.0;  ///< whole, for sharp sides [px]
+constexpr double kSideReach = 6.0;   ///< of the pointer to a side [px]
+constexpr double kCornerSize = 3.0;  ///< half a corner's square [px]
+constexpr double kSideWidth = 2.0;   ///< whole, for sharp sides [px]
 
 QRectF between(const QLineF& points) { return QRectF(points.p1(), points.p2()).normalized(); }
 
@@ -36,12 +36,12 @@ void RectangleTool::paint(QPainter& painter, const OverviewMap& map) const {
     const QRectF drawn = between(pixels(map)).toRect();  // on whole pixels: sharp sides
     QPainterPath path;
     path.addRect(drawn);
-    strokeOverWhite(painter, kLightPalette.green, kLineWidth, path);
+    strokeOverWhite(painter, kLightPalette.green, kSideWidth, path);
     painter.setPen(QPen(toQColor(kLightPalette.paper), 1.0));
     painter.setBrush(toQColor(kLightPalette.green));
     for (const QPointF& corner :
          {drawn.topLeft(), drawn.topRight(), drawn.bottomLeft(), drawn.bottomRight()}) {
-        painter.drawRect(QRectF(corner - QPointF(kHandle, kHandle), QSizeF(6.0, 6.0)));
+        painter.drawRect(QRectF(corner - QPointF(kCornerSize, kCornerSize), QSizeF(6.0, 6.0)));
     }
 }
 
@@ -49,13 +49,15 @@ bool RectangleTool::isEmptyShape(const QLineF& points) const { return between(po
 
 RectangleTool::Grip RectangleTool::gripAt(const QPointF& pixel, const OverviewMap& map) const {
     const QLineF drawn = pixels(map);
-    if (!between(drawn).adjusted(-kReach, -kReach, kReach, kReach).contains(pixel)) {
+    if (!between(drawn)
+             .adjusted(-kSideReach, -kSideReach, kSideReach, kSideReach)
+             .contains(pixel)) {
         return kAnew;
     }
     const auto side = [](double place, double first, double second) {
         const double toFirst = std::abs(place - first);
         const double toSecond = std::abs(place - second);
-        return std::min(toFirst, toSecond) > kReach ? 0 : toFirst < toSecond ? -1 : 1;
+        return std::min(toFirst, toSecond) > kSideReach ? 0 : toFirst < toSecond ? -1 : 1;
     };
     const Grip grip{side(pixel.x(), drawn.x1(), drawn.x2()),
                     side(pixel.y(), drawn.y1(), drawn.y2())};

@@ -20,7 +20,7 @@ namespace {
 const std::array<const char*, 6> kReadings = {"sa", "sq", "sz", "sdr", "meanHeight", "heightRange"};
 
 /// To four digits; what is smaller than a femtometer is nothing.
-QString lengthText(double meters) {
+QString roughnessLengthText(double meters) {
     const SiScale scale = siScaleFor(std::max(std::abs(meters), 1e-15), "m");
     return QStringLiteral("%1 %2")
         .arg(scale.factor * meters, 0, 'g', 4)
@@ -85,17 +85,17 @@ RoughnessPage::RoughnessPage(QWidget* parent)
 }
 
 void RoughnessPage::setResult(const Subject& subject, const Roughness& roughness) {
-    readings_->set("sa", lengthText(roughness.sa));
-    readings_->set("sq", lengthText(roughness.sq));
-    readings_->set("sz", lengthText(roughness.sz));
+    readings_->set("sa", roughnessLengthText(roughness.sa));
+    readings_->set("sq", roughnessLengthText(roughness.sq));
+    readings_->set("sz", roughnessLengthText(roughness.sz));
     readings_->set("sdr", QStringLiteral("%1 %").arg(100.0 * roughness.sdr, 0, 'g', 4));
-    readings_->set("meanHeight", lengthText(roughness.mean));
-    readings_->set("heightRange",
-                   tr("%1, %2").arg(lengthText(roughness.lowest), lengthText(roughness.highest)));
+    readings_->set("meanHeight", roughnessLengthText(roughness.mean));
+    readings_->set("heightRange", tr("%1, %2").arg(roughnessLengthText(roughness.lowest),
+                                                   roughnessLengthText(roughness.highest)));
     const std::size_t left = subject.pixels - roughness.pixels;
     QStringList lines;
     lines << (subject.isRectangle ? tr("Rectangle, %1 × %2") : tr("Whole scan, %1 × %2"))
-                 .arg(lengthText(subject.width), lengthText(subject.height));
+                 .arg(roughnessLengthText(subject.width), roughnessLengthText(subject.height));
     lines << tr("%1 pixels; left out: %2 without data")
                  .arg(countText(roughness.pixels), countText(left));
     lines << tr("Leveling: %1").arg(subject.leveling);

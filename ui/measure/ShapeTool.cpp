@@ -6,11 +6,7 @@
 
 namespace asperity {
 
-namespace {
-
-constexpr double kMinDrag = 4.0;  ///< a shorter one is a click [px]
-
-}  // namespace
+namespace {}  // namespace
 
 void ShapeTool::setPoints(const QLineF& points) {
     points_ = points;

@@ -1,6 +1,7 @@
 #include "ui/panels/CantileverPanel.h"
 
 #include "core/scene/Scene.h"
+#include "ui/NumberText.h"
 #include "ui/Theme.h"
 #include "ui/panels/CantileverSketch.h"
 #include "ui/panels/CopyablePlot.h"
@@ -15,9 +16,9 @@ namespace asperity {
 
 namespace {
 
-constexpr double kMinAngle = 1e-9;    ///< numbers below are shown in its prefix [rad]
-constexpr double kMinLength = 1e-12;  ///< [m]
-constexpr int kIntervals = 100;       ///< of the histories that scale the drawing
+constexpr double kMinAngle = 1e-9;         ///< numbers below are shown in its prefix [rad]
+constexpr double kMinDrawnLength = 1e-12;  ///< [m]
+constexpr int kScaleIntervals = 100;       ///< of the histories that scale the drawing
 
 CurvePlotSetup angleSetup() {
     return {.title = CantileverPanel::tr("Lever signals"),
@@ -26,10 +27,6 @@ CurvePlotSetup angleSetup() {
             .curves = {{CantileverPanel::tr("bending"), &ThemeColors::blue},
                        {CantileverPanel::tr("torsion"), &ThemeColors::orange}},
             .timeLabels = TimeLabels::Shown};
-}
-
-QString text(double value, const SiScale& scale) {
-    return QString::fromStdString(threeDigitText(value, scale));
 }
 
 double largestOf(const CurveHistory& history) {
@@ -41,10 +38,10 @@ double largestOf(const CurveHistory& history) {
 
 CantileverPanel::CantileverPanel(QWidget* parent)
     : Card(tr("Cantilever"), parent)
-    , deflections_(CurvePlot::kSpan, kIntervals)
-    , torsions_(CurvePlot::kSpan, kIntervals)
+    , deflections_(CurvePlot::kSpan, kScaleIntervals)
+    , torsions_(CurvePlot::kSpan, kScaleIntervals)
     , angleScale_("rad", kMinAngle)
-    , lengthScale_("m", kMinLength)
+    , lengthScale_("m", kMinDrawnLength)
     , sketch_(new CantileverSketch(this))
     , plot_(new CurvePlot(angleSetup(), this)) {
     sketch_->setToolTip(tr("The cantilever from its side and from its free end, bent and twisted "
@@ -99,8 +96,8 @@ void CantileverPanel::begin(const Scene& scene) { setCantilever(scene.belief.can
 void CantileverPanel::setCantilever(const Cantilever& cantilever) {
     cantilever_ = cantilever;
     sketch_->setCantilever(cantilever);
-    setNote(QString::fromStdString(formatSi(cantilever.stiffness(), "N/m")) + tr(", length ") +
-            QString::fromStdString(formatSi(cantilever.geometry().length, "m")));
+    setNote(siText(cantilever.stiffness(), "N/m") + tr(", length ") +
+            siText(cantilever.geometry().length, "m"));
     clear();
 }
 
@@ -123,14 +120,14 @@ void CantileverPanel::show(const Snapshot& snapshot) {
     const LeverSignals& signals = snapshot.sample.input.measurement.signals;
     const SiScale& angle =
         angleScale_.fit(std::max(std::abs(signals.bending), std::abs(signals.torsion)));
-    bending_->setText(text(signals.bending, angle));
-    torsion_->setText(text(signals.torsion, angle));
+    bending_->setText(threeDigits(signals.bending, angle));
+    torsion_->setText(threeDigits(signals.torsion, angle));
     if (cantilever_) {
         const Vector3 moved = tipDeflection(snapshot);
         const SiScale& length =
             lengthScale_.fit(std::max(std::abs(moved.y()), std::abs(moved.z())));
-        deflection_->setText(text(moved.z(), length));
-        lateral_->setText(text(moved.y(), length));
+        deflection_->setText(threeDigits(moved.z(), length));
+        lateral_->setText(threeDigits(moved.y(), length));
         sketch_->showForce(snapshot.sample.output.estimate.force, largestShape());
     }
     plot_->refresh();

@@ -15,9 +15,9 @@ namespace asperity {
 
 namespace {
 
-constexpr int kMargin = 8;       ///< [px]
-constexpr int kFrame = 1;        ///< [px]
-constexpr double kRadius = 6.0;  ///< of the frame's corners [px]
+constexpr int kCardMargin = 8;       ///< [px]
+constexpr int kFrame = 1;            ///< [px]
+constexpr double kCardRadius = 6.0;  ///< of the frame's corners [px]
 
 }  // namespace
 
@@ -35,10 +35,10 @@ Card::Card(const QString& title, QWidget* parent)
     top_->addWidget(heading_);
     top_->addWidget(note_, 1);
     body_->setContentsMargins(0, 0, 0, 0);
-    body_->setSpacing(kMargin / 2);
+    body_->setSpacing(kCardMargin / 2);
     auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(kMargin, kMargin / 2, kMargin, kMargin - 2);
-    column->setSpacing(kMargin / 2);
+    column->setContentsMargins(kCardMargin, kCardMargin / 2, kCardMargin, kCardMargin - 2);
+    column->setSpacing(kCardMargin / 2);
     column->addLayout(top_);
     column->addWidget(content_, 1);
 }
@@ -94,7 +94,8 @@ void Card::paintEvent(QPaintEvent* /*event*/) {
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setPen(QPen(theme::colors().faint, kFrame));
     painter.setBrush(theme::colors().paper);
-    painter.drawRoundedRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5), kRadius, kRadius);
+    painter.drawRoundedRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5), kCardRadius,
+                            kCardRadius);
 }
 
 void Card::addToHeading(QWidget* control) { top_->addWidget(control); }

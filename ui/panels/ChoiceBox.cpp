@@ -10,11 +10,11 @@ namespace asperity {
 
 namespace {
 
-constexpr int kMaxLetters = 24;  ///< that a box has room for
-constexpr int kMinLetters = 8;   ///< likewise where it is as narrow as can be
-constexpr int kStyleMargin = 2;  ///< beside the letters, within their room [px]
+constexpr int kMaxChoiceLetters = 24;  ///< that a box has room for
+constexpr int kMinLetters = 8;         ///< likewise where it is as narrow as can be
+constexpr int kStyleMargin = 2;        ///< beside the letters, within their room [px]
 /// Letters are wider than measured where a pixel of the window is 1.5 of the screen [px].
-constexpr int kLetterRoom = 4;
+constexpr int kChoiceRoom = 4;
 
 }  // namespace
 
@@ -50,10 +50,10 @@ QString ChoiceBox::shownText() const {
 QSize ChoiceBox::sizeHint() const {
     constexpr int kAnyWidth = 400;  // [px]
     const QSize narrow = QComboBox::sizeHint();
-    const QString text = currentText().size() > kMaxLetters
-                             ? currentText().left(kMaxLetters - 1) + QStringLiteral("…")
+    const QString text = currentText().size() > kMaxChoiceLetters
+                             ? currentText().left(kMaxChoiceLetters - 1) + QStringLiteral("…")
                              : currentText();
-    const int around = kAnyWidth - textRoom(kAnyWidth) + kLetterRoom;
+    const int around = kAnyWidth - textRoom(kAnyWidth) + kChoiceRoom;
     return {std::max(narrow.width(), fontMetrics().horizontalAdvance(text) + around),
             narrow.height()};
 }

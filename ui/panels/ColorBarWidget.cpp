@@ -15,10 +15,10 @@ namespace asperity {
 
 namespace {
 
-constexpr int kBarHeight = 10;      ///< [px]
-constexpr int kTickLength = 3;      ///< [px]
-constexpr int kSideMargin = 14;     ///< room for half a label at each end [px]
-constexpr int kLabelDistance = 30;  ///< between ticks, at least [px]
+constexpr int kColorBarHeight = 10;  ///< [px]
+constexpr int kBarTickLength = 3;    ///< [px]
+constexpr int kSideMargin = 14;      ///< room for half a label at each end [px]
+constexpr int kLabelDistance = 30;   ///< between ticks, at least [px]
 
 constexpr int kClipWidth = 7;  ///< of the arrow beyond an end [px]
 
@@ -88,7 +88,7 @@ QString ColorBarWidget::remark() const {
 QSize ColorBarWidget::sizeHint() const {
     const int heading = QFontMetrics(theme::textFont(theme::kSmallSize)).height();
     const int labels = QFontMetrics(tickFont()).height();
-    return {160, heading + 2 + kBarHeight + kTickLength + 1 + labels};
+    return {160, heading + 2 + kColorBarHeight + kBarTickLength + 1 + labels};
 }
 
 QSize ColorBarWidget::minimumSizeHint() const { return {100, sizeHint().height()}; }
@@ -101,7 +101,7 @@ void ColorBarWidget::paintEvent(QPaintEvent* /*event*/) {
     painter.setFont(theme::textFont(theme::kSmallSize));
     const int top = painter.fontMetrics().height() + 2;
     drawHeading(painter, top);
-    const QRectF bar(kSideMargin, top, width() - (2 * kSideMargin), kBarHeight);
+    const QRectF bar(kSideMargin, top, width() - (2 * kSideMargin), kColorBarHeight);
     drawBar(painter, bar);
     drawClips(painter, bar);
     drawTicks(painter, bar);
@@ -165,8 +165,8 @@ void ColorBarWidget::drawTicks(QPainter& painter, const QRectF& bar) const {
     for (std::size_t i = 0; i < ticks.size(); ++i) {
         const double share = high > low ? (ticks[i] - low) / (high - low) : 0.5;
         const double x = bar.left() + (share * bar.width());
-        painter.drawLine(QPointF(x, bar.bottom()), QPointF(x, bar.bottom() + kTickLength));
-        painter.drawText(QRectF(x - kLabelDistance, bar.bottom() + kTickLength + 1,
+        painter.drawLine(QPointF(x, bar.bottom()), QPointF(x, bar.bottom() + kBarTickLength));
+        painter.drawText(QRectF(x - kLabelDistance, bar.bottom() + kBarTickLength + 1,
                                 2 * kLabelDistance, painter.fontMetrics().height()),
                          Qt::AlignHCenter, QString::fromStdString(labels[i]));
     }

@@ -21,11 +21,11 @@ namespace asperity {
 
 namespace {
 
-constexpr int kControlHeight = 26;   ///< [px, as theme::scaled() takes them]
-constexpr int kKnobWidth = 96;       ///< likewise
-constexpr int kLetterRoom = 8;       ///< [px]
-constexpr int kMaxGroupWidth = 260;  ///< of a list with what belongs to it [px]
-constexpr const char* kTip = "tip";  ///< property: what a control says while it can be used
+constexpr int kControlHeight = 26;         ///< [px, as theme::scaled() takes them]
+constexpr int kKnobWidth = 96;             ///< likewise
+constexpr int kKnobLetterRoom = 8;         ///< [px]
+constexpr int kMaxGroupWidth = 260;        ///< of a list with what belongs to it [px]
+constexpr const char* kUsableTip = "tip";  ///< property: what a control says while it can be used
 
 void addWithCaption(FlowLayout& bar, const QString& caption, const QList<QWidget*>& widgets,
                     int stretch) {
@@ -105,7 +105,8 @@ QPushButton* ControlBar::addButton(const char* objectName, const QString& widest
     button->setObjectName(QString::fromUtf8(objectName));
     button->ensurePolished();
     // Letters are wider than measured where a pixel of the window is 1.5 of the screen.
-    button->setFixedSize(button->sizeHint().width() + kLetterRoom, theme::scaled(kControlHeight));
+    button->setFixedSize(button->sizeHint().width() + kKnobLetterRoom,
+                         theme::scaled(kControlHeight));
     row_->addWidget(button);
     return button;
 }
@@ -211,11 +212,11 @@ void ControlBar::setKnobs(const Settings& settings) {
 }
 
 void ControlBar::refuse(QWidget& control, const QString& reason) {
-    if (!control.property(kTip).isValid()) {
-        control.setProperty(kTip, control.toolTip());
+    if (!control.property(kUsableTip).isValid()) {
+        control.setProperty(kUsableTip, control.toolTip());
     }
     control.setEnabled(reason.isEmpty());
-    control.setToolTip(reason.isEmpty() ? control.property(kTip).toString() : reason);
+    control.setToolTip(reason.isEmpty() ? control.property(kUsableTip).toString() : reason);
 }
 
 void ControlBar::refuseKnob(const std::string& column, const QString& reason) {

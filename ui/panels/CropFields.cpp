@@ -1,6 +1,6 @@
 #include "ui/panels/CropFields.h"
 
-#include "core/SiFormat.h"
+#include "ui/NumberText.h"
 #include "ui/panels/Card.h"
 #include "ui/panels/WheelGuard.h"
 
@@ -18,21 +18,19 @@ namespace asperity {
 
 namespace {
 
-constexpr int kGap = 6;  // [px]
+constexpr int kCropGap = 6;  // [px]
 
 /// Whether a number is being typed, which does not count yet.
 bool isTyped(const QSpinBox& box) {
     return box.hasFocus() && box.findChild<QLineEdit*>()->isModified();
 }
 
-QString lengthText(double meters) { return QString::fromStdString(formatSi(meters, "m")); }
-
 }  // namespace
 
 CropFields::CropFields(QWidget* parent) : QWidget(parent) {
     auto* grid = new QGridLayout(this);
     grid->setContentsMargins(0, 0, 0, 0);
-    grid->setSpacing(kGap);
+    grid->setSpacing(kCropGap);
     column_ = addBox(*grid, {0, 0}, "cropColumn", tr("From column"),
                      tr("First column of the part to load [pixel]; 0 is the left one"));
     columns_ =
@@ -112,8 +110,8 @@ void CropFields::showNumbers(Typed typed) {
     extent_->setText(
         size_.isEmpty()
             ? QString()
-            : tr("%1 × %2").arg(lengthText(size_.width() * part.columns / pixels_.width()),
-                                lengthText(size_.height() * part.rows / pixels_.height())));
+            : tr("%1 × %2").arg(siText(size_.width() * part.columns / pixels_.width(), "m"),
+                                siText(size_.height() * part.rows / pixels_.height(), "m")));
 }
 
 }  // namespace asperity

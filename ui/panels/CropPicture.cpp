@@ -16,8 +16,8 @@ namespace asperity {
 
 namespace {
 
-constexpr int kLeastDrag = 5;  ///< along both axes, that is no click [px]
-constexpr int kMargin = 12;    ///< around words [px]
+constexpr int kLeastDrag = 5;     ///< along both axes, that is no click [px]
+constexpr int kWordsMargin = 12;  ///< around words [px]
 
 /// The pixel under a place.
 int pixelAt(double place, double begin, double length, int count) {
@@ -136,7 +136,7 @@ void CropPicture::paintEvent(QPaintEvent* /*event*/) {
     if (image_.isNull()) {
         painter.fillRect(rect(), theme::colors().paper);
         painter.setPen(theme::colors().muted);
-        painter.drawText(rect().adjusted(kMargin, kMargin, -kMargin, -kMargin),
+        painter.drawText(rect().adjusted(kWordsMargin, kWordsMargin, -kWordsMargin, -kWordsMargin),
                          Qt::AlignCenter | Qt::TextWordWrap, words_);
         return;
     }

@@ -20,11 +20,11 @@ namespace asperity {
 
 namespace {
 
-constexpr int kIntervals = 4000;      ///< of a history: zoomed in by ten, one a pixel
-constexpr int kPieces = 400;          ///< that are drawn: about one a pixel
-constexpr double kCurveWidth = 1.3;   ///< [px]
-constexpr int kMinTickDistance = 14;  ///< [px]
-constexpr int kMinTimeDistance = 46;  ///< of ticks of the time axis [px]
+constexpr int kHistoryIntervals = 4000;  ///< of a history: zoomed in by ten, one a pixel
+constexpr int kPieces = 400;             ///< that are drawn: about one a pixel
+constexpr double kCurveWidth = 1.3;      ///< [px]
+constexpr int kMinTickDistance = 14;     ///< [px]
+constexpr int kMinTimeDistance = 46;     ///< of ticks of the time axis [px]
 
 /// A label at an end of the horizontal axis would reach beyond the plot.
 void dropEnds(std::vector<double>& ticks, const AxisRange& range) {
@@ -217,7 +217,7 @@ CurvePlot::CurvePlot(const CurvePlotSetup& setup, QWidget* parent)
     : QWidget(parent)
     , headers_(headersOf(setup))
     , zero_(setup.zero)
-    , histories_(setup.curves.size(), CurveHistory(kSpan, kIntervals))
+    , histories_(setup.curves.size(), CurveHistory(kSpan, kHistoryIntervals))
     , range_(setup.smallest)
     , scale_(setup.unit.toStdString(), setup.smallest)
     , canvas_(std::make_unique<Canvas>(setup, this)) {

@@ -1,5 +1,6 @@
 #include "ui/panels/CycleTable.h"
 
+#include "ui/NumberText.h"
 #include "ui/Steady.h"
 #include "ui/Theme.h"
 #include "ui/panels/ForceDistancePlot.h"
@@ -26,17 +27,13 @@ const SiScale kNanonewtons{1e9, "nN"};
 const SiScale kNanometers{1e9, "nm"};
 const SiScale kPerMeter{1.0, "N/m"};
 
-QString text(double value, const SiScale& scale) {
-    return QString::fromStdString(threeDigitText(value, scale));
-}
-
-QString text(const std::optional<Reading>& reading, const SiScale& scale) {
-    return reading ? text(reading->value, scale) : kNothing;
+QString readingText(const std::optional<Reading>& reading, const SiScale& scale) {
+    return reading ? threeDigits(reading->value, scale) : kNothing;
 }
 
 QString withSigma(const std::optional<Reading>& reading, const SiScale& scale) {
-    return reading ? text(reading->value, {scale.factor, ""}) + QStringLiteral("± ") +
-                         text(reading->sigma, scale)
+    return reading ? threeDigits(reading->value, {scale.factor, ""}) + QStringLiteral("± ") +
+                         threeDigits(reading->sigma, scale)
                    : kNothing;
 }
 
@@ -97,13 +94,13 @@ QString CycleTable::text(int row, Column column) const {
     const QString& material = rows_.at(static_cast<std::size_t>(row)).material;
     switch (column) {
     case PullOff:
-        return asperity::text(cycle.pullOff, kNanonewtons);
+        return readingText(cycle.pullOff, kNanonewtons);
     case Work:
-        return asperity::text(workOf(cycle), energies());
+        return readingText(workOf(cycle), energies());
     case Hysteresis:
-        return asperity::text(hysteresisOf(cycle), energies());
+        return readingText(hysteresisOf(cycle), energies());
     case Stiffness:
-        return asperity::text(cycle.stiffness, kPerMeter);
+        return readingText(cycle.stiffness, kPerMeter);
     default:
         return material;
     }
@@ -117,7 +114,7 @@ QString CycleTable::details(int row) const {
         .arg(material, withSigma(cycle.pullOff, kNanonewtons), withSigma(workOf(cycle), energies()),
              withSigma(hysteresisOf(cycle), energies()), withSigma(cycle.stiffness, kPerMeter),
              withSigma(cycle.maxForce, kNanonewtons),
-             asperity::text(cycle.maxIndentation, kNanometers));
+             threeDigits(cycle.maxIndentation, kNanometers));
 }
 
 ShownNumbers CycleTable::numbers() const {

@@ -16,7 +16,7 @@ namespace asperity {
 namespace {
 
 constexpr double kPerNewton = 1e9;  // shown as nanonewtons
-constexpr int kControlHeight = 26;  // [px, as theme::scaled() takes them]
+constexpr int kEngageHeight = 26;   // [px, as theme::scaled() takes them]
 constexpr int kSetpointWidth = 84;  // likewise
 constexpr int kSpace = 8;           // [px]
 
@@ -25,7 +25,7 @@ QPushButton* newButton(const char* name, const QString& text, const QString& too
     auto* button = new QPushButton(text, parent);
     button->setObjectName(QString::fromUtf8(name));
     button->setToolTip(toolTip);
-    button->setFixedHeight(theme::scaled(kControlHeight));
+    button->setFixedHeight(theme::scaled(kEngageHeight));
     button->setFocusPolicy(Qt::NoFocus);  // the keys go on moving the tip
     return button;
 }
@@ -39,7 +39,7 @@ EngageBar::EngageBar(QWidget* parent)
     , withdraw_(newButton("withdraw", tr("Withdraw"), {}, this)) {
     setpoint_->setObjectName(QStringLiteral("setpoint"));
     setpoint_->setToolTip(tr("Force along z at which an approach ends [nN]"));
-    setpoint_->setFixedSize(theme::scaled(kSetpointWidth), theme::scaled(kControlHeight));
+    setpoint_->setFixedSize(theme::scaled(kSetpointWidth), theme::scaled(kEngageHeight));
     guardFromWheel(*setpoint_);
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(kSpace, 0, kSpace, 0);

@@ -20,8 +20,8 @@ namespace asperity {
 
 namespace {
 
-constexpr int kGap = 6;         ///< [px]
-constexpr int kKeyWidth = 300;  ///< [px]
+constexpr int kFidelityGap = 6;  ///< [px]
+constexpr int kKeyWidth = 300;   ///< [px]
 
 /// A card that is filled from outside.
 class OpenCard : public Card {
@@ -81,8 +81,8 @@ FidelityPanel::FidelityPanel(QWidget* parent)
     terms_->setToolTip(tr("Terms of the model: on or off, and what leaving one out changes"));
     key_->setObjectName(QStringLiteral("chartKey"));
     auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(kGap, kGap, kGap, kGap);
-    column->setSpacing(kGap);
+    column->setContentsMargins(kFidelityGap, kFidelityGap, kFidelityGap, kFidelityGap);
+    column->setSpacing(kFidelityGap);
     column->addWidget(termCard());
     column->addWidget(chartCard(), 1);
     connectInputs();
@@ -126,7 +126,7 @@ QWidget* FidelityPanel::chartCard() {
     side->addWidget(key_, 1);
     side->addWidget(measure_, 0, Qt::AlignRight);
     auto* row = new QHBoxLayout;
-    row->setSpacing(2 * kGap);
+    row->setSpacing(2 * kFidelityGap);
     row->addWidget(chart_, 1);
     row->addLayout(side);
     card->body().addLayout(row, 1);

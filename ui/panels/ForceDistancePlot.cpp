@@ -28,12 +28,12 @@ namespace {
 constexpr double kMinForces = 0.2e-9;      ///< extent of the force axis [N]
 constexpr double kMinDistances = 0.5e-9;   ///< extent of the distance axis [m]
 constexpr double kMinDistanceUnit = 1e-9;  ///< distances are in nm or larger units [m]
-constexpr double kCurveWidth = 1.4;        ///< of a retract curve [px]
+constexpr double kRetractWidth = 1.4;      ///< of a retract curve [px]
 constexpr double kApproachWidth = 3.0;     ///< shows on both sides of a retract curve upon it [px]
 constexpr int kMinHeight = 72;             ///< of the plot [px]
 constexpr int kMinTickHeight = 14;         ///< between ticks of the force axis [px]
 constexpr int kMinTickWidth = 52;          ///< between those of the distance axis [px]
-constexpr int kRingSize = 7;               ///< [px]
+constexpr int kPointRingSize = 7;          ///< [px]
 constexpr double kMeasuredWidth = 1.8;     ///< of a measured curve [px]
 /// Of the shown distances: a sample farther from the cursor is not read.
 constexpr double kReadReach = 0.03;
@@ -52,7 +52,7 @@ QColor faded(const QColor& full, double paper) {
 /// Around a jump of the force; the mark owns it.
 QwtSymbol* newRing(const QColor& color) {
     return new QwtSymbol(QwtSymbol::Ellipse, QBrush(theme::colors().paper),
-                         QPen(color, kCurveWidth), {kRingSize, kRingSize});
+                         QPen(color, kRetractWidth), {kPointRingSize, kPointRingSize});
 }
 
 QString legendText(const QString& unit) {
@@ -157,7 +157,7 @@ void ForceDistancePlot::Canvas::color() {
     for (std::size_t age = 0; age < items_.size(); ++age) {
         const BranchColors colors = branchColors(static_cast<int>(age));
         items_[age].approach->setPen(colors.approach, kApproachWidth, Qt::SolidLine);
-        items_[age].retract->setPen(colors.retract, kCurveWidth, Qt::SolidLine);
+        items_[age].retract->setPen(colors.retract, kRetractWidth, Qt::SolidLine);
         items_[age].snapIn->setSymbol(newRing(colors.approach));
         items_[age].pullOff->setSymbol(newRing(colors.retract));
     }

@@ -2,6 +2,7 @@
 
 #include "core/Units.h"
 #include "core/scene/Scene.h"
+#include "ui/NumberText.h"
 #include "ui/Theme.h"
 #include "ui/panels/ControlIcons.h"
 #include "ui/panels/CyclePanel.h"
@@ -22,9 +23,9 @@ namespace asperity {
 
 namespace {
 
-constexpr double kMinForce = 10e-12;  ///< numbers below are shown in its prefix [N]
-constexpr double kMinLength = 1e-9;   ///< lengths are in nm or larger units [m]
-constexpr int kGroupDistance = 7;     ///< between groups of numbers [px]
+constexpr double kMinForce = 10e-12;      ///< numbers below are shown in its prefix [N]
+constexpr double kMinShownLength = 1e-9;  ///< lengths are in nm or larger units [m]
+constexpr int kGroupDistance = 7;         ///< between groups of numbers [px]
 
 const std::array<QString, 3> kAxes = {QStringLiteral("X"), QStringLiteral("Y"),
                                       QStringLiteral("Z")};
@@ -47,13 +48,9 @@ CurvePlotSetup heightSetup() {
             .timeLabels = TimeLabels::Shown};
 }
 
-QString text(double value, const SiScale& scale) {
-    return QString::fromStdString(threeDigitText(value, scale));
-}
-
 /// A standard deviation beside its value, whose unit it has; never "0" where it is not.
 QString sigmaText(double sigma, const SiScale& scale) {
-    const QString digits = text(sigma, {scale.factor, ""}).trimmed();
+    const QString digits = threeDigits(sigma, {scale.factor, ""}).trimmed();
     const bool isBelowDigits = sigma > 0.0 && digits == QStringLiteral("0");
     return isBelowDigits ? QStringLiteral("< 0.01") : QStringLiteral("± ") + digits;
 }
@@ -90,10 +87,10 @@ int decimalsOf(double largest, const SiScale& scale) {
 ForcePanel::ForcePanel(QWidget* parent)
     : Card(tr("Force and position"), parent)
     , forceScale_("N", kMinForce)
-    , placeScale_("m", kMinLength)
-    , heightScale_("m", kMinLength)
-    , distanceScale_("m", kMinLength)
-    , radiusScale_("m", kMinLength)
+    , placeScale_("m", kMinShownLength)
+    , heightScale_("m", kMinShownLength)
+    , distanceScale_("m", kMinShownLength)
+    , radiusScale_("m", kMinShownLength)
     , forcePlot_(new CurvePlot(forceSetup(), this))
     , heightPlot_(new CurvePlot(heightSetup(), this))
     , cycles_(new CyclePanel(this))
@@ -262,10 +259,10 @@ void ForcePanel::showForces(const ForceEstimate& estimate) {
     const SiScale& scale = forceScale_.fit(std::max(estimate.force.norm(), sigma.maxCoeff()));
     for (int axis = 0; axis < 3; ++axis) {
         const auto index = static_cast<std::size_t>(axis);
-        force_.at(index)->setText(text(estimate.force[axis], scale));
+        force_.at(index)->setText(threeDigits(estimate.force[axis], scale));
         sigma_.at(index)->setText(sigmaText(sigma[axis], scale));
     }
-    magnitude_->setText(text(estimate.force.norm(), scale));
+    magnitude_->setText(threeDigits(estimate.force.norm(), scale));
 }
 
 void ForcePanel::showPosition(const Vector3& tip) {
@@ -281,8 +278,9 @@ void ForcePanel::showPosition(const Vector3& tip) {
 void ForcePanel::showContact(const ContactState& contact) {
     const NamedDistance distance = distanceOf(contact);
     distanceName_->setText(distance.name);
-    distance_->setText(text(distance.value, distanceScale_.fit(distance.value)));
-    contactRadius_->setText(text(contact.contactRadius, radiusScale_.fit(contact.contactRadius)));
+    distance_->setText(threeDigits(distance.value, distanceScale_.fit(distance.value)));
+    contactRadius_->setText(
+        threeDigits(contact.contactRadius, radiusScale_.fit(contact.contactRadius)));
 }
 
 ShownNumbers ForcePanel::numbers(const Snapshot& snapshot) const {

@@ -9,7 +9,7 @@ namespace asperity {
 
 namespace {
 
-constexpr int kDecimals = 12;  ///< of the smallest gain
+constexpr int kGainDecimals = 12;  ///< of the smallest gain
 
 double nextAbove(double value) {
     const double here = niceBelow(value);
@@ -26,7 +26,7 @@ double nextBelow(double value) {
 }  // namespace
 
 GainSpinBox::GainSpinBox(double low, double high, QWidget* parent) : NumberBox(parent) {
-    setDecimals(kDecimals);
+    setDecimals(kGainDecimals);
     setRange(low, high);
 }
 

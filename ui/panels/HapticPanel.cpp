@@ -1,7 +1,7 @@
 #include "ui/panels/HapticPanel.h"
 
-#include "core/SiFormat.h"
 #include "ui/CoreWords.h"
+#include "ui/NumberText.h"
 #include "ui/Theme.h"
 #include "ui/panels/Card.h"
 #include "ui/panels/ChoiceBox.h"
@@ -22,13 +22,11 @@ namespace asperity {
 
 namespace {
 
-constexpr int kGap = 6;           ///< [px]
-constexpr int kBoxWidth = 96;     ///< of a number, at least [px]
+constexpr int kKnobGap = 6;       ///< [px]
+constexpr int kGainWidth = 96;    ///< of a number, at least [px]
 constexpr double kLowest = 1e-9;  ///< of a gain, in its unit
 constexpr double kHighest = 1e12;
-constexpr int kDecimals = 12;
-
-QString timeText(double seconds) { return QString::fromStdString(formatSi(seconds, "s")); }
+constexpr int kKnobDecimals = 12;
 
 QString aboutOf(SettingGroup group) {
     switch (group) {
@@ -61,8 +59,8 @@ QString stateText(const TickOutput& output) {
 
 HapticPanel::HapticPanel(QWidget* parent) : QWidget(parent), rate_(new NumberBox(this)) {
     column_ = new QVBoxLayout(this);
-    column_->setContentsMargins(kGap, kGap, kGap, kGap);
-    column_->setSpacing(kGap);
+    column_->setContentsMargins(kKnobGap, kKnobGap, kKnobGap, kKnobGap);
+    column_->setSpacing(kKnobGap);
     addReadings();
     addSettings();
     column_->addStretch();
@@ -172,11 +170,11 @@ QWidget* HapticPanel::newControl(const SettingField& field, double /*value*/) {
         box = new GainSpinBox(std::max(low, kLowest), high, this);
     } else {
         box = new NumberBox(this);
-        box->setDecimals(kDecimals);
+        box->setDecimals(kKnobDecimals);
         box->setRange(low, high);
         box->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
     }
-    box->setMinimumWidth(theme::scaled(kBoxWidth));
+    box->setMinimumWidth(theme::scaled(kGainWidth));
     guardFromWheel(*box);
     const QString column = QString::fromUtf8(field.column);
     connect(box, qOverload<double>(&QDoubleSpinBox::valueChanged), this,
@@ -263,16 +261,15 @@ void HapticPanel::refuseGuide(const QString& reason) {
 }
 
 void HapticPanel::showTick(const TickOutput& output, double limit) {
-    const QString force = QString::fromStdString(formatSi(output.deviceForce.norm(), "N"));
-    force_->setText(limit > 0.0 ? QStringLiteral("%1 / %2").arg(
-                                      force, QString::fromStdString(formatSi(limit, "N")))
+    const QString force = siText(output.deviceForce.norm(), "N");
+    force_->setText(limit > 0.0 ? QStringLiteral("%1 / %2").arg(force, siText(limit, "N"))
                                 : tr("none: the device only senses"));
     state_->setText(stateText(output));
 }
 
 void HapticPanel::showLoop(const LoopStatistics& statistics) {
     const auto pair = [](const LatencyQuantiles& times) {
-        return QStringLiteral("%1 / %2").arg(timeText(times.median), timeText(times.p99));
+        return QStringLiteral("%1 / %2").arg(siText(times.median, "s"), siText(times.p99, "s"));
     };
     tick_->setText(pair(statistics.tickTime));
     late_->setText(pair(statistics.lateness));
@@ -287,9 +284,9 @@ void HapticPanel::showEnergy(const std::optional<PortEnergy>& energy) {
         spring_->setText(QStringLiteral("–"));
         return;
     }
-    const QString joules = QString::fromStdString(formatSi(energy->dissipated, "J"));
+    const QString joules = siText(energy->dissipated, "J");
     energy_->setText(energy->warned ? tr("%1: the coupling gives energy").arg(joules) : joules);
-    spring_->setText(QString::fromStdString(formatSi(energy->spring, "J")));
+    spring_->setText(siText(energy->spring, "J"));
 }
 
 }  // namespace asperity

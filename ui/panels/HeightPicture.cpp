@@ -15,8 +15,8 @@ namespace asperity {
 
 namespace {
 
-constexpr int kMaxSide = 512;        // [pixel]
-constexpr double kOutliers = 0.005;  // share of the pixels at either end
+constexpr int kMaxPictureSide = 512;  // [pixel]
+constexpr double kOutliers = 0.005;   // share of the pixels at either end
 
 /// Pixels of the picture, each with one of the map; NaN where that holds no data.
 struct Sampled {
@@ -28,10 +28,10 @@ struct Sampled {
 Sampled sampled(const HeightMap& map) {
     const int longer = std::max(map.columns, map.rows);
     const auto pixels = [longer](int count) {
-        return longer <= kMaxSide
+        return longer <= kMaxPictureSide
                    ? count
-                   : std::max(1, static_cast<int>(
-                                     std::lround(static_cast<double>(count) * kMaxSide / longer)));
+                   : std::max(1, static_cast<int>(std::lround(static_cast<double>(count) *
+                                                              kMaxPictureSide / longer)));
     };
     Sampled picture{.columns = pixels(map.columns), .rows = pixels(map.rows), .heights = {}};
     picture.heights.reserve(static_cast<std::size_t>(picture.columns) *

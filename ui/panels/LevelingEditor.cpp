@@ -23,7 +23,7 @@ namespace asperity {
 namespace {
 
 constexpr int kPlaceWidth = 104;  // "0.464844 µm" [px]
-constexpr int kGap = 6;           // [px]
+constexpr int kStepGap = 6;       // [px]
 constexpr int kShownSteps = 4;    // without scrolling, where there is room
 constexpr int kMinSteps = 2;      // likewise, where there is none
 constexpr double kMicrometer = 1e-6;
@@ -71,11 +71,11 @@ LevelingEditor::LevelingEditor(QWidget* parent) : QWidget(parent), list_(new QLi
     list_->setObjectName(QStringLiteral("levelingSteps"));
     list_->setToolTip(tr("What levels the heights of the scan, done from the top down"));
     const int line = list_->fontMetrics().lineSpacing() + 2;
-    list_->setMinimumHeight(kMinSteps * line + kGap);
-    list_->setMaximumHeight(kShownSteps * line + kGap);
+    list_->setMinimumHeight(kMinSteps * line + kStepGap);
+    list_->setMaximumHeight(kShownSteps * line + kStepGap);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(kGap);
+    column->setSpacing(kStepGap);
     column->addWidget(list_);
     column->addWidget(newButtons());
     places_ = newPlaces();
@@ -97,7 +97,7 @@ QWidget* LevelingEditor::newButtons() {
     auto* line = new QWidget(this);
     auto* row = new QHBoxLayout(line);
     row->setContentsMargins(0, 0, 0, 0);
-    row->setSpacing(kGap);
+    row->setSpacing(kStepGap);
     add_ = newButton("addLevelingStep", tr("Add"), tr("Add a leveling step at the end"));
     remove_ = newButton("removeLevelingStep", tr("Remove"), tr("Remove the chosen leveling step"));
     up_ = newButton("raiseLevelingStep", QStringLiteral("↑"), tr("Do the chosen step earlier"));
@@ -126,7 +126,7 @@ QWidget* LevelingEditor::newPlaces() {
     auto* part = new QWidget(this);
     auto* grid = new QGridLayout(part);
     grid->setContentsMargins(0, 0, 0, 0);
-    grid->setSpacing(kGap);
+    grid->setSpacing(kStepGap);
     for (std::size_t i = 0; i < boxes_.size(); ++i) {
         const auto place = static_cast<int>(i / 2);
         const bool isX = i % 2 == 0;

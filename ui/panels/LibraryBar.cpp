@@ -10,7 +10,7 @@ namespace asperity {
 
 namespace {
 
-constexpr int kGap = 3;  ///< [px]
+constexpr int kLibraryGap = 3;  ///< [px]
 
 }  // namespace
 
@@ -26,7 +26,7 @@ LibraryBar::LibraryBar(const QString& kind, QWidget* parent)
     guardFromWheel(*list_);
     auto* rows = new QGridLayout(this);
     rows->setContentsMargins(0, 0, 0, 0);
-    rows->setSpacing(kGap);
+    rows->setSpacing(kLibraryGap);
     rows->addWidget(list_, 0, 0, 1, 3);
     rows->addWidget(save_, 1, 0);
     rows->addWidget(rename_, 1, 1);

@@ -13,9 +13,9 @@ namespace asperity {
 
 namespace {
 
-constexpr int kBarHeight = 14;    ///< [px]
-constexpr int kWhole = 100;       ///< of the bar [%]
-constexpr int kWordsWidth = 320;  ///< at most: a file's name may be long [px]
+constexpr int kLoadingBarHeight = 14;  ///< [px]
+constexpr int kWhole = 100;            ///< of the bar [%]
+constexpr int kWordsWidth = 320;       ///< at most: a file's name may be long [px]
 
 }  // namespace
 
@@ -26,7 +26,7 @@ LoadingBar::LoadingBar(QWidget* parent)
     bar_->setObjectName(QStringLiteral("loadingBar"));
     setToolTip(tr("How much of the file is read and checked"));
     bar_->setRange(0, kWhole);
-    bar_->setFixedHeight(theme::scaled(kBarHeight));
+    bar_->setFixedHeight(theme::scaled(kLoadingBarHeight));
     bar_->setFont(theme::textFont(theme::kSmallSize));
     auto* cancel = new QPushButton(tr("Cancel"), this);
     cancel->setObjectName(QStringLiteral("cancelLoading"));

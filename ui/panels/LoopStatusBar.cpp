@@ -1,7 +1,7 @@
 #include "ui/panels/LoopStatusBar.h"
 
-#include "core/SiFormat.h"
 #include "core/scene/Scene.h"
+#include "ui/NumberText.h"
 #include "ui/Theme.h"
 #include "ui/panels/Card.h"
 
@@ -13,8 +13,6 @@ namespace asperity {
 namespace {
 
 QString countText(long count) { return QLocale(QLocale::English).toString(qlonglong{count}); }
-
-QString timeText(double seconds) { return QString::fromStdString(formatSi(seconds, "s")); }
 
 /// The loop's thread as the system treats it; the second says what would help.
 QString schedulingText(SchedulingPolicy policy) {
@@ -81,9 +79,9 @@ void LoopStatusBar::setFramesPerSecond(double frames) {
 void LoopStatusBar::show(const Snapshot& snapshot) {
     const LoopStatistics& statistics = snapshot.statistics;
     ticks_->setText(countText(statistics.ticks));
-    tickTime_->setText(timeText(statistics.tickTime.median) + QStringLiteral(" / ") +
-                       timeText(statistics.tickTime.p99));
-    lateness_->setText(timeText(statistics.lateness.p99));
+    tickTime_->setText(siText(statistics.tickTime.median, "s") + QStringLiteral(" / ") +
+                       siText(statistics.tickTime.p99, "s"));
+    lateness_->setText(siText(statistics.lateness.p99, "s"));
     overruns_->setText(countText(statistics.overruns));
     lost_->setText(countText(statistics.lostSamples));
     scheduling_->setText(schedulingText(statistics.policy));

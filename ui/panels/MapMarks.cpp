@@ -1,6 +1,6 @@
 #include "ui/panels/MapMarks.h"
 
-#include "core/SiFormat.h"
+#include "ui/NumberText.h"
 #include "ui/Theme.h"
 #include "vtkplugins/pictures/Ticks.h"
 
@@ -24,7 +24,7 @@ constexpr double kScaleBarShare = 0.34;  ///< of the width of a map, at most
 constexpr double kMinFrame = 30.0;  ///< width that reaches beyond the tip's mark [px]
 constexpr double kBracket = 7.0;    ///< arm of a corner bracket [px]
 
-constexpr double kPlateOpacity = 0.75;  ///< of the white behind a label
+constexpr double kLabelOpacity = 0.75;  ///< of the white behind a label
 
 /// Both sides of each corner: not a whole rectangle, which would pass for the frame.
 QPainterPath cornerBrackets(const QRectF& around) {
@@ -55,7 +55,7 @@ void strokeOverWhite(QPainter& painter, const Color& color, double width,
 void labelMark(QPainter& painter, const Color& color, const QPointF& at, const QString& text) {
     painter.setFont(theme::textFont(theme::kSmallSize));
     QColor plate = toQColor(kLightPalette.paper);
-    plate.setAlphaF(kPlateOpacity);
+    plate.setAlphaF(kLabelOpacity);
     painter.fillRect(QRectF(painter.fontMetrics().boundingRect(text))
                          .translated(at)
                          .adjusted(-2.0, 0.0, 2.0, 0.0),
@@ -97,7 +97,7 @@ ScaleBar scaleBarOf(const QPainter& painter, const QRectF& map, double width) {
     const double length = niceBelow(kScaleBarShare * width);
     const double pixels = length / width * map.width();
     const QFontMetrics metrics = painter.fontMetrics();
-    const QString text = QString::fromStdString(formatSi(length, "m"));
+    const QString text = siText(length, "m");
     const double plateWidth =
         std::max(pixels, static_cast<double>(metrics.horizontalAdvance(text))) + 12.0;
     return {.length = length,
@@ -114,7 +114,7 @@ void drawScaleBar(QPainter& painter, const ScaleBar& bar) {
     painter.drawRoundedRect(bar.plate, 3.0, 3.0);
     painter.setPen(theme::colors().ink);
     painter.drawText(bar.plate.adjusted(0.0, 1.0, 0.0, -5.0), Qt::AlignCenter,
-                     QString::fromStdString(formatSi(bar.length, "m")));
+                     siText(bar.length, "m"));
     painter.fillRect(QRectF(bar.plate.center().x() - (bar.pixels / 2.0), bar.plate.bottom() - 5.0,
                             bar.pixels, 2.0),
                      theme::colors().ink);

@@ -10,6 +10,9 @@ namespace asperity {
 
 class OverviewMap;
 
+/// A shorter drag is a click [px].
+inline constexpr double kMinDrag = 4.0;
+
 /// Where the mouse is on the whole scan, and which keys are held.
 struct MapPointer {
     QPointF pixel;  ///< of the map

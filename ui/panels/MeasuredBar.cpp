@@ -11,8 +11,8 @@ namespace asperity {
 
 namespace {
 
-constexpr double kMaxOffset = 1e6;  ///< [nm]
-constexpr int kBoxWidth = 92;       ///< [px]
+constexpr double kMaxOffset = 1e6;     ///< [nm]
+constexpr int kMeasuredBoxWidth = 92;  ///< [px]
 
 }  // namespace
 
@@ -25,7 +25,7 @@ MeasuredBar::MeasuredBar(QWidget* parent)
     offset_->setRange(-kMaxOffset, kMaxOffset);
     offset_->setSuffix(tr(" nm"));
     offset_->setSingleStep(0.1);
-    offset_->setFixedWidth(kBoxWidth);
+    offset_->setFixedWidth(kMeasuredBoxWidth);
     offset_->setToolTip(tr("Moves the measured curve along the distance axis [nm]; at 0 its "
                            "contact, where its approach last passes zero force, is at 0"));
     auto* remove = new QToolButton(this);

@@ -16,7 +16,7 @@ namespace asperity {
 
 namespace {
 
-constexpr int kDecimals = 12;  ///< of the smallest number
+constexpr int kNumberDecimals = 12;  ///< of the smallest number
 
 }  // namespace
 
@@ -29,7 +29,7 @@ NumbersDialog::NumbersDialog(const QString& title, const std::vector<Number>& nu
     auto* form = new QFormLayout;
     for (const Number& number : numbers) {
         auto* box = new NumberBox(this);
-        box->setDecimals(kDecimals);
+        box->setDecimals(kNumberDecimals);
         box->setRange(number.low, number.high);
         box->setSuffix(number.unit.isEmpty() ? QString() : QLatin1Char(' ') + number.unit);
         box->setValue(number.value);

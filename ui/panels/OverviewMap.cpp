@@ -19,7 +19,7 @@ namespace asperity {
 namespace {
 
 /// In nanometers or larger units: what is smaller than a picometer is no height.
-QString lengthText(double meters) {
+QString scanLengthText(double meters) {
     const SiScale scale = siScaleFor(std::max(std::abs(meters), 1e-9), "m");
     return QString::fromStdString(scaledText(meters, scale, 2));
 }
@@ -123,7 +123,7 @@ QString OverviewMap::toolTipAt(const QPointF& pixel) const {
     }
     const QPointF place = toPlace(pixel);
     return tr("height %1\nx %2, y %3\n%4")
-        .arg(lengthText(heightAt(place)), lengthText(place.x()), lengthText(place.y()),
+        .arg(scanLengthText(heightAt(place)), scanLengthText(place.x()), scanLengthText(place.y()),
              active_ != nullptr ? active_->hint() : tr("Double click: go there"));
 }
 

@@ -16,7 +16,7 @@ namespace asperity {
 namespace {
 
 constexpr double kAboveCurves = 1000.0;  ///< z of what is drawn last
-constexpr int kPlateOpacity = 215;       ///< of the paper behind the text, of 255
+constexpr int kCursorOpacity = 215;      ///< of the paper behind the text, of 255
 
 }  // namespace
 
@@ -38,7 +38,7 @@ void PlotCursor::show(double x, const QString& text) {
     shown.setColor(theme::colors().ink);
     shown.setRenderFlags(Qt::AlignTop | Qt::AlignHCenter);
     QColor paper = theme::colors().paper;
-    paper.setAlpha(kPlateOpacity);
+    paper.setAlpha(kCursorOpacity);
     shown.setBackgroundBrush(paper);
     label_->setText(shown);
     label_->show();

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kNotch = 1.25;        ///< by which a notch of the wheel zooms
 constexpr double kNotchAngle = 120.0;  ///< of a wheel [1/8 degree]
-constexpr double kMinDrag = 6.0;       ///< of a rectangle along an axis [px]
+constexpr double kMinZoomDrag = 6.0;   ///< of a rectangle along an axis [px]
 constexpr double kMaxZoom = 1e5;       ///< beyond it rounding shows
 constexpr double kMaxOut = 20.0;       ///< wholes that are seen at most
 
@@ -150,7 +150,7 @@ void PlotNavigation::move(const QMouseEvent& event) {
         const QRectF area = canvas_.contentsRect();
         look({shifted(before_.x, -way.x() / area.width() * width(before_.x)),
               shifted(before_.y, way.y() / area.height() * width(before_.y))});
-    } else if (drag_ == Drag::Rectangle && way.manhattanLength() > kMinDrag) {
+    } else if (drag_ == Drag::Rectangle && way.manhattanLength() > kMinZoomDrag) {
         band_->setGeometry(QRect(pressed_.toPoint(), event.pos()).normalized());
         band_->show();
     }
@@ -169,8 +169,8 @@ void PlotNavigation::release(const QMouseEvent& event) {
 
 void PlotNavigation::zoomInto(const QRectF& pixels) {
     const QRectF seen = pixels.intersected(QRectF(canvas_.contentsRect()));
-    const bool wide = seen.width() >= kMinDrag;
-    const bool high = seen.height() >= kMinDrag;
+    const bool wide = seen.width() >= kMinZoomDrag;
+    const bool high = seen.height() >= kMinZoomDrag;
     if (!wide && !high) {
         return;
     }

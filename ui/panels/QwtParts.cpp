@@ -20,7 +20,7 @@ namespace asperity {
 
 namespace {
 
-constexpr int kTickLength = 4;        ///< [px]
+constexpr int kPlotTickLength = 4;    ///< [px]
 constexpr int kMinCanvasHeight = 40;  ///< [px]
 constexpr int kMaxLabelDigits = 6;    ///< letters of a label for which room is kept
 
@@ -77,7 +77,7 @@ void styleLivePlot(QwtPlot& plot) {
         plot.setAxisFont(axis, theme::textFont(theme::kTickSize));
         plot.axisWidget(axis)->setMargin(0);
         QwtScaleDraw* draw = plot.axisScaleDraw(axis);
-        draw->setTickLength(QwtScaleDiv::MajorTick, kTickLength);
+        draw->setTickLength(QwtScaleDiv::MajorTick, kPlotTickLength);
         draw->setSpacing(2);
     }
     auto* grid = new QwtPlotGrid;
@@ -131,7 +131,7 @@ void placeUnderTitle(QWidget& owner, QWidget& title, QToolButton& reset, QwtPlot
 
 double valueLabelRoom() {
     const QFontMetrics metrics(theme::textFont(theme::kTickSize));
-    return kMaxLabelDigits * metrics.horizontalAdvance(QLatin1Char('0')) + kTickLength + 2;
+    return kMaxLabelDigits * metrics.horizontalAdvance(QLatin1Char('0')) + kPlotTickLength + 2;
 }
 
 }  // namespace asperity

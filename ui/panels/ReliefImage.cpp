@@ -12,7 +12,7 @@ namespace asperity {
 
 namespace {
 
-constexpr int kMaxSide = 512;        ///< [pixel]
+constexpr int kMaxReliefSide = 512;  ///< [pixel]
 constexpr double kShownSlope = 0.5;  ///< slopes are scaled until this is their root mean square
 constexpr double kShadeStrength = 0.55;
 
@@ -55,7 +55,8 @@ void ReliefImage::setSurface(const BSplineSurface& surface) {
     sizeY_ = surface.sizeY();
     const double longer = std::max(sizeX_, sizeY_);
     const auto pixels = [longer](double size) {
-        return std::clamp(static_cast<int>(std::lround(kMaxSide * size / longer)), 1, kMaxSide);
+        return std::clamp(static_cast<int>(std::lround(kMaxReliefSide * size / longer)), 1,
+                          kMaxReliefSide);
     };
     image_ = QImage(pixels(sizeX_), pixels(sizeY_), QImage::Format_RGB32);
     heights_.clear();

@@ -1,6 +1,7 @@
 #include "ui/panels/ScaleForm.h"
 
 #include "core/SiFormat.h"
+#include "ui/NumberText.h"
 #include "ui/Theme.h"
 #include "ui/panels/Card.h"
 #include "ui/panels/LengthBox.h"
@@ -22,8 +23,8 @@ namespace asperity {
 
 namespace {
 
-constexpr int kGap = 8;        // [px]
-constexpr int kBoxWidth = 90;  // [px]
+constexpr int kScaleGap = 8;        // [px]
+constexpr int kScaleBoxWidth = 90;  // [px]
 
 struct LengthUnit {
     const char* name;
@@ -49,7 +50,7 @@ LengthBox* newLengthBox(const char* name, const QString& tip, QWidget* parent) {
     auto* box = new LengthBox(parent);
     box->setObjectName(QString::fromUtf8(name));
     box->setToolTip(tip);
-    box->setMinimumWidth(theme::scaled(kBoxWidth));
+    box->setMinimumWidth(theme::scaled(kScaleBoxWidth));
     guardFromWheel(*box);
     return box;
 }
@@ -83,7 +84,7 @@ QString missingText(const ScaleGap& gap) {
 QGridLayout* newFields(QWidget& part) {
     auto* grid = new QGridLayout(&part);
     grid->setContentsMargins(0, 0, 0, 0);
-    grid->setSpacing(kGap);
+    grid->setSpacing(kScaleGap);
     grid->setColumnStretch(1, 1);
     return grid;
 }
@@ -107,13 +108,13 @@ ScaleForm::ScaleForm(Qt::Orientation orientation, QWidget* parent)
     missing_->setWordWrap(true);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(kGap);
+    column->setSpacing(kScaleGap);
     column->addWidget(missing_);
     addSize(*newFields(*size_));
     addHeight(*newFields(*height_));
     auto* fields = new QBoxLayout(orientation == Qt::Vertical ? QBoxLayout::TopToBottom
                                                               : QBoxLayout::LeftToRight);
-    fields->setSpacing(kGap);
+    fields->setSpacing(kScaleGap);
     fields->addWidget(size_, 0, Qt::AlignTop);
     fields->addWidget(height_, 0, Qt::AlignTop);
     column->addLayout(fields);
@@ -199,11 +200,10 @@ bool ScaleForm::isComplete() const {
 void ScaleForm::showState() {
     const GivenScale now = scale();
     const bool hasPixel = now.sizeX > 0.0 && now.sizeY > 0.0;
-    pixel_->setText(hasPixel
-                        ? tr("Pixel: %1 × %2")
-                              .arg(QString::fromStdString(formatSi(now.sizeX / gap_.columns, "m")),
-                                   QString::fromStdString(formatSi(now.sizeY / gap_.rows, "m")))
-                        : QString());
+    pixel_->setText(hasPixel ? tr("Pixel: %1 × %2")
+                                   .arg(siText(now.sizeX / gap_.columns, "m"),
+                                        siText(now.sizeY / gap_.rows, "m"))
+                             : QString());
     Q_EMIT changed();
 }
 

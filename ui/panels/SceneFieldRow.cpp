@@ -23,9 +23,9 @@ namespace asperity {
 
 namespace {
 
-constexpr int kBoxWidth = 96;    ///< of a number, at least [px]
+constexpr int kFieldWidth = 96;  ///< of a number, at least [px]
 constexpr int kResetWidth = 22;  ///< [px]
-constexpr int kDecimals = 12;
+constexpr int kFieldDecimals = 12;
 
 QString captionOf(const SceneField& field) {
     const QString caption = coreWords(field.words.caption);
@@ -42,7 +42,7 @@ NumberBox* newBox(const SceneField& field, QWidget* parent) {
         return new GainSpinBox(low, high, parent);
     }
     auto* box = new NumberBox(parent);
-    box->setDecimals(field.input == SceneInput::Whole ? 0 : kDecimals);
+    box->setDecimals(field.input == SceneInput::Whole ? 0 : kFieldDecimals);
     box->setRange(low, high);
     if (field.input == SceneInput::Number) {
         box->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
@@ -99,7 +99,7 @@ QWidget* SceneFieldRow::newControl(QWidget* parent) {
 
 QWidget* SceneFieldRow::newNumber(QWidget* parent) {
     NumberBox* box = newBox(field_, parent);
-    box->setMinimumWidth(theme::scaled(kBoxWidth));
+    box->setMinimumWidth(theme::scaled(kFieldWidth));
     guardFromWheel(*box);
     connect(box, qOverload<double>(&QDoubleSpinBox::valueChanged), this,
             [this](double number) { Q_EMIT entered(fromUnit(number, field_.words.scale)); });
@@ -144,7 +144,7 @@ QWidget* SceneFieldRow::newChoice(QWidget* parent) {
 QWidget* SceneFieldRow::newText(QWidget* parent) {
     auto* line = new TextBox(parent);
     line->setReadOnly(field_.input == SceneInput::File);
-    line->setMinimumWidth(theme::scaled(kBoxWidth));
+    line->setMinimumWidth(theme::scaled(kFieldWidth));
     connect(line, &QLineEdit::editingFinished, this, [this, line] { enterText(*line); });
     showValue_ = [this, line](const SceneDescription& scene) {
         shownText_ = QString::fromStdString(std::get<std::string>(field_.get(scene)));

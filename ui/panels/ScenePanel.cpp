@@ -18,7 +18,7 @@ namespace asperity {
 
 namespace {
 
-constexpr int kGap = 6;  ///< [px]
+constexpr int kSceneGap = 6;  ///< [px]
 
 /// What a section is about, and whether it is folded at first.
 struct SectionTraits {
@@ -51,8 +51,8 @@ ScenePanel::ScenePanel(QWidget* parent)
     around->setContentsMargins(0, 0, 0, 0);
     around->addWidget(page_);
     column_ = new QVBoxLayout(page_);
-    column_->setContentsMargins(kGap, kGap, kGap, kGap);
-    column_->setSpacing(kGap);
+    column_->setContentsMargins(kSceneGap, kSceneGap, kSceneGap, kSceneGap);
+    column_->setSpacing(kSceneGap);
     addRows();
     column_->addStretch();
     setToolTip(tr("Every key of the scene, in the units of a lab"));

@@ -11,10 +11,10 @@ namespace asperity {
 
 namespace {
 
-constexpr int kGap = 4;              ///< [px]
-constexpr int kIndent = 6;           ///< of the rows [px]
-constexpr int kCaptionWidth = 148;   ///< so that the controls of all sections line up [px]
-constexpr const char* kTip = "tip";  ///< property: what a control says while it works
+constexpr int kSectionGap = 4;              ///< [px]
+constexpr int kIndent = 6;                  ///< of the rows [px]
+constexpr int kCaptionWidth = 148;          ///< so that the controls of all sections line up [px]
+constexpr const char* kWorkingTip = "tip";  ///< property: what a control says while it works
 
 }  // namespace
 
@@ -30,14 +30,14 @@ Section::Section(const QString& title, const QString& about, QWidget* parent)
     heading_->setFont(theme::boldFont());
     heading_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     heading_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-    rows_->setContentsMargins(kIndent, 0, 0, kGap);
-    rows_->setHorizontalSpacing(kGap);
-    rows_->setVerticalSpacing(kGap);
+    rows_->setContentsMargins(kIndent, 0, 0, kSectionGap);
+    rows_->setHorizontalSpacing(kSectionGap);
+    rows_->setVerticalSpacing(kSectionGap);
     rows_->setColumnStretch(1, 1);
     rows_->setColumnMinimumWidth(0, theme::scaled(kCaptionWidth));
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(kGap);
+    column->setSpacing(kSectionGap);
     column->addWidget(heading_);
     column->addWidget(content_);
     setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
@@ -62,10 +62,10 @@ void Section::refuse(const QString& reason) {
     refusal_ = reason;
     content_->setEnabled(reason.isEmpty());
     for (QWidget* part : content_->findChildren<QWidget*>(QString(), Qt::FindDirectChildrenOnly)) {
-        if (!part->property(kTip).isValid()) {
-            part->setProperty(kTip, part->toolTip());
+        if (!part->property(kWorkingTip).isValid()) {
+            part->setProperty(kWorkingTip, part->toolTip());
         }
-        part->setToolTip(reason.isEmpty() ? part->property(kTip).toString() : reason);
+        part->setToolTip(reason.isEmpty() ? part->property(kWorkingTip).toString() : reason);
     }
 }
 

@@ -21,10 +21,10 @@ namespace {
 
 constexpr int kHeight = 32;             ///< [px]
 constexpr int kEdge = 5;                ///< in the state's full color, at the left [px]
-constexpr double kRadius = 4.0;         ///< of the corners [px]
+constexpr double kBannerRadius = 4.0;   ///< of the corners [px]
 constexpr double kWash = 0.12;          ///< of the state's color behind the words
 constexpr double kRecordedWash = 0.35;  ///< likewise of a recording: no live run looks so
-constexpr int kMaxLetters = 60;         ///< of the whole line
+constexpr int kMaxBannerLetters = 60;   ///< of the whole line
 constexpr double kStateSize = 9.75;     ///< of letters [pt]
 const QString kBetween = QStringLiteral(" · ");
 
@@ -162,7 +162,7 @@ void StateBanner::showLine() {
     QStringList state = whole;
     const auto isTooLong = [&] {
         const int between = caution.isEmpty() ? 0 : kBetween.size();
-        return state.join(kBetween).size() + between + caution.size() > kMaxLetters;
+        return state.join(kBetween).size() + between + caution.size() > kMaxBannerLetters;
     };
     // The color says where the tip is, if the words cannot.
     while (state.size() > 1 && isTooLong()) {
@@ -230,7 +230,7 @@ void StateBanner::paintEvent(QPaintEvent* /*event*/) {
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setPen(Qt::NoPen);
     QPainterPath shape;
-    shape.addRoundedRect(rect(), kRadius, kRadius);
+    shape.addRoundedRect(rect(), kBannerRadius, kBannerRadius);
     painter.setClipPath(shape);
     QColor wash = shownColor_;
     wash.setAlphaF(recorded_ ? kRecordedWash : kWash);

@@ -42,7 +42,7 @@ QString effectText(const TermNeed& need) {
                                   : TermTable::tr("%1 % of the force").arg(number);
 }
 
-QString timeText(const TermNeed& need) {
+QString termTimeText(const TermNeed& need) {
     if (!isMeasured(need)) {
         return QStringLiteral("–");
     }
@@ -118,7 +118,7 @@ void TermTable::showNeed(int row, const TermNeed& need, const std::string& reaso
     item(row, Now)->setData(Qt::UserRole, need.on);
     colorNow(row);
     setText(row, Effect, effectText(need));
-    setText(row, Time, timeText(need));
+    setText(row, Time, termTimeText(need));
     const QString why = coreWords(reason);
     setText(row, Why, why);
     item(row, Why)->setToolTip(why);

@@ -29,11 +29,11 @@ namespace {
 
 constexpr int kReach = 24;           ///< of a click [px]
 constexpr int kPointSize = 8;        ///< [px]
-constexpr int kRingSize = 17;        ///< [px]
+constexpr int kChoiceRingSize = 17;  ///< [px]
 constexpr double kRingWidth = 2.0;   ///< [px]
 constexpr double kFrontWidth = 1.3;  ///< of the line that joins the front [px]
 constexpr double kMicroseconds = 1e6;
-constexpr double kNanonewtons = 1e9;
+constexpr double kNanonewtonsPerNewton = 1e9;
 
 struct Range {
     double low = 1.0;
@@ -175,7 +175,7 @@ void TradeOffChart::Plot::color() {
     front_->setPen(colors.accent, kFrontWidth, Qt::SolidLine);
     front_->setSymbol(dot(colors.accent));
     ring_->setSymbol(new QwtSymbol(QwtSymbol::Ellipse, Qt::NoBrush, QPen(colors.orange, kRingWidth),
-                                   {kRingSize, kRingSize}));
+                                   {kChoiceRingSize, kChoiceRingSize}));
     for (QwtPlotMarker* number : numbers_) {
         QwtText label = number->label();
         label.setColor(colors.accent);
@@ -191,7 +191,8 @@ void TradeOffChart::Plot::show(const TradeOffPoints& shown, const QString& hint)
     places_.clear();
     QVector<QPointF> others;
     for (const TradeOffPoint& point : shown.points) {
-        places_ << QPointF(kMicroseconds * point.time, kNanonewtons * std::max(point.error, floor));
+        places_ << QPointF(kMicroseconds * point.time,
+                           kNanonewtonsPerNewton * std::max(point.error, floor));
         if (!point.onFront) {
             others << places_.back();
         }
@@ -210,7 +211,7 @@ void TradeOffChart::Plot::showRanges(const TradeOffPoints& shown) {
     const auto [best, worst] = std::minmax_element(places_.begin(), places_.end(),
                                                    [](auto& a, auto& b) { return a.y() < b.y(); });
     const Range error = rangeAround(best->y(), worst->y());
-    const double percent = 100.0 / (kNanonewtons * shown.forceScale);
+    const double percent = 100.0 / (kNanonewtonsPerNewton * shown.forceScale);
     plot_->setAxisScaleDiv(QwtPlot::xBottom, divisions(rangeAround(fastest->x(), slowest->x())));
     plot_->setAxisScaleDiv(QwtPlot::yLeft, divisions(error));
     plot_->setAxisScaleDiv(QwtPlot::yRight, divisions({percent * error.low, percent * error.high}));
@@ -311,7 +312,7 @@ QString TradeOffChart::textOf(int index) const {
     return tr("%1: %2 µs, %3 nN")
         .arg(point.name)
         .arg(kMicroseconds * point.time, 0, 'g', 3)
-        .arg(kNanonewtons * point.error, 0, 'g', 3);
+        .arg(kNanonewtonsPerNewton * point.error, 0, 'g', 3);
 }
 
 bool TradeOffChart::eventFilter(QObject* watched, QEvent* event) {

@@ -2,6 +2,7 @@
 
 #include "core/SiFormat.h"
 #include "core/deformation/SurfaceField.h"
+#include "ui/NumberText.h"
 #include "ui/Theme.h"
 #include "ui/view/ContactShape.h"
 #include "ui/view/ForceScale.h"
@@ -251,7 +252,7 @@ void ContactPlot::drawForce(QPainter& painter) const {
                                    to - 1.6 * kArrowHead * way - 0.6 * kArrowHead * across}));
     painter.setPen(theme::colors().force);
     painter.setFont(theme::boldFont(theme::kTextSize));
-    painter.drawText(to + QPointF(8.0, 4.0), QString::fromStdString(formatSi(size, "N")));
+    painter.drawText(to + QPointF(8.0, 4.0), siText(size, "N"));
 }
 
 void ContactPlot::drawAxes(QPainter& painter) const {
@@ -302,8 +303,7 @@ void ContactPlot::drawLegend(QPainter& painter) const {
     text += tr("   ·   direction %1").arg(angleText(plane_.azimuth));
     const TipContact& contact = tipContact(*scene_, sample_->output.model);
     text += contact.contactRadius > 0.0
-                ? tr("   ·   contact radius %1")
-                      .arg(QString::fromStdString(formatSi(contact.contactRadius, "m")))
+                ? tr("   ·   contact radius %1").arg(siText(contact.contactRadius, "m"))
                 : tr("   ·   no contact");
     painter.setFont(theme::textFont(theme::kSmallSize));
     painter.setPen(theme::colors().ink);

@@ -19,13 +19,13 @@ namespace asperity {
 namespace {
 
 constexpr int kPoints = 192;  // of each line
-constexpr double kWidth = 1.5;
+constexpr double kCrossHairWidth = 1.5;
 
 }  // namespace
 
 CrossHairLayer::CrossHairLayer(vtkRenderer* renderer) {
     vtkNew<vtkPolyData> nothing;
-    lines_ = linesAsDrawn(nothing, theme::palette().marker, kWidth);
+    lines_ = linesAsDrawn(nothing, theme::palette().marker, kCrossHairWidth);
     renderer->AddActor(lines_);
     hide();
 }

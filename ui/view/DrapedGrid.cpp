@@ -17,7 +17,7 @@ namespace asperity {
 namespace {
 
 constexpr double kLinesAcross = 25.0;
-constexpr double kOpacity = 0.3;
+constexpr double kGridOpacity = 0.3;
 
 }  // namespace
 
@@ -37,7 +37,7 @@ std::vector<double> gridPlaces(double low, double high, double spacing) {
 
 vtkSmartPointer<vtkActor> thinLines(vtkPolyData* data) {
     vtkSmartPointer<vtkActor> actor = linesAsDrawn(data, palette::kSurfaceLine, 1.0);
-    actor->GetProperty()->SetOpacity(kOpacity);
+    actor->GetProperty()->SetOpacity(kGridOpacity);
     actor->ForceOpaqueOn();
     return actor;
 }

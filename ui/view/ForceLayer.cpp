@@ -15,7 +15,7 @@ namespace asperity {
 
 namespace {
 
-constexpr int kFacets = 24;
+constexpr int kConeFacets = 24;
 constexpr double kMinLength = 0.06;   // shorter arrows are not drawn; part of their room
 constexpr double kSignificant = 3.0;  // standard deviations
 
@@ -26,7 +26,7 @@ constexpr double kConfirmation = 0.05;
 }  // namespace
 
 ForceLayer::ForceLayer(vtkRenderer* renderer) {
-    source_->SetResolution(kFacets);
+    source_->SetResolution(kConeFacets);
     arrow_ = plainSurface(source_->GetOutput(), theme::palette().force);
     arrow_->GetProperty()->SetAmbient(0.55);  // red on any side
     renderer->AddActor(arrow_);

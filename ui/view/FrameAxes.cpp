@@ -24,7 +24,7 @@ constexpr double kTitleDistance = 10.0;  // from the labels
 constexpr double kSeenLength = 1.0;  // of a direction that is seen
 constexpr double kSeenEdge = 40.0;   // of an edge that has room for its positions
 
-constexpr double kTextSize = 12.0;
+constexpr double kAxesTextSize = 12.0;
 constexpr double kSideways = 0.4;  // share of a direction from which on it leads to a side
 
 using Project = std::function<PixelPoint(const Vector3&)>;
@@ -62,7 +62,7 @@ TextStyle textBeside(const Project& project, const Edge& edge) {
     const Align align = sideways < -kSideways  ? Align::Right
                         : sideways > kSideways ? Align::Left
                                                : Align::Center;
-    return {.size = kTextSize, .color = theme::palette().ink, .align = align};
+    return {.size = kAxesTextSize, .color = theme::palette().ink, .align = align};
 }
 
 /// Nothing of an edge that is seen from its end.
@@ -82,7 +82,7 @@ void paintEdge(Painter& painter, const Edge& edge, const Project& project) {
         shown.push_back(scale.factor * tick);
     }
     const std::vector<std::string> labels = tickLabels(shown);
-    double room = kTextSize;
+    double room = kAxesTextSize;
     for (std::size_t i = 0; i < ticks.size(); ++i) {
         room = std::max(room, painter.textWidth(labels[i], text));
         const Vector3 place = edge.at(ticks[i]);
@@ -97,7 +97,7 @@ void paintEdge(Painter& painter, const Edge& edge, const Project& project) {
     } else {  // the ground is seen edge-on, and the picture ends below it
         const bool toRight = end.x > start.x;
         painter.text({end.x + (toRight ? kTitleDistance : -kTitleDistance), end.y}, title,
-                     {.size = kTextSize,
+                     {.size = kAxesTextSize,
                       .color = theme::palette().ink,
                       .align = toRight ? Align::Left : Align::Right});
     }

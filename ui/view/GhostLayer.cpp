@@ -18,9 +18,9 @@ namespace asperity {
 
 namespace {
 
-constexpr int kFacets = 32;
-constexpr double kOpacity = 0.16;
-constexpr double kLineWidth = 2.0;
+constexpr int kGhostFacets = 32;
+constexpr double kGhostOpacity = 0.16;
+constexpr double kGhostLineWidth = 2.0;
 
 /// A point of the body as it is seen.
 struct SeenPoint {
@@ -77,13 +77,13 @@ Outline outlineOf(vtkPolyData* body, const GhostStyle& style) {
 }  // namespace
 
 GhostLayer::GhostLayer(vtkRenderer* through) : solid_(plainSurface(body_, {})) {
-    source_->SetResolution(kFacets);
+    source_->SetResolution(kGhostFacets);
     solid_->GetProperty()->LightingOff();
-    solid_->GetProperty()->SetOpacity(kOpacity);
+    solid_->GetProperty()->SetOpacity(kGhostOpacity);
     solid_->GetProperty()->BackfaceCullingOn();
     solid_->ForceOpaqueOn();  // blended all the same, without VTK's costly passes
     vtkNew<vtkPolyData> nothing;
-    outline_ = linesAsDrawn(nothing, {}, kLineWidth);
+    outline_ = linesAsDrawn(nothing, {}, kGhostLineWidth);
     through->AddActor(solid_);
     through->AddActor(outline_);
     hide();

@@ -18,26 +18,28 @@ namespace asperity {
 namespace {
 
 constexpr double kCross = 0.12;  // half a cross, in parts of the reach
-constexpr double kLineWidth = 2.0;
+constexpr double kGuideWidth = 2.0;
 
-using Stroke = std::vector<Vector3>;
+using GuideStroke = std::vector<Vector3>;
 
-Stroke through(const Vector3& point, const Vector3& half) { return {point - half, point + half}; }
+GuideStroke through(const Vector3& point, const Vector3& half) {
+    return {point - half, point + half};
+}
 
-std::vector<Stroke> cross(const Vector3& point, double half) {
+std::vector<GuideStroke> cross(const Vector3& point, double half) {
     return {through(point, half * Vector3::UnitX()), through(point, half * Vector3::UnitY()),
             through(point, half * Vector3::UnitZ())};
 }
 
-std::vector<Stroke> square(const Vector3& point, const Vector3& axis, double half) {
+std::vector<GuideStroke> square(const Vector3& point, const Vector3& axis, double half) {
     const Vector3 one = half * axis.unitOrthogonal();
     const Vector3 other = axis.cross(one);
-    const Stroke frame{point + one + other, point - one + other, point - one - other,
-                       point + one - other, point + one + other};
+    const GuideStroke frame{point + one + other, point - one + other, point - one - other,
+                            point + one - other, point + one + other};
     return {frame, through(point, one), through(point, other)};
 }
 
-std::vector<Stroke> strokesOf(const VirtualFixture& guide, double reach) {
+std::vector<GuideStroke> strokesOf(const VirtualFixture& guide, double reach) {
     switch (guide.kind) {
     case FixtureKind::Point:
         return cross(guide.point, kCross * reach);
@@ -55,7 +57,7 @@ std::vector<Stroke> strokesOf(const VirtualFixture& guide, double reach) {
 
 GuideLayer::GuideLayer(vtkRenderer* renderer) {
     vtkNew<vtkPolyData> nothing;
-    lines_ = linesAsDrawn(nothing, theme::palette().guide, kLineWidth);
+    lines_ = linesAsDrawn(nothing, theme::palette().guide, kGuideWidth);
     renderer->AddActor(lines_);
     hide();
 }
@@ -65,13 +67,13 @@ GuideLayer::~GuideLayer() = default;
 void GuideLayer::hide() { lines_->VisibilityOff(); }
 
 void GuideLayer::show(const VirtualFixture& guide, double reach, const DrawnSpace& space) {
-    const std::vector<Stroke> strokes = strokesOf(guide, reach);
+    const std::vector<GuideStroke> strokes = strokesOf(guide, reach);
     if (strokes.empty()) {
         hide();
         return;
     }
     vtkNew<vtkAppendPolyData> all;
-    for (const Stroke& stroke : strokes) {
+    for (const GuideStroke& stroke : strokes) {
         all->AddInputData(polyline(stroke));
     }
     all->Update();

@@ -15,9 +15,9 @@ namespace asperity {
 
 namespace {
 
-constexpr double kArm = 0.012;  // half a cross along x, in parts of the window's width
-constexpr double kWidth = 2.0;  // [px]
-constexpr int kStretches = 6;   // of an arm: it lies on the surface
+constexpr double kArm = 0.012;        // half a cross along x, in parts of the window's width
+constexpr double kMarkerWidth = 2.0;  // [px]
+constexpr int kStretches = 6;         // of an arm: it lies on the surface
 
 bool holds(const ScanWindow& window, const Marker& marker) {
     return marker.x >= window.left && marker.x <= window.right && marker.y >= window.bottom &&
@@ -41,7 +41,7 @@ std::vector<Vector3> armOf(const Marker& marker, const BSplineSurface& surface, 
 
 MarkerLayer::MarkerLayer(vtkRenderer* renderer) {
     vtkNew<vtkPolyData> nothing;
-    lines_ = linesAsDrawn(nothing, theme::palette().ink, kWidth);
+    lines_ = linesAsDrawn(nothing, theme::palette().ink, kMarkerWidth);
     renderer->AddActor(lines_);
     hide();
 }

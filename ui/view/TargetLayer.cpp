@@ -20,9 +20,9 @@ namespace asperity {
 
 namespace {
 
-constexpr double kWidth = 3.0;      // [px]
-constexpr double kEdgeWidth = 5.0;  // [px]
-constexpr double kRing = 0.3;       // its radius, in arms
+constexpr double kTargetWidth = 3.0;  // [px]
+constexpr double kEdgeWidth = 5.0;    // [px]
+constexpr double kRing = 0.3;         // its radius, in arms
 constexpr int kRingPoints = 48;
 
 Vector3 onSurface(const BSplineSurface& surface, double x, double y) {
@@ -51,7 +51,7 @@ void draw(vtkActor& actor, vtkPolyData* data, const Color& color, const DrawnSpa
 TargetLayer::TargetLayer(vtkRenderer* through) {
     vtkNew<vtkPolyData> nothing;
     edge_ = linesAsDrawn(nothing, palette::kSurfaceLine, kEdgeWidth);
-    lines_ = linesAsDrawn(nothing, theme::palette().target, kWidth);
+    lines_ = linesAsDrawn(nothing, theme::palette().target, kTargetWidth);
     through->AddActor(edge_);
     through->AddActor(lines_);
     hide();

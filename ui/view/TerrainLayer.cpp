@@ -36,7 +36,7 @@ double widthOf(const ScanWindow& window) {
 }
 
 /// A stretch of a grid line: its place across, and where it begins and ends.
-struct Stroke {
+struct TerrainStroke {
     double place;
     double from;
     double to;
@@ -51,10 +51,10 @@ struct Extent {
 };
 
 /// Grid lines at round places and along the edges, broken where they would cross the patch.
-std::vector<Stroke> strokes(const Extent& across, const Extent& along, double spacing) {
+std::vector<TerrainStroke> strokes(const Extent& across, const Extent& along, double spacing) {
     std::vector<double> places = gridPlaces(across.low, across.high, spacing);
     places.insert(places.end(), {across.low, across.high});
-    std::vector<Stroke> found;
+    std::vector<TerrainStroke> found;
     for (const double place : places) {
         if (place < across.patchLow || place > across.patchHigh) {
             found.push_back({place, along.low, along.high});
@@ -281,7 +281,7 @@ vtkSmartPointer<vtkPolyData> TerrainLayer::drapedGrid(int stepsAcross) const {
     const Extent x{window.left, window.right, patch.left, patch.right};
     const Extent y{window.bottom, window.top, patch.bottom, patch.top};
     Polylines grid;
-    const auto lay = [&](const Stroke& stroke, bool upwards) {
+    const auto lay = [&](const TerrainStroke& stroke, bool upwards) {
         const int steps = static_cast<int>(std::ceil((stroke.to - stroke.from) / step));
         std::vector<Vector3> points;
         for (int i = 0; i <= steps; ++i) {
@@ -292,10 +292,10 @@ vtkSmartPointer<vtkPolyData> TerrainLayer::drapedGrid(int stepsAcross) const {
         }
         grid.add(points);
     };
-    for (const Stroke& stroke : strokes(x, y, spacing)) {
+    for (const TerrainStroke& stroke : strokes(x, y, spacing)) {
         lay(stroke, true);
     }
-    for (const Stroke& stroke : strokes(y, x, spacing)) {
+    for (const TerrainStroke& stroke : strokes(y, x, spacing)) {
         lay(stroke, false);
     }
     return grid.data();

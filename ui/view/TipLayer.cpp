@@ -15,7 +15,7 @@ namespace asperity {
 
 namespace {
 
-constexpr int kFacets = 64;
+constexpr int kTipFacets = 64;
 constexpr double kMinDrop = 0.05;  // shorter drop lines are not drawn; part of the tip's radius
 
 }  // namespace
@@ -25,7 +25,7 @@ Vector3 apexOf(const TipContact& contact) {
 }
 
 TipLayer::TipLayer(vtkRenderer* renderer) {
-    source_->SetResolution(kFacets);
+    source_->SetResolution(kTipFacets);
     solid_ = surfaceAsColored(body_);
     renderer->AddActor(solid_);
     vtkNew<vtkPolyData> nothing;

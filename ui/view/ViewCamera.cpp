@@ -20,7 +20,7 @@ constexpr double kEdgeOn = 0.02;  // sine of the elevation below which the groun
 
 constexpr double kViewAngle = 30.0;  // of a view with perspective, from top to bottom [degree]
 
-constexpr double kMargin = 1.04;
+constexpr double kCameraMargin = 1.04;
 constexpr double kTipsPlace = 0.15;  // where the tip mostly is, of the way to the far corner
 constexpr double kDepth = 8.0;       // seen before and behind the middle, in sizes of the frame
 
@@ -90,10 +90,11 @@ void ViewCamera::apply(vtkCamera* camera, const FrameBox& box, double aspect,
     const double below = corner * sine + box.below * cosine;
     const double above = std::max(corner * sine + box.above * cosine,
                                   kTipsPlace * corner * sine + box.tipTop * cosine);
-    const double halfHeight = kMargin * std::max(corner / (aspect * (1.0 - 2.0 * words.beside)),
-                                                 0.5 * (below + above) / (1.0 - words.under));
+    const double halfHeight =
+        kCameraMargin * std::max(corner / (aspect * (1.0 - 2.0 * words.beside)),
+                                 0.5 * (below + above) / (1.0 - words.under));
     const double free =
-        halfHeight - 0.5 * kMargin * (below + above);  // under the frame, if centered
+        halfHeight - 0.5 * kCameraMargin * (below + above);  // under the frame, if centered
     const double raised = std::max(0.0, 2.0 * words.under * halfHeight - free);
     const Vector3 focus = box.middle + (0.5 * (above - below) - raised) * up();
     const double depth = kDepth * (box.halfWidth + box.below + box.above);

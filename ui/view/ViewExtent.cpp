@@ -8,7 +8,7 @@ namespace {
 constexpr double kBlockDepth = 0.12;
 constexpr double kMinFloor = 0.05;  // of block below a dent
 
-constexpr double kDentStep = 1.5;  // a dent that needs more room gets so many times its depth
+constexpr double kExtentStep = 1.5;  // a dent that needs more room gets so many times its depth
 
 }  // namespace
 
@@ -33,7 +33,7 @@ bool ViewExtent::makeRoomFor(double lowest, const FramedSurface& surface) {
     if (!(bottom(surface) + floor > lowest)) {
         return false;
     }
-    dentDepth_ = kDentStep * (surface.heights.low - lowest);
+    dentDepth_ = kExtentStep * (surface.heights.low - lowest);
     return true;
 }
 

@@ -18,8 +18,8 @@ namespace asperity {
 namespace {
 
 // Pixels.
-constexpr double kMargin = 18.0;
-constexpr double kTextSize = 14.0;
+constexpr double kLabelMargin = 18.0;
+constexpr double kLabelTextSize = 14.0;
 constexpr double kForceTextSize = 17.0;
 constexpr double kLineHeight = 1.4;     // in text sizes
 constexpr double kCaptionHeight = 1.8;  // likewise
@@ -79,32 +79,34 @@ void ViewLabels::paintScaleBars(Painter& painter, double viewWidth, double viewH
     const double longest = std::min(kMaxBarLength, kBarShare * viewWidth);
     const double highest = std::min(kMaxBarHeight, kHeightShare * viewHeight);
     const LineStyle style{theme::palette().ink, 2.0};
-    const TextStyle text{.size = kTextSize, .color = theme::palette().ink};
+    const TextStyle text{.size = kLabelTextSize, .color = theme::palette().ink};
     const double across = niceBelow(longest * content_.metersPerPixel);
-    const double right = kMargin + across / content_.metersPerPixel;
-    painter.line({{kMargin, kMargin}, {right, kMargin}}, style);
-    painter.line({{right, kMargin - kBarEnd}, {right, kMargin + kBarEnd}}, style);
-    painter.text({kMargin + 2.0 * kBarEnd, kMargin + 0.8 * kTextSize}, formatSi(across, "m"), text);
+    const double right = kLabelMargin + across / content_.metersPerPixel;
+    painter.line({{kLabelMargin, kLabelMargin}, {right, kLabelMargin}}, style);
+    painter.line({{right, kLabelMargin - kBarEnd}, {right, kLabelMargin + kBarEnd}}, style);
+    painter.text({kLabelMargin + 2.0 * kBarEnd, kLabelMargin + 0.8 * kLabelTextSize},
+                 formatSi(across, "m"), text);
     if (!std::isfinite(content_.heightPerPixel)) {  // seen from above, heights have no length
         return;
     }
     const double upwards = niceBelow(highest * content_.heightPerPixel);
-    const double top = kMargin + upwards / content_.heightPerPixel;
-    painter.line({{kMargin, top}, {kMargin, kMargin}}, style);
-    painter.line({{kMargin - kBarEnd, top}, {kMargin + kBarEnd, top}}, style);
-    painter.text({kMargin + 2.0 * kBarEnd, std::max(top, kMargin + 2.0 * kTextSize)},
+    const double top = kLabelMargin + upwards / content_.heightPerPixel;
+    painter.line({{kLabelMargin, top}, {kLabelMargin, kLabelMargin}}, style);
+    painter.line({{kLabelMargin - kBarEnd, top}, {kLabelMargin + kBarEnd, top}}, style);
+    painter.text({kLabelMargin + 2.0 * kBarEnd, std::max(top, kLabelMargin + 2.0 * kLabelTextSize)},
                  "z " + formatSi(upwards, "m"), text);
 }
 
 void ViewLabels::paintNotes(Painter& painter, double viewWidth, double viewHeight) const {
-    double y = viewHeight - kMargin - 0.5 * kTextSize;
+    double y = viewHeight - kLabelMargin - 0.5 * kLabelTextSize;
     if (!content_.caption.empty()) {
         paintCaption(painter, y, viewWidth, viewHeight);
-        y -= kCaptionHeight * kTextSize;
+        y -= kCaptionHeight * kLabelTextSize;
     }
     for (const std::string& note : content_.notes) {
-        painter.text({kMargin, y}, note, {.size = kTextSize, .color = theme::palette().ink});
-        y -= kLineHeight * kTextSize;
+        painter.text({kLabelMargin, y}, note,
+                     {.size = kLabelTextSize, .color = theme::palette().ink});
+        y -= kLineHeight * kLabelTextSize;
     }
     if (!content_.tipAbove.empty()) {
         painter.text({0.5 * viewWidth, y}, content_.tipAbove,
@@ -120,10 +122,10 @@ void ViewLabels::paintNames(Painter& painter, double viewWidth, double viewHeigh
     double lowest = viewHeight;
     for (const LabelContent::Name& name : content_.names) {
         PixelPoint at = project(name.place);
-        at.y = std::min({at.y, lowest, viewHeight - kMargin});
-        lowest = at.y - kLineHeight * kTextSize - kNameGap;
+        at.y = std::min({at.y, lowest, viewHeight - kLabelMargin});
+        lowest = at.y - kLineHeight * kLabelTextSize - kNameGap;
         painter.label({at.x + kNameGap, at.y}, name.text,
-                      {.size = kTextSize, .bold = true, .color = name.color},
+                      {.size = kLabelTextSize, .bold = true, .color = name.color},
                       {0.0, 0.0, viewWidth, viewHeight}, theme::palette().paper);
     }
 }
@@ -132,8 +134,8 @@ void ViewLabels::paintMarkers(Painter& painter, double viewWidth, double viewHei
     for (const LabelContent::Name& marker : content_.markers) {
         const PixelPoint at = project(marker.place);
         painter.label({at.x + kNameGap, at.y}, marker.text,
-                      {.size = kTextSize, .color = marker.color}, {0.0, 0.0, viewWidth, viewHeight},
-                      theme::palette().paper);
+                      {.size = kLabelTextSize, .color = marker.color},
+                      {0.0, 0.0, viewWidth, viewHeight}, theme::palette().paper);
     }
 }
 
@@ -141,19 +143,19 @@ void ViewLabels::paintReading(Painter& painter, double viewWidth, double viewHei
     if (content_.reading.empty()) {
         return;
     }
-    const TextStyle style{.size = kTextSize, .color = theme::palette().ink};
-    const double left = viewWidth - kMargin - painter.textWidth(content_.reading, style);
-    painter.label({left, kMargin}, content_.reading, style, {0.0, 0.0, viewWidth, viewHeight},
+    const TextStyle style{.size = kLabelTextSize, .color = theme::palette().ink};
+    const double left = viewWidth - kLabelMargin - painter.textWidth(content_.reading, style);
+    painter.label({left, kLabelMargin}, content_.reading, style, {0.0, 0.0, viewWidth, viewHeight},
                   theme::palette().paper);
 }
 
 /// In one line, however narrow the view.
 void ViewLabels::paintCaption(Painter& painter, double y, double viewWidth,
                               double viewHeight) const {
-    TextStyle style{.size = kTextSize, .color = theme::palette().ink};
-    const double room = viewWidth - 2.0 * kMargin;
+    TextStyle style{.size = kLabelTextSize, .color = theme::palette().ink};
+    const double room = viewWidth - 2.0 * kLabelMargin;
     style.size *= std::min(1.0, room / painter.textWidth(content_.caption, style));
-    painter.label({kMargin - 0.5 * style.size, y}, content_.caption, style,
+    painter.label({kLabelMargin - 0.5 * style.size, y}, content_.caption, style,
                   {0.0, 0.0, viewWidth, viewHeight}, theme::palette().paper);
 }
 

@@ -27,8 +27,8 @@ constexpr double kGuideReach = 0.4;
 constexpr double kTargetArm = 0.16;
 constexpr double kOverlap = 0.015;  // of patch and terrain
 
-constexpr double kDentStep = 1.5;    // a dent below the picture lowers it by so many times that
-constexpr double kDentMargin = 0.1;  // of the picture's height, below a dent
+constexpr double kLoweringStep = 1.5;  // a dent below the picture lowers it by so many times that
+constexpr double kDentMargin = 0.1;    // of the picture's height, below a dent
 
 constexpr double kArrowRoom = 1.1;  // in sizes of tip and arrow
 
@@ -238,7 +238,7 @@ void ZoomPicture::keepInPicture(const Vector3& place, const ViewCamera& camera) 
     const int height = still_->GetSize()[1];
     const double missing = kDentMargin * height - drawnPlace(place).y();
     if (missing > 0.0 && camera.heightSeen() > 0.0) {
-        extent_.lower(kDentStep * missing * metersPerPixel(height) / camera.heightSeen());
+        extent_.lower(kLoweringStep * missing * metersPerPixel(height) / camera.heightSeen());
         Q_EMIT terrainPlaced();
     }
 }

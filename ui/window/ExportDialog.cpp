@@ -25,12 +25,12 @@ namespace asperity {
 
 namespace {
 
-constexpr int kGap = 8;          // [px]
-constexpr int kLeftWidth = 430;  // [px, as theme::scaled() takes them]
-constexpr int kWidth = 1060;     // likewise
-constexpr int kHeight = 600;     // likewise
-constexpr int kLeastSide = 32;   // [pixel]
-constexpr int kMostSide = 8192;  // [pixel]
+constexpr int kExportGap = 8;       // [px]
+constexpr int kChoicesWidth = 430;  // [px, as theme::scaled() takes them]
+constexpr int kExportWidth = 1060;  // likewise
+constexpr int kExportHeight = 600;  // likewise
+constexpr int kLeastSide = 32;      // [pixel]
+constexpr int kMostSide = 8192;     // [pixel]
 constexpr int kScreenDpi = 96;
 constexpr int kPrintDpi = 300;
 constexpr double kMillimetersPerInch = 25.4;
@@ -49,12 +49,12 @@ ExportDialog::ExportDialog(ExportOffer offer, ExportChoices choices, QWidget* wi
     setObjectName(QStringLiteral("exportDialog"));
     setWindowTitle(tr("Export"));
     auto* sides = new QHBoxLayout;
-    sides->setSpacing(2 * kGap);
+    sides->setSpacing(2 * kExportGap);
     sides->addWidget(newForm());
     sides->addWidget(newPreview(), 1);
     auto* rows = new QVBoxLayout(this);
-    rows->setContentsMargins(2 * kGap, 2 * kGap, 2 * kGap, 2 * kGap);
-    rows->setSpacing(kGap);
+    rows->setContentsMargins(2 * kExportGap, 2 * kExportGap, 2 * kExportGap, 2 * kExportGap);
+    rows->setSpacing(kExportGap);
     rows->addLayout(sides, 1);
     rows->addWidget(newButtons());
     fill();
@@ -63,14 +63,16 @@ ExportDialog::ExportDialog(ExportOffer offer, ExportChoices choices, QWidget* wi
     subject_->setFocus();
 }
 
-QSize ExportDialog::sizeHint() const { return {theme::scaled(kWidth), theme::scaled(kHeight)}; }
+QSize ExportDialog::sizeHint() const {
+    return {theme::scaled(kExportWidth), theme::scaled(kExportHeight)};
+}
 
 QWidget* ExportDialog::newForm() {
     auto* side = new QWidget(this);
-    side->setFixedWidth(theme::scaled(kLeftWidth));
+    side->setFixedWidth(theme::scaled(kChoicesWidth));
     auto* form = new QFormLayout(side);
     form->setContentsMargins(0, 0, 0, 0);
-    form->setVerticalSpacing(kGap);
+    form->setVerticalSpacing(kExportGap);
     form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
     subject_ = newList("exportSubject", tr("What is written"));
     format_ = newList("exportFormat", tr("Type of the file"));

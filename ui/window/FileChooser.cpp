@@ -19,7 +19,7 @@ namespace asperity {
 
 namespace {
 
-enum Column : int { Name, Size, Type, Date };
+enum FileColumn : int { Name, Size, Type, Date };
 
 /// A narrower list has room for names alone [px, as theme::scaled() takes them].
 constexpr int kDatedWidth = 270;

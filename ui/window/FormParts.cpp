@@ -6,7 +6,7 @@ namespace asperity {
 
 namespace {
 
-constexpr int kGap = 8;  // [px]
+constexpr int kFormGap = 8;  // [px]
 
 }  // namespace
 
@@ -35,7 +35,7 @@ QWidget* newRow(std::initializer_list<QWidget*> parts) {
     auto* row = new QWidget;
     auto* line = new QHBoxLayout(row);
     line->setContentsMargins(0, 0, 0, 0);
-    line->setSpacing(kGap);
+    line->setSpacing(kFormGap);
     for (QWidget* const part : parts) {
         line->addWidget(part, qobject_cast<QPushButton*>(part) == nullptr ? 1 : 0);
     }

@@ -51,7 +51,7 @@ namespace asperity {
 namespace {
 
 constexpr int kMessageTime = 8000;  // [ms]
-constexpr QSize kUsualSize(1600, 1000);
+constexpr QSize kWindowSize(1600, 1000);
 
 /// The keys that move the device work again once a knob is turned.
 void giveFocusBack(ControlBar& controls, ZoomView& view) {
@@ -119,7 +119,7 @@ MainWindow::MainWindow()
     engage_->setEnabled(false);
     showLoading({});
     setEmergencyStop(false);
-    setGeometry(openingPlace(kUsualSize, screen()->availableGeometry()));
+    setGeometry(openingPlace(kWindowSize, screen()->availableGeometry()));
     view_->setFocus();
 }
 

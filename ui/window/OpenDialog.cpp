@@ -23,16 +23,16 @@ namespace asperity {
 
 namespace {
 
-constexpr int kGap = 8;          // [px]
-constexpr int kLeftWidth = 400;  // [px, as theme::scaled() takes them]
-constexpr int kShownRecent = 5;  // without scrolling
-constexpr int kWidth = 1220;     // likewise
-constexpr int kHeight = 760;     // likewise
+constexpr int kOpenGap = 8;         // [px]
+constexpr int kChooserWidth = 400;  // [px, as theme::scaled() takes them]
+constexpr int kShownRecent = 5;     // without scrolling
+constexpr int kOpenWidth = 1220;    // likewise
+constexpr int kOpenHeight = 760;    // likewise
 
 QVBoxLayout* newColumn(QWidget& side) {
     auto* column = new QVBoxLayout(&side);
     column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(kGap);
+    column->setSpacing(kOpenGap);
     return column;
 }
 
@@ -47,18 +47,20 @@ OpenDialog::OpenDialog(const QStringList& filters, QWidget* window) : QDialog(wi
     sides->setStretchFactor(0, 0);
     sides->setStretchFactor(1, 1);
     sides->setChildrenCollapsible(false);
-    sides->setHandleWidth(2 * kGap);
+    sides->setHandleWidth(2 * kOpenGap);
     auto* rows = new QVBoxLayout(this);
-    rows->setContentsMargins(2 * kGap, 2 * kGap, 2 * kGap, 2 * kGap);
-    rows->setSpacing(kGap);
+    rows->setContentsMargins(2 * kOpenGap, 2 * kOpenGap, 2 * kOpenGap, 2 * kOpenGap);
+    rows->setSpacing(kOpenGap);
     rows->addWidget(sides, 1);
     rows->addWidget(newButtons());
-    sides->setSizes({theme::scaled(kLeftWidth), theme::scaled(kWidth - kLeftWidth)});
+    sides->setSizes({theme::scaled(kChooserWidth), theme::scaled(kOpenWidth - kChooserWidth)});
     setGeometry(openingPlace(OpenDialog::sizeHint(), screen()->availableGeometry()));
     select({});
 }
 
-QSize OpenDialog::sizeHint() const { return {theme::scaled(kWidth), theme::scaled(kHeight)}; }
+QSize OpenDialog::sizeHint() const {
+    return {theme::scaled(kOpenWidth), theme::scaled(kOpenHeight)};
+}
 
 QWidget* OpenDialog::newLeft(const QStringList& filters) {
     auto* side = new QWidget(this);
@@ -67,7 +69,7 @@ QWidget* OpenDialog::newLeft(const QStringList& filters) {
     recent_->setObjectName(QStringLiteral("recentFiles"));
     recent_->setToolTip(tr("Files that were opened last"));
     const int line = recent_->fontMetrics().lineSpacing() + 2;
-    recent_->setFixedHeight(kShownRecent * line + kGap);
+    recent_->setFixedHeight(kShownRecent * line + kOpenGap);
     chooser_ = new FileChooser(filters, side);
     column->addWidget(captionLabel(tr("Recent files"), side));
     column->addWidget(recent_);

@@ -23,7 +23,7 @@ namespace asperity {
 
 namespace {
 
-constexpr int kGap = 8;            // [px]
+constexpr int kPaneGap = 8;        // [px]
 constexpr int kShownChannels = 4;  // without scrolling, where there is room
 constexpr int kMinChannels = 2;    // likewise, where there is none
 constexpr int kNotesLines = 4;     // where there is room
@@ -31,7 +31,7 @@ constexpr int kMinNotesLines = 2;  // where there is none
 constexpr int kFactsWidth = 200;   // their values seldom wrap [px, as theme::scaled() takes them]
 constexpr int kWhole = 100;        // of the bar [%]
 
-enum Column : int { Name, Unit, Direction, Pixels, ColumnCount };
+enum ChannelColumn : int { Name, Unit, Direction, Pixels, ColumnCount };
 
 QLabel* heading(const QString& text, QWidget* parent) {
     auto* label = new QLabel(text, parent);
@@ -39,17 +39,17 @@ QLabel* heading(const QString& text, QWidget* parent) {
     return label;
 }
 
-QVBoxLayout* newColumn(QWidget& part) {
+QVBoxLayout* newPaneColumn(QWidget& part) {
     auto* column = new QVBoxLayout(&part);
     column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(kGap / 2);
+    column->setSpacing(kPaneGap / 2);
     return column;
 }
 
 /// A picture below its caption.
 QWidget* captioned(const QString& caption, QWidget* picture, QWidget* parent) {
     auto* part = new QWidget(parent);
-    QVBoxLayout* column = newColumn(*part);
+    QVBoxLayout* column = newPaneColumn(*part);
     column->addWidget(captionLabel(caption, part));
     column->addWidget(picture, 1);
     return part;
@@ -60,7 +60,7 @@ QWidget* captioned(const QString& caption, QWidget* picture, QWidget* parent) {
 PreviewPane::PreviewPane(QWidget* parent) : QWidget(parent) {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(kGap);
+    column->setSpacing(kPaneGap);
     column->addWidget(newChannels());
     column->addWidget(newPictures(), 1);
     column->addWidget(newInputs());
@@ -74,7 +74,7 @@ PreviewPane::PreviewPane(QWidget* parent) : QWidget(parent) {
     notes_->setToolTip(tr("What the reader had to decide about the file, and where its numbers "
                           "come from"));
     const auto notesHeight = [this](int lines) {
-        return lines * notes_->fontMetrics().lineSpacing() + 2 * kGap;
+        return lines * notes_->fontMetrics().lineSpacing() + 2 * kPaneGap;
     };
     notes_->setMinimumHeight(notesHeight(kMinNotesLines));
     notes_->setMaximumHeight(notesHeight(kNotesLines));
@@ -94,9 +94,9 @@ QWidget* PreviewPane::newChannels() {
     channels_->header()->setStretchLastSection(false);
     channels_->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
     channels_->header()->setSectionResizeMode(Name, QHeaderView::Stretch);
-    const int line = channels_->fontMetrics().lineSpacing() + kGap / 2;
-    channels_->setMinimumHeight((kMinChannels + 1) * line + kGap);
-    channels_->setMaximumHeight((kShownChannels + 1) * line + kGap);
+    const int line = channels_->fontMetrics().lineSpacing() + kPaneGap / 2;
+    channels_->setMinimumHeight((kMinChannels + 1) * line + kPaneGap);
+    channels_->setMaximumHeight((kShownChannels + 1) * line + kPaneGap);
     return channels_;
 }
 
@@ -104,7 +104,7 @@ QWidget* PreviewPane::newPictures() {
     auto* part = new QWidget(this);
     auto* grid = new QGridLayout(part);
     grid->setContentsMargins(0, 0, 0, 0);
-    grid->setSpacing(kGap);
+    grid->setSpacing(kPaneGap);
     before_ = new CropPicture(part);
     before_->setObjectName(QStringLiteral("previewBefore"));
     before_->setDrawable(true);
@@ -116,7 +116,7 @@ QWidget* PreviewPane::newPictures() {
     progress_ = new QProgressBar(part);
     progress_->setObjectName(QStringLiteral("previewProgress"));
     progress_->setRange(0, kWhole);
-    progress_->setFixedHeight(theme::scaled(kGap));
+    progress_->setFixedHeight(theme::scaled(kPaneGap));
     progress_->setTextVisible(false);
     progress_->setToolTip(tr("How far looking into the file is"));
     QSizePolicy policy = progress_->sizePolicy();
@@ -134,7 +134,7 @@ QWidget* PreviewPane::newFacts() {
     part->setMinimumWidth(theme::scaled(kFactsWidth));
     facts_ = new QGridLayout(part);
     facts_->setContentsMargins(0, 0, 0, 0);
-    facts_->setHorizontalSpacing(kGap);
+    facts_->setHorizontalSpacing(kPaneGap);
     facts_->setVerticalSpacing(2);
     facts_->setColumnStretch(1, 1);
     return part;
@@ -144,16 +144,16 @@ QWidget* PreviewPane::newInputs() {
     auto* part = new QWidget(this);
     auto* row = new QHBoxLayout(part);
     row->setContentsMargins(0, 0, 0, 0);
-    row->setSpacing(2 * kGap);
+    row->setSpacing(2 * kPaneGap);
     row->addWidget(newFacts(), 1, Qt::AlignTop);
     auto* steps = new QWidget(part);
-    QVBoxLayout* stepsColumn = newColumn(*steps);
+    QVBoxLayout* stepsColumn = newPaneColumn(*steps);
     leveling_ = new LevelingEditor(steps);
     stepsColumn->addWidget(heading(tr("Leveling"), steps));
     stepsColumn->addWidget(leveling_, 1);
     row->addWidget(steps);
     auto* rest = new QWidget(part);
-    QVBoxLayout* restColumn = newColumn(*rest);
+    QVBoxLayout* restColumn = newPaneColumn(*rest);
     crop_ = new CropFields(rest);
     restColumn->addWidget(heading(tr("Part to load"), rest));
     restColumn->addWidget(crop_);

@@ -13,7 +13,7 @@ namespace asperity {
 
 namespace {
 
-constexpr int kGap = 8;          // [px]
+constexpr int kScaleGap = 8;     // [px]
 constexpr int kTextWidth = 400;  // [px]
 constexpr int kNameWidth = 260;  // [px]
 
@@ -49,8 +49,8 @@ ScaleDialog::ScaleDialog(const QString& file, const ScaleGap& gap, QWidget* wind
     form_->setMinimumWidth(theme::scaled(kTextWidth));
     form_->setGap(gap);
     auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(2 * kGap, 2 * kGap, 2 * kGap, 2 * kGap);
-    column->setSpacing(kGap);
+    column->setContentsMargins(2 * kScaleGap, 2 * kScaleGap, 2 * kScaleGap, 2 * kScaleGap);
+    column->setSpacing(kScaleGap);
     column->addWidget(nameLabel(file, this));
     column->addWidget(channelLabel(gap, this));
     column->addWidget(form_);

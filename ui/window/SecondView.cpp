@@ -25,7 +25,7 @@ namespace asperity {
 
 namespace {
 
-constexpr int kGap = 6;  // [px]
+constexpr int kSecondViewGap = 6;  // [px]
 constexpr double kDegree = std::numbers::pi / 180.0;
 constexpr double kFitting = 0.0;  // see ContactPlot::setHeightFactor()
 
@@ -67,9 +67,9 @@ SecondView::SecondView(QWidget* parent)
     new CopyablePlot(*section_, [this] { return tableOf(section_->section()); });
     auto* rows = new QVBoxLayout(this);
     rows->setContentsMargins(0, 0, 0, 0);
-    rows->setSpacing(kGap);
+    rows->setSpacing(kSecondViewGap);
     auto* controls = new FlowLayout;  // two lines where the view is narrow
-    controls->setSpacing(kGap);
+    controls->setSpacing(kSecondViewGap);
     addContents();
     controls->addWidget(contents_);
     controls->addWidget(spaceControls_);
@@ -78,7 +78,7 @@ SecondView::SecondView(QWidget* parent)
     auto* sectionRow = new QHBoxLayout(sectionControls_);
     for (QHBoxLayout* row : {spaceRow, sectionRow}) {
         row->setContentsMargins(0, 0, 0, 0);
-        row->setSpacing(kGap);
+        row->setSpacing(kSecondViewGap);
     }
     addSpaceControls(*spaceRow);
     addSectionControls(*sectionRow);

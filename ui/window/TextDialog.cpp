@@ -13,9 +13,9 @@ namespace asperity {
 
 namespace {
 
-constexpr int kGap = 8;       // [px]
-constexpr int kWidth = 720;   // [px, as theme::scaled() takes them]
-constexpr int kHeight = 460;  // likewise
+constexpr int kTextGap = 8;            // [px]
+constexpr int kTextDialogWidth = 720;  // [px, as theme::scaled() takes them]
+constexpr int kTextHeight = 460;       // likewise
 
 }  // namespace
 
@@ -37,11 +37,11 @@ TextDialog::TextDialog(const QString& title, const QString& tip, QWidget* window
             [this] { QGuiApplication::clipboard()->setText(text()); });
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(kGap, kGap, kGap, kGap);
-    column->setSpacing(kGap);
+    column->setContentsMargins(kTextGap, kTextGap, kTextGap, kTextGap);
+    column->setSpacing(kTextGap);
     column->addWidget(text_, 1);
     column->addWidget(buttons);
-    resize(theme::scaled(kWidth), theme::scaled(kHeight));
+    resize(theme::scaled(kTextDialogWidth), theme::scaled(kTextHeight));
 }
 
 void TextDialog::setText(const QString& text) { text_->setPlainText(text); }

@@ -9,7 +9,7 @@ namespace asperity {
 
 namespace {
 
-constexpr int kGap = 18;  // [px]
+constexpr int kBarGap = 18;  // [px]
 
 }  // namespace
 
@@ -19,7 +19,7 @@ ViewBars::ViewBars(const ZoomView& view, QWidget* parent)
     , displacement_(new ColorBarWidget(this)) {
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(0, 0, 0, 0);
-    row->setSpacing(kGap);
+    row->setSpacing(kBarGap);
     for (ColorBarWidget* bar : {quantity_, displacement_}) {
         row->addWidget(bar);
         connect(bar, &QWidget::customContextMenuRequested, this,

@@ -18,11 +18,11 @@ namespace asperity {
 
 namespace {
 
-constexpr double kTitle = 38.0;
+constexpr double kChartTitle = 38.0;
 constexpr double kAboveAxes = 10.0;
-constexpr double kLeft = 96.0;  // tick labels and name of the y axis
-constexpr double kBelow = 66.0;
-constexpr double kRight = 28.0;
+constexpr double kChartLeft = 96.0;  // tick labels and name of the y axis
+constexpr double kChartBelow = 66.0;
+constexpr double kChartRight = 28.0;
 constexpr double kTickWidth = 90.0;  // least distance of ticks
 constexpr double kTickHeight = 36.0;
 constexpr double kDot = 9.0;
@@ -101,12 +101,13 @@ ChartPanel::ChartPanel(OffscreenPicture& picture, const Chart& chart, const Pixe
 }
 
 PixelRect ChartPanel::plotArea() const {
-    return {area_.left + kLeft, area_.bottom + kBelow, area_.width - kLeft - kRight,
-            area_.height - kTitle - legendHeight() - kAboveAxes - kBelow};
+    return {area_.left + kChartLeft, area_.bottom + kChartBelow,
+            area_.width - kChartLeft - kChartRight,
+            area_.height - kChartTitle - legendHeight() - kAboveAxes - kChartBelow};
 }
 
 double ChartPanel::legendHeight() const {
-    return legendHeightFor(legend(), area_.width - kLeft - kRight);
+    return legendHeightFor(legend(), area_.width - kChartLeft - kChartRight);
 }
 
 std::vector<LegendEntry> ChartPanel::legend() const {
@@ -167,8 +168,8 @@ void ChartPanel::addPlots(OffscreenPicture& picture) const {
 
 void ChartPanel::paint(Painter& painter) const {
     const PixelRect plot = plotArea();
-    painter.paragraph({plot.left, area_.top() - kTitle, plot.width, kTitle - 8.0}, chart_.title,
-                      {.size = 20.0, .bold = true});
+    painter.paragraph({plot.left, area_.top() - kChartTitle, plot.width, kChartTitle - 8.0},
+                      chart_.title, {.size = 20.0, .bold = true});
     paintLegend(painter, legend(),
                 {plot.left, plot.top() + kAboveAxes, plot.width, legendHeight()});
     paintAxes(painter);

@@ -10,7 +10,7 @@ namespace asperity {
 
 namespace {
 
-constexpr double kEdge = 20.0;
+constexpr double kChartsEdge = 20.0;
 
 void check(const Chart& chart) {
     for (const Curve& curve : chart.curves) {
@@ -33,13 +33,13 @@ void writeCharts(const std::filesystem::path& path, std::span<const Chart> chart
     std::for_each(charts.begin(), charts.end(), check);
     OffscreenPicture picture(size);
     const int rows = (static_cast<int>(charts.size()) + columns - 1) / columns;
-    const double width = (size.width - 2.0 * kEdge) / columns;
-    const double height = (size.height - 2.0 * kEdge) / rows;
+    const double width = (size.width - 2.0 * kChartsEdge) / columns;
+    const double height = (size.height - 2.0 * kChartsEdge) / rows;
     for (std::size_t i = 0; i < charts.size(); ++i) {
         const int row = static_cast<int>(i) / columns;
         const int column = static_cast<int>(i) % columns;
-        const PixelRect area{kEdge + column * width, size.height - kEdge - (row + 1) * height,
-                             width, height};
+        const PixelRect area{kChartsEdge + column * width,
+                             size.height - kChartsEdge - (row + 1) * height, width, height};
         const auto panel = std::make_shared<ChartPanel>(picture, charts[i], area);
         picture.paint([panel](Painter& painter) { panel->paint(painter); });
     }

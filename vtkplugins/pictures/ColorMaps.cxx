@@ -12,8 +12,6 @@ namespace asperity {
 
 namespace {
 
-constexpr int kTableSize = 511;  // odd: one entry is exactly the middle
-
 std::vector<Color> fromHex(std::span<const std::uint32_t> entries) {
     std::vector<Color> colors;
     for (const std::uint32_t entry : entries) {
@@ -51,8 +49,8 @@ std::vector<Color> goldAnchors() {
                                              {1.0, {255, 255, 255}}}};
     std::vector<Color> colors;
     std::size_t left = 0;
-    for (int entry = 0; entry < kTableSize; ++entry) {
-        const double place = entry / (kTableSize - 1.0);
+    for (int entry = 0; entry < kColorTableSize; ++entry) {
+        const double place = entry / (kColorTableSize - 1.0);
         while (left + 2 < kStops.size() && place > kStops.at(left + 1).place) {
             ++left;
         }
@@ -92,16 +90,16 @@ std::vector<Color> anchorsOf(ColorMap map) {
 
 ColorTable::ColorTable(ColorMap map, double low, double high) : map_(map), low_(low), high_(high) {
     const std::vector<Color> anchors = anchorsOf(map);
-    colors_.reserve(kTableSize);
-    for (int entry = 0; entry < kTableSize; ++entry) {
-        colors_.push_back(colorWithin(anchors, entry / (kTableSize - 1.0)));
+    colors_.reserve(kColorTableSize);
+    for (int entry = 0; entry < kColorTableSize; ++entry) {
+        colors_.push_back(colorWithin(anchors, entry / (kColorTableSize - 1.0)));
     }
 }
 
 Color ColorTable::of(double value) const {
     const double extent = high_ - low_;
     const double share = extent > 0.0 ? std::clamp((value - low_) / extent, 0.0, 1.0) : 0.5;
-    return colors_[static_cast<std::size_t>(share * (kTableSize - 1) + 0.5)];
+    return colors_[static_cast<std::size_t>(share * (kColorTableSize - 1) + 0.5)];
 }
 
 double lightnessOf(const Color& color) {

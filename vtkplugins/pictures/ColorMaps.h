@@ -27,6 +27,9 @@ inline constexpr auto kEnumTable<ColorMap> =
                                       {ColorMap::Cividis, "cividis", "Cividis"},
                                       {ColorMap::Diverging, "diverging", "Diverging"}});
 
+/// Colors of a table that is looked up; odd: one entry is exactly the middle.
+inline constexpr int kColorTableSize = 511;
+
 /// The colors of a map, evenly spaced from the lowest value to the highest, as many as its source
 /// gives: in between they are interpolated.
 [[nodiscard]] std::vector<Color> anchorsOf(ColorMap map);

@@ -28,14 +28,15 @@ namespace asperity {
 
 namespace {
 
-const Vector3 kEye(-0.28, -0.78, 0.5);  // from the contact: into the dent, and the neck in profile
+const Vector3 kDeformationEye(-0.28, -0.78,
+                              0.5);  // from the contact: into the dent, and the neck in profile
 
 // Parts of the patch's width.
 constexpr double kSeenDisplacement = 0.012;  // about six pixels
 constexpr double kTipHeight = 0.5;
 constexpr double kTipRadius = 0.42;  // of the part that is drawn: the surface shows around it
 constexpr double kArrowLength = 0.42;
-constexpr double kBlockDepth = 0.07;
+constexpr double kPatchDepth = 0.07;
 
 constexpr int kGridLines = 24;
 constexpr double kHiddenOpacity = 0.3;  // of the contact circle behind the surface
@@ -44,15 +45,15 @@ constexpr double kHiddenOpacity = 0.3;  // of the contact circle behind the surf
 Vector3 eyeFor(const Vector3& outward) {
     const double tilt = std::hypot(outward.x(), outward.y());
     if (tilt == 0.0) {
-        return kEye;
+        return kDeformationEye;
     }
     constexpr double kPlainSlope = 0.25;  // from here on the slope alone decides
     Vector3 across = Vector3(-outward.y(), outward.x(), 0.0) / tilt;
-    across *= across.dot(kEye) < 0.0 ? -1.0 : 1.0;
-    const Vector3 level(kEye.x(), kEye.y(), 0.0);
+    across *= across.dot(kDeformationEye) < 0.0 ? -1.0 : 1.0;
+    const Vector3 level(kDeformationEye.x(), kDeformationEye.y(), 0.0);
     const double weight = std::min(1.0, tilt / kPlainSlope);
     const Vector3 chosen = (1.0 - weight) * level.normalized() + weight * across;
-    return level.norm() * chosen.normalized() + kEye.z() * Vector3::UnitZ();
+    return level.norm() * chosen.normalized() + kDeformationEye.z() * Vector3::UnitZ();
 }
 
 /// The edge of the flat end of an upright tip.
@@ -129,7 +130,7 @@ DeformationScene::DeformationScene(OffscreenPicture& picture, const DeformationV
 void DeformationScene::addSample(vtkPolyData* surface) {
     const GridSize size{data_.patch.columns, data_.patch.rows};
     const vtkSmartPointer<vtkPolyData> shown = stretch_.apply(surface);
-    bottom_ = shown->GetBounds()[4] - kBlockDepth * width_;
+    bottom_ = shown->GetBounds()[4] - kPatchDepth * width_;
     solid_->AddActor(coloredSurface(shown, colors_));
     solid_->AddActor(blockWalls(shown, size, bottom_));
     if (!parts_.grid) {

@@ -21,9 +21,9 @@ constexpr std::size_t kMaxMaps = 6;
 constexpr int kMapsPerRow = 3;
 constexpr int kWidth = 560;   // of a map with its bar [pixel]
 constexpr int kHeight = 560;  // likewise
-constexpr int kTitle = 56;
-constexpr double kEdge = 20.0;
-constexpr double kBar = 52.0;
+constexpr int kSheetTitle = 56;
+constexpr double kSheetEdge = 20.0;
+constexpr double kSheetBar = 52.0;
 
 /// Never empty: a map of one value has it in the middle of a range that ticks can tell.
 CentralRange colorsOf(const SheetMap& map) {
@@ -63,20 +63,22 @@ public:
     void paint(Painter& painter) const {
         painter.image(place(), image());
         paintScaleBar(painter);
-        drawColorBar(painter,
-                     {.quantity = map_.quantity,
-                      .unit = map_.unit,
-                      .low = range_.low,
-                      .high = range_.high,
-                      .table = colors_},
-                     {area_.left + kEdge, area_.bottom, area_.width - 2.0 * kEdge, kBar});
+        drawColorBar(
+            painter,
+            {.quantity = map_.quantity,
+             .unit = map_.unit,
+             .low = range_.low,
+             .high = range_.high,
+             .table = colors_},
+            {area_.left + kSheetEdge, area_.bottom, area_.width - 2.0 * kSheetEdge, kSheetBar});
     }
 
 private:
     /// As large as its part of the sheet lets it be, in its own shape.
     [[nodiscard]] PixelRect place() const {
-        const PixelRect room{area_.left + kEdge, area_.bottom + kBar + kEdge,
-                             area_.width - 2.0 * kEdge, area_.height - kBar - 2.0 * kEdge};
+        const PixelRect room{area_.left + kSheetEdge, area_.bottom + kSheetBar + kSheetEdge,
+                             area_.width - 2.0 * kSheetEdge,
+                             area_.height - kSheetBar - 2.0 * kSheetEdge};
         const double aspect = map_.width / map_.height;
         const double width = std::min(room.width, room.height * aspect);
         const double height = width / aspect;
@@ -154,7 +156,7 @@ public:
         , rows_((maps_ + (hasChart ? 1 : 0) + kMapsPerRow - 1) / kMapsPerRow) {}
 
     [[nodiscard]] PictureSize size() const {
-        return {.width = kWidth * columns_, .height = kTitle + kHeight * rows_};
+        return {.width = kWidth * columns_, .height = kSheetTitle + kHeight * rows_};
     }
     [[nodiscard]] PixelRect map(int number) const {
         return {static_cast<double>(kWidth * (number % kMapsPerRow)),
@@ -162,7 +164,7 @@ public:
     }
     [[nodiscard]] PixelRect chart() const {
         PixelRect area = map(maps_);
-        area.width = kWidth * columns_ - area.left - kEdge;
+        area.width = kWidth * columns_ - area.left - kSheetEdge;
         return area;
     }
 
@@ -199,9 +201,9 @@ void writeMapSheet(const std::filesystem::path& path, const std::string& title,
         picture.paint([panel](Painter& painter) { panel->paint(painter); });
     }
     picture.paint([&](Painter& painter) {
-        painter.paragraph(
-            {kEdge, size.height - kTitle + 4.0, size.width - 2.0 * kEdge, kTitle - 20.0}, title,
-            {.size = 18.0, .bold = true});
+        painter.paragraph({kSheetEdge, size.height - kSheetTitle + 4.0,
+                           size.width - 2.0 * kSheetEdge, kSheetTitle - 20.0},
+                          title, {.size = 18.0, .bold = true});
         for (std::size_t i = 0; i < maps.size(); ++i) {
             SheetPainter(maps[i], layout.map(static_cast<int>(i))).paint(painter);
         }

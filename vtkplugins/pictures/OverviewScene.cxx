@@ -24,7 +24,7 @@ namespace asperity {
 
 namespace {
 
-const Vector3 kEye(-0.38, -0.78, 0.52);  // from the scan's middle
+const Vector3 kOverviewEye(-0.38, -0.78, 0.52);  // from the scan's middle
 
 constexpr int kMaxSamples = 512;
 
@@ -34,7 +34,7 @@ constexpr double kPinHeight = 0.2;
 constexpr double kPinHead = 0.012;
 constexpr double kCrossHair = 0.03;
 constexpr double kLift = 0.003;
-constexpr double kBlockDepth = 0.04;
+constexpr double kScanDepth = 0.04;
 constexpr double kPathCeiling = 0.22;
 
 }  // namespace
@@ -57,7 +57,7 @@ OverviewScene::OverviewScene(OffscreenPicture& picture, const OverviewView& view
     addLights(solid_);
     addLights(through_);
     const std::array<vtkRenderer*, 2> views{solid_, through_};
-    fitCamera(views, kEye, area.width / area.height);
+    fitCamera(views, kOverviewEye, area.width / area.height);
 }
 
 void OverviewScene::addSurface() {
@@ -75,7 +75,7 @@ void OverviewScene::addSurface() {
     high_ = range[1] > range[0] ? range[1] : range[0] + 1e-12;
     const double wanted = range[1] > range[0] ? kShownRelief * side_ / (high_ - low_) : 1.0;
     magnification_ = data_.heightScale.value_or(wanted >= 2.0 ? niceBelow(wanted) : 1.0);
-    bottom_ = magnification_ * low_ - kBlockDepth * side_;
+    bottom_ = magnification_ * low_ - kScanDepth * side_;
     colors_ = heightTable(low_, high_);
     markFilled(source->GetOutput());
     const auto drawn = Stretch(magnification_).apply(source->GetOutput());

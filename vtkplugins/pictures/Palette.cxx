@@ -1,5 +1,7 @@
 #include "vtkplugins/pictures/Palette.h"
 
+#include "vtkplugins/pictures/ColorMaps.h"
+
 #include <vtkLookupTable.h>
 
 #include <algorithm>
@@ -10,17 +12,15 @@ namespace asperity {
 
 namespace {
 
-constexpr int kTableSize = 511;  // odd: one entry is exactly the middle
-
 /// A table that runs evenly through the anchor colors.
 vtkSmartPointer<vtkLookupTable> tableThrough(std::span<const Color> anchors, double low,
                                              double high) {
     auto table = vtkSmartPointer<vtkLookupTable>::New();
-    table->SetNumberOfTableValues(kTableSize);
+    table->SetNumberOfTableValues(kColorTableSize);
     table->SetTableRange(low, high);
-    for (int entry = 0; entry < kTableSize; ++entry) {
-        const double place =
-            static_cast<double>(entry) / (kTableSize - 1) * static_cast<double>(anchors.size() - 1);
+    for (int entry = 0; entry < kColorTableSize; ++entry) {
+        const double place = static_cast<double>(entry) / (kColorTableSize - 1) *
+                             static_cast<double>(anchors.size() - 1);
         const std::size_t left = std::min(static_cast<std::size_t>(place), anchors.size() - 2);
         const double part = place - static_cast<double>(left);
         const auto from = anchors[left].fractions();

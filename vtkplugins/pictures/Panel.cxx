@@ -4,15 +4,15 @@ namespace asperity {
 
 namespace {
 
-constexpr double kEdge = 32.0;
+constexpr double kPanelEdge = 32.0;
 constexpr double kTop = 14.0;
-constexpr double kTitle = 50.0;
+constexpr double kPanelTitle = 50.0;
 constexpr double kLegend = 34.0;
 constexpr double kUnderScene = 42.0;  // room for the scale bar's label
-constexpr double kBar = 64.0;
+constexpr double kPanelBar = 64.0;
 constexpr double kCaption = 106.0;
 constexpr double kCaptionedHeight = 560.0;  // of a panel: in a lower one the scene takes its room
-constexpr double kBelow = 12.0;
+constexpr double kPanelBelow = 12.0;
 
 constexpr double kLegendRow = 24.0;
 constexpr double kSwatch = 28.0;
@@ -65,29 +65,29 @@ void paintLegend(Painter& painter, const std::vector<LegendEntry>& entries, cons
 }
 
 PixelRect PanelLayout::band(double fromTop, double height) const {
-    return {panel_.left + kEdge, panel_.top() - fromTop - height, panel_.width - 2.0 * kEdge,
-            height};
+    return {panel_.left + kPanelEdge, panel_.top() - fromTop - height,
+            panel_.width - 2.0 * kPanelEdge, height};
 }
 
 PanelLayout::PanelLayout(const PixelRect& panel, const PictureParts& parts)
     : panel_(panel)
     , parts_(parts)
-    , above_(kTop + (parts.labels ? kTitle + kLegend : 0.0))
-    , bar_(parts.bars ? kUnderScene + kBar : 0.0)
+    , above_(kTop + (parts.labels ? kPanelTitle + kLegend : 0.0))
+    , bar_(parts.bars ? kUnderScene + kPanelBar : 0.0)
     , caption_(parts.labels && panel.height >= kCaptionedHeight ? kCaption : 0.0) {}
 
 PixelRect PanelLayout::scene() const {
-    return band(above_, panel_.height - above_ - bar_ - caption_ - kBelow);
+    return band(above_, panel_.height - above_ - bar_ - caption_ - kPanelBelow);
 }
 
 void PanelLayout::paint(Painter& painter, const PanelText& text) const {
-    const double captionTop = panel_.height - caption_ - kBelow;
+    const double captionTop = panel_.height - caption_ - kPanelBelow;
     if (parts_.labels) {
-        painter.paragraph(band(kTop, kTitle), text.title, {.size = 26.0, .bold = true});
-        paintLegend(painter, text.legend, band(kTop + kTitle, kLegend));
+        painter.paragraph(band(kTop, kPanelTitle), text.title, {.size = 26.0, .bold = true});
+        paintLegend(painter, text.legend, band(kTop + kPanelTitle, kLegend));
     }
     if (parts_.bars) {
-        drawColorBar(painter, text.bar, band(captionTop - kBar, kBar));
+        drawColorBar(painter, text.bar, band(captionTop - kPanelBar, kPanelBar));
     }
     if (caption_ > 0.0) {
         painter.paragraph(band(captionTop, kCaption), text.caption,

@@ -12,12 +12,12 @@ namespace asperity {
 
 namespace {
 
-constexpr double kEdge = 20.0;
+constexpr double kMapsEdge = 20.0;
 constexpr double kPageTitle = 30.0;
-constexpr double kTitle = 30.0;  // of a map
-constexpr double kLeft = 108.0;  // names of the rows and of the y axis
-constexpr double kBelow = 56.0;
-constexpr double kRight = 14.0;
+constexpr double kMapsTitle = 30.0;  // of a map
+constexpr double kMapsLeft = 108.0;  // names of the rows and of the y axis
+constexpr double kMapsBelow = 56.0;
+constexpr double kMapsRight = 14.0;
 constexpr double kGap = 1.0;         // between cells
 constexpr double kNameWidth = 62.0;  // least distance of names
 constexpr double kNameHeight = 20.0;
@@ -48,12 +48,12 @@ public:
     MapPainter(const ShareMap& map, const PixelRect& area)
         : map_(map)
         , area_(area)
-        , plot_{area.left + kLeft, area.bottom + kBelow, area.width - kLeft - kRight,
-                area.height - kTitle - kBelow} {}
+        , plot_{area.left + kMapsLeft, area.bottom + kMapsBelow,
+                area.width - kMapsLeft - kMapsRight, area.height - kMapsTitle - kMapsBelow} {}
 
     void paint(Painter& painter, const std::vector<ShareKey>& keys) const {
-        painter.paragraph({plot_.left, area_.top() - kTitle, plot_.width, kTitle - 6.0}, map_.title,
-                          {.size = 17.0, .bold = true});
+        painter.paragraph({plot_.left, area_.top() - kMapsTitle, plot_.width, kMapsTitle - 6.0},
+                          map_.title, {.size = 17.0, .bold = true});
         for (std::size_t i = 0; i < map_.cells.size(); ++i) {
             paintCell(painter, cell(i / map_.columns.size(), i % map_.columns.size()),
                       map_.cells[i], keys);
@@ -105,20 +105,20 @@ std::vector<LegendEntry> legendOf(const ShareMapPage& page) {
 }
 
 void paintPage(Painter& painter, const ShareMapPage& page, const PictureSize& size) {
-    const double width = size.width - 2.0 * kEdge;
+    const double width = size.width - 2.0 * kMapsEdge;
     const std::vector<LegendEntry> legend = legendOf(page);
     const double legendHeight = legendHeightFor(legend, width);
-    painter.paragraph({kEdge, size.height - kEdge - kPageTitle, width, kPageTitle - 4.0},
+    painter.paragraph({kMapsEdge, size.height - kMapsEdge - kPageTitle, width, kPageTitle - 4.0},
                       page.title, {.size = 20.0, .bold = true});
-    const double top = size.height - kEdge - kPageTitle - legendHeight;
-    paintLegend(painter, legend, {kEdge, top, width, legendHeight});
+    const double top = size.height - kMapsEdge - kPageTitle - legendHeight;
+    paintLegend(painter, legend, {kMapsEdge, top, width, legendHeight});
     const int count = static_cast<int>(page.maps.size());
     const int rows = (count + page.mapsPerRow - 1) / page.mapsPerRow;
     const double mapWidth = width / page.mapsPerRow;
-    const double mapHeight = (top - 2.0 * kEdge) / rows;
+    const double mapHeight = (top - 2.0 * kMapsEdge) / rows;
     for (int i = 0; i < count; ++i) {
-        const PixelRect area{kEdge + (i % page.mapsPerRow) * mapWidth,
-                             top - kEdge - (i / page.mapsPerRow + 1) * mapHeight, mapWidth,
+        const PixelRect area{kMapsEdge + (i % page.mapsPerRow) * mapWidth,
+                             top - kMapsEdge - (i / page.mapsPerRow + 1) * mapHeight, mapWidth,
                              mapHeight};
         MapPainter(page.maps[static_cast<std::size_t>(i)], area).paint(painter, page.keys);
     }

@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::array kTextSizes{7.5, 7.0, 6.5};  // the first that leaves all words whole [pt]
 constexpr double kGap = 6.0;                     // between columns [pt]
-constexpr double kPadding = 2.0;                 // above and below a row's text [pt]
+constexpr double kRowPadding = 2.0;              // above and below a row's text [pt]
 constexpr double kLine = 0.5;                    // [pt]
 constexpr double kMostWords = 0.35;              // of the width, that a single word may claim
 
@@ -169,7 +169,7 @@ private:
         for (const PdfText& text : texts) {
             height = std::max(height, text.height());
         }
-        const double padding = style_.points(kPadding);
+        const double padding = style_.points(kRowPadding);
         height += 2.0 * padding;
         const auto draw = [texts = std::move(texts), widths = widths_, gap = style_.points(kGap),
                            line = style_.points(kLine), padding,

@@ -27,7 +27,7 @@ constexpr double kSwatch = 18.0;                           // [pt]
 constexpr double kLetter = 0.62 * PlotDrawing::kTextSize;  // of a usual text, rather wide [pt]
 constexpr int kXTicks = 8;
 constexpr int kYTicks = 6;
-constexpr double kPadding = 0.06;  // of the forces, above and below
+constexpr double kForcePadding = 0.06;  // of the forces, above and below
 
 struct Range {
     double low = std::numeric_limits<double>::infinity();
@@ -163,7 +163,7 @@ private:
                 range.hold(mark.place.y);
             }
         }
-        const double room = range.size() > 0.0 ? kPadding * range.size() : 1.0;
+        const double room = range.size() > 0.0 ? kForcePadding * range.size() : 1.0;
         return {range.low - room, range.high + room};
     }
 

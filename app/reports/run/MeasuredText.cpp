@@ -38,6 +38,13 @@ std::string measuredText(const Reading& reading, const std::string& unit) {
     return hasSigma ? "(" + text + ") " + scale.unit : text + " " + scale.unit;
 }
 
+std::string capitalized(std::string sentence) {
+    if (!sentence.empty() && sentence[0] >= 'a' && sentence[0] <= 'z') {
+        sentence[0] = static_cast<char>(sentence[0] - 'a' + 'A');
+    }
+    return sentence;
+}
+
 std::string shareText(long part, long whole) {
     if (part == 0 || whole == 0) {
         return "0\u00A0%";

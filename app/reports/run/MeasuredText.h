@@ -17,6 +17,9 @@ namespace asperity {
 /// The same in a prefix of its own, with unit: "(3.395 ± 0.086) nN".
 [[nodiscard]] std::string measuredText(const Reading& reading, const std::string& unit);
 
+/// A sentence that begins with a capital.
+[[nodiscard]] std::string capitalized(std::string sentence);
+
 /// A share for people: "12 %"; what is not zero is not shown as zero: "< 0.1 %".
 [[nodiscard]] std::string shareText(long part, long whole);
 

@@ -13,7 +13,7 @@ namespace asperity {
 
 namespace {
 
-const char* const kNone = "–";
+const char* const kNoValue = "–";
 
 /// One for all rows, so that they compare at sight.
 struct IndexScales {
@@ -42,7 +42,7 @@ std::string shortNameOf(const SampleDescription& sample) {
 }
 
 std::string meanText(const std::optional<TouchMean>& mean, const SiScale& scale) {
-    return mean ? measuredText(mean->reading, scale) : kNone;
+    return mean ? measuredText(mean->reading, scale) : kNoValue;
 }
 
 std::vector<PageCell> rowOf(const IndexedRun& run, const IndexScales& scales) {
@@ -54,7 +54,7 @@ std::vector<PageCell> rowOf(const IndexedRun& run, const IndexScales& scales) {
             {std::to_string(run.touches)},
             {meanText(run.pullOff, scales.force)},
             {meanText(run.adhesionWork, scales.energy)},
-            {touched ? numberText(run.maxIndentation, scales.length) : kNone},
+            {touched ? numberText(run.maxIndentation, scales.length) : kNoValue},
             {run.validity}};
 }
 

@@ -1,6 +1,7 @@
 #include "app/reports/run/RunPage.h"
 
 #include "app/reports/run/CurveSection.h"
+#include "app/reports/run/MeasuredText.h"
 #include "app/reports/run/ModelSection.h"
 #include "app/reports/run/ParameterSection.h"
 #include "app/reports/run/PictureSection.h"
@@ -22,13 +23,6 @@ std::string subtitleOf(const Scene& scene) {
     const SceneDescription& description = scene.description;
     return "Tip of " + formatSi(description.tip.radius, "m") + " radius on " +
            description.sample.material.name + "; " + sampleName(description.sample);
-}
-
-std::string capitalized(std::string sentence) {
-    if (!sentence.empty() && sentence[0] >= 'a' && sentence[0] <= 'z') {
-        sentence[0] = static_cast<char>(sentence[0] - 'a' + 'A');
-    }
-    return sentence;
 }
 
 /// What a reader must know before any number.

@@ -13,7 +13,7 @@ namespace asperity {
 
 namespace {
 
-const char* const kNone = "–";
+const char* const kNoReading = "–";
 
 std::optional<Reading> workOf(const ContactCycle& cycle) {
     return cycle.pullOff ? std::optional(Reading{cycle.adhesionWork, cycle.areaSigma})
@@ -119,7 +119,7 @@ PageTable tableOf(const std::vector<ContactCycle>& cycles, const std::vector<Tou
         std::ranges::move(ownCells(cycles[i]), std::back_inserter(row));
         for (std::size_t c = 0; c < columns.size(); ++c) {
             const std::optional<Reading> reading = columns[c].reading(cycles[i]);
-            row.push_back({reading ? measuredText(*reading, scales[c]) : kNone});
+            row.push_back({reading ? measuredText(*reading, scales[c]) : kNoReading});
         }
         table.rows.push_back(std::move(row));
     }

@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <optional>
 #include <string>
 #include <utility>
@@ -21,13 +20,6 @@ namespace {
 constexpr std::array kMeanings{"announces what comes; the result holds",
                                "the result holds, less exactly", "the result does not hold in full",
                                "no result to rely on"};
-
-std::string capitalized(std::string sentence) {
-    if (!sentence.empty()) {
-        sentence[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(sentence[0])));
-    }
-    return sentence;
-}
 
 /// The worst first.
 std::vector<ValidityTraits> flagsOf(const RunEvents& events) {

@@ -14,10 +14,10 @@ namespace asperity {
 
 namespace {
 
-constexpr double kFarGap = 1.0;           // of what lies beyond the grid [m]
-constexpr double kLargeContact = 0.3;     // contact radius over tip radius; docs/theory.md 2.10
-constexpr double kMinPixelsAcross = 8.0;  // pixels across contact and cohesive zone
-constexpr double kMinPixelsInZone = 1.0;  // pixels from the contact's edge to the cohesive zone's
+constexpr double kFarGap = 1.0;            // of what lies beyond the grid [m]
+constexpr double kLargeRadiusRatio = 0.3;  // contact radius over tip radius; docs/theory.md 2.10
+constexpr double kMinPixelsAcross = 8.0;   // pixels across contact and cohesive zone
+constexpr double kMinPixelsInZone = 1.0;   // pixels from the contact's edge to the cohesive zone's
 
 std::size_t pixelCount(int samples) {
     return static_cast<std::size_t>(samples) * static_cast<std::size_t>(samples);
@@ -111,7 +111,7 @@ HalfSpaceDoubts doubtsAbout(const HalfSpaceContact& contact, const HalfSpaceSolu
     const double across = 2.0 * solution.cohesiveRadius / contact.pitch;
     const double zone = (solution.cohesiveRadius - solution.contactRadius) / contact.pitch;
     const bool narrowZone = contact.cohesiveStress > 0.0 && zone < kMinPixelsInZone;
-    return {.largeContact = solution.contactRadius > kLargeContact * contact.tipRadius,
+    return {.largeContact = solution.contactRadius > kLargeRadiusRatio * contact.tipRadius,
             .reachesBorder = !reach.empty() && !reach.within(grid, 1),
             .tooCoarse = across > 0.0 && (across < kMinPixelsAcross || narrowZone)};
 }

@@ -12,7 +12,7 @@ namespace asperity {
 namespace {
 
 constexpr int kMaxIterations = 100;
-constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
+constexpr double kTailEpsilon = std::numeric_limits<double>::epsilon();
 
 /// Integral of v^12 / (d + v^2)^2 over 0 .. 1, d > 0, by Gauss-Legendre; better than 1e-9.
 double liftWorkIntegral(double d) noexcept {
@@ -90,7 +90,7 @@ double AttractiveTail::endSeparation(double compliance) const noexcept {
         const double total = elastic + lever;
         const double power = ((-3.5 * elastic) + (lever * leverPower)) / total;
         const double next = d * std::pow(total, -1.0 / power);
-        const bool done = std::abs(next - d) <= 4.0 * kEpsilon * d;
+        const bool done = std::abs(next - d) <= 4.0 * kTailEpsilon * d;
         d = next;
         if (done) {
             break;

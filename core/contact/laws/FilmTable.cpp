@@ -21,7 +21,7 @@ constexpr double kHertz = 4.0 / 3.0;         // force over a^3
 constexpr double kHertzEnergy = 8.0 / 15.0;  // energy over a^5
 constexpr double kStiffened = 1.05;          // from which force over a half-space's it is flagged
 /// The error between the places where it is measured.
-constexpr double kSafety = 4.0;
+constexpr double kNodeSafety = 4.0;
 
 constexpr FilmRatios kNothing{
     .indentation = 0.0, .force = 0.0, .stiffness = 0.0, .energy = 0.0, .profile = {}};
@@ -53,7 +53,7 @@ FilmTable::FilmTable(const FilmElasticity& elasticity)
     const FilmEquation equation(elasticity);
     for (std::int64_t cell = 0; cell < kCount; ++cell) {
         fit(equation, cell);
-        errorBound_ = std::max(errorBound_, kSafety * measure(equation, cell));
+        errorBound_ = std::max(errorBound_, kNodeSafety * measure(equation, cell));
     }
     end_ = within(std::nextafter(largestRatio(), 0.0));
     indentationPower_ = end_.ratio * end_.indentationRate / end_.indentation;

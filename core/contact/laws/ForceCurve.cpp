@@ -1,6 +1,7 @@
 #include "core/contact/laws/ForceCurve.h"
 
 #include "core/Error.h"
+#include "core/contact/ContactState.h"
 #include "core/contact/ContactStatus.h"
 
 #include <algorithm>
@@ -12,7 +13,6 @@ namespace asperity {
 namespace {
 
 constexpr ContactMemory kFar{};
-constexpr ContactMemory kBonded{ContactBranch::Bonded, 0.0};
 
 void requireLever(double compliance) {
     if (checkRequest(0.0, compliance) != ContactStatus::Solved) {
@@ -50,7 +50,7 @@ std::vector<ForceCurvePoint> follow(const ContactModel& model, double compliance
                                     const std::optional<TipJump>& jump) {
     const auto [from, to, points] = along;
     std::vector<ForceCurvePoint> way;
-    ContactMemory memory = from < to ? kFar : kBonded;
+    ContactMemory memory = from < to ? kFar : kBondedMemory;
     bool passed = !jump;
     for (int i = 0; i < points; ++i) {
         const double position = from + ((to - from) * i / (points - 1));
@@ -76,8 +76,8 @@ double repulsiveApproach(const ContactModel& model, double compliance, double le
     constexpr double kGrowth = 1.25;
     const double pull = -model.lastBonded(compliance).force;
     double approach = least;
-    for (int i = 0; i < kSteps && model.equilibrium(approach, compliance, kBonded).force < pull;
-         ++i) {
+    for (int i = 0;
+         i < kSteps && model.equilibrium(approach, compliance, kBondedMemory).force < pull; ++i) {
         approach *= kGrowth;
     }
     return approach;
@@ -96,7 +96,7 @@ std::optional<TipJump> pullOffOf(const ContactModel& model, double compliance) n
     const double end = model.pullOffApproach(compliance);
     const double gone = -justBeyond(-end);
     const TipJump jump{end, model.lastBonded(compliance),
-                       model.equilibrium(gone, compliance, kBonded)};
+                       model.equilibrium(gone, compliance, kBondedMemory)};
     return jump.after.jumped ? std::optional(jump) : std::nullopt;
 }
 

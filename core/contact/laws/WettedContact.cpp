@@ -1,16 +1,13 @@
 #include "core/contact/laws/WettedContact.h"
 
+#include "core/contact/ContactState.h"
 #include "core/contact/laws/JoinedLaws.h"
 
 #include <algorithm>
 
 namespace asperity {
 
-namespace {
-
-constexpr ContactMemory kBonded{ContactBranch::Bonded, 0.0};
-
-}  // namespace
+namespace {}  // namespace
 
 /// A state of the bare law with the meniscus' force on it.
 ContactState WettedContact::wetted(ContactState state) const noexcept {
@@ -111,7 +108,7 @@ ContactState WettedContact::snappedIn(double approach, double compliance) const 
 
 /// The bonded state at an approach where one must exist; rounding may put it on the fold.
 ContactState WettedContact::landedAt(double approach, double compliance) const noexcept {
-    const ContactState bonded = bondedAt(approach, compliance, kBonded);
+    const ContactState bonded = bondedAt(approach, compliance, kBondedMemory);
     return bonded.branch == ContactBranch::Bonded ? wetted(bonded) : model_.lastBonded(compliance);
 }
 

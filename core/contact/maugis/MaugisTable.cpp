@@ -14,8 +14,6 @@ namespace asperity {
 
 namespace {
 
-using Data = MaugisTableData;
-
 /// Beyond what any material makes of a kilometer or of a soft lever, in the units of MaugisPoint.
 constexpr double kMaxDistance = 1e40;
 

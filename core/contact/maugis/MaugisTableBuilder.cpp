@@ -10,11 +10,9 @@ namespace asperity {
 
 namespace {
 
-using Data = MaugisTableData;
-
 constexpr double kWanted = 2e-9;
 /// The error between the places where it is measured, and what a spring makes of it.
-constexpr double kSafety = 4.0;
+constexpr double kStepSafety = 4.0;
 
 void check(const MaugisTableRange& range) {
     using Range = MaugisTableRange;
@@ -29,32 +27,36 @@ void check(const MaugisTableRange& range) {
 }
 
 double rootAt(std::size_t column, double place) {
-    const auto cell = Data::kFirstColumn + static_cast<std::int64_t>(column);
-    return Data::kColumns.valueAt(cell, place) - Data::kNear;
+    const auto cell = MaugisTableData::kFirstColumn + static_cast<std::int64_t>(column);
+    return MaugisTableData::kColumns.valueAt(cell, place) - MaugisTableData::kNear;
 }
 
-double relativeError(double value, double exact) {
+double errorRelativeToOne(double value, double exact) {
     return std::abs(value - exact) / std::max(std::abs(exact), 1.0);
 }
 
 }  // namespace
 
 MaugisTableBuilder::MaugisTableBuilder(const MaugisTableRange& range)
-    : columnFit_(Data::kColumnTerms)
-    , rowFit_(range.lambdaLow == range.lambdaHigh ? 1 : Data::kRowTerms) {
+    : columnFit_(MaugisTableData::kColumnTerms)
+    , rowFit_(range.lambdaLow == range.lambdaHigh ? 1 : MaugisTableData::kRowTerms) {
     check(range);
     data_.lambdaLow = range.lambdaLow;
     data_.lambdaHigh = range.lambdaHigh;
     data_.rowTerms = rowFit_.nodes().size();
-    data_.firstRow = Data::kRows.cellOf(range.lambdaLow * (1.0 / Data::kLambdaOfChange));
-    const auto lastRow = Data::kRows.cellOf(range.lambdaHigh / Data::kLambdaOfChange);
+    data_.firstRow =
+        MaugisTableData::kRows.cellOf(range.lambdaLow * (1.0 / MaugisTableData::kLambdaOfChange));
+    const auto lastRow =
+        MaugisTableData::kRows.cellOf(range.lambdaHigh / MaugisTableData::kLambdaOfChange);
     data_.rows = static_cast<std::size_t>(lastRow - data_.firstRow) + 1;
     constexpr double kMinContact = -0.95;  // of any lambda
     data_.largestRoot = std::sqrt(range.largestIndentation - kMinContact);
-    const auto lastColumn = Data::kColumns.cellOf(Data::kNear + data_.largestRoot);
-    data_.columns = static_cast<std::size_t>(lastColumn - Data::kFirstColumn) + 1;
+    const auto lastColumn =
+        MaugisTableData::kColumns.cellOf(MaugisTableData::kNear + data_.largestRoot);
+    data_.columns = static_cast<std::size_t>(lastColumn - MaugisTableData::kFirstColumn) + 1;
     const std::size_t cells = data_.rows * data_.columns;
-    data_.coefficients.assign(cells * Data::kColumnTerms * data_.rowTerms * Data::kQuantities, 0.0);
+    data_.coefficients.assign(
+        cells * MaugisTableData::kColumnTerms * data_.rowTerms * MaugisTableData::kQuantities, 0.0);
     data_.accurate.assign(cells, 0);
 }
 
@@ -66,9 +68,9 @@ MaugisTableData MaugisTableBuilder::build() {
         for (std::size_t column = 0; column < data_.columns; ++column) {
             fit(row, column, nodes);
             const double error = measure(row, column, between);
-            if (error <= kWanted / kSafety) {
+            if (error <= kWanted / kStepSafety) {
                 data_.accurate[(row * data_.columns) + column] = 1;
-                data_.errorBound = std::max(data_.errorBound, kSafety * error);
+                data_.errorBound = std::max(data_.errorBound, kStepSafety * error);
             }
         }
     }
@@ -79,18 +81,19 @@ std::vector<MaugisTableBuilder::Sample>
 MaugisTableBuilder::samplesOf(std::size_t row, const std::vector<double>& places) const {
     std::vector<Sample> samples;
     for (const double place : places) {
-        const double lambda =
-            data_.rowTerms == 1
-                ? data_.lambdaLow
-                : Data::kLambdaOfChange *
-                      Data::kRows.valueAt(data_.firstRow + static_cast<std::int64_t>(row), place);
+        const double lambda = data_.rowTerms == 1
+                                  ? data_.lambdaLow
+                                  : MaugisTableData::kLambdaOfChange *
+                                        MaugisTableData::kRows.valueAt(
+                                            data_.firstRow + static_cast<std::int64_t>(row), place);
         samples.push_back({place, MaugisDugdale(lambda)});
     }
     return samples;
 }
 
 /// The exact state, from the one solved before.
-Data::Quantities MaugisTableBuilder::solve(Sample& sample, double root, bool fold) const {
+MaugisTableData::Quantities MaugisTableBuilder::solve(Sample& sample, double root,
+                                                      bool fold) const {
     const MaugisPoint& lowest = sample.law.lowestContact();
     const auto point = sample.law
                            .stable(MaugisControl::displacement(),
@@ -105,14 +108,14 @@ Data::Quantities MaugisTableBuilder::solve(Sample& sample, double root, bool fol
 void MaugisTableBuilder::fit(std::size_t row, std::size_t column, std::vector<Sample>& samples) {
     const std::size_t cell = (row * data_.columns) + column;
     const std::size_t terms = data_.rowTerms;
-    double* coefficients =
-        data_.coefficients.data() + (cell * Data::kColumnTerms * terms * Data::kQuantities);
+    double* coefficients = data_.coefficients.data() + (cell * MaugisTableData::kColumnTerms *
+                                                        terms * MaugisTableData::kQuantities);
     for (std::size_t k = 0; k < terms; ++k) {
-        for (std::size_t n = 0; n < Data::kColumnTerms; ++n) {
-            const Data::Quantities exact =
+        for (std::size_t n = 0; n < MaugisTableData::kColumnTerms; ++n) {
+            const MaugisTableData::Quantities exact =
                 solve(samples[k], rootAt(column, columnFit_.nodes()[n]), data_.hasFold(row));
             double* next = coefficients;
-            for (std::size_t j = 0; j < Data::kColumnTerms; ++j) {
+            for (std::size_t j = 0; j < MaugisTableData::kColumnTerms; ++j) {
                 for (std::size_t i = 0; i < terms; ++i) {
                     const double weight = columnFit_.weight(j, n) * rowFit_.weight(i, k);
                     for (const double quantity : exact) {
@@ -132,12 +135,15 @@ double MaugisTableBuilder::measure(std::size_t row, std::size_t column,
     for (Sample& sample : samples) {
         for (const double place : columnFit_.worstPlaces()) {
             const double nearest =
-                column == 0 ? Data::kColumns.placeOf(Data::kNear + kMinFoldDistance) : -1.0;
+                column == 0
+                    ? MaugisTableData::kColumns.placeOf(MaugisTableData::kNear + kMinFoldDistance)
+                    : -1.0;
             const double at = std::max(place, nearest);
-            const Data::Quantities exact = solve(sample, rootAt(column, at), data_.hasFold(row));
-            const Data::Quantities found = data_.evaluate(cell, at, sample.row);
-            for (std::size_t q = 0; q < Data::kQuantities; ++q) {
-                worst = std::max(worst, relativeError(found[q], exact[q]));
+            const MaugisTableData::Quantities exact =
+                solve(sample, rootAt(column, at), data_.hasFold(row));
+            const MaugisTableData::Quantities found = data_.evaluate(cell, at, sample.row);
+            for (std::size_t q = 0; q < MaugisTableData::kQuantities; ++q) {
+                worst = std::max(worst, errorRelativeToOne(found[q], exact[q]));
             }
         }
     }

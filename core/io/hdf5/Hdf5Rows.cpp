@@ -42,7 +42,7 @@ long long lengthOf(hid_t dataset) {
     return isColumn ? H5Sget_simple_extent_npoints(space.id()) : -1;
 }
 
-Hdf5Object memoryType(const Hdf5Column& column) {
+Hdf5Object readType(const Hdf5Column& column) {
     return column.type == Hdf5Column::Type::Text ? textType(column.width)
                                                  : Hdf5Object(H5Tcopy(H5T_NATIVE_DOUBLE), H5Tclose);
 }
@@ -144,7 +144,7 @@ void Hdf5Rows::read() {
         block_[c].resize(count * cellBytes(columns_[c]));
         const Hdf5Object place(H5Dget_space(datasets_[c].id()), H5Sclose);
         H5Sselect_hyperslab(place.id(), H5S_SELECT_SET, &begin, nullptr, &count, nullptr);
-        if (H5Dread(datasets_[c].id(), memoryType(columns_[c]).id(), memory.id(), place.id(),
+        if (H5Dread(datasets_[c].id(), readType(columns_[c]).id(), memory.id(), place.id(),
                     H5P_DEFAULT, block_[c].data()) < 0) {
             file_.fail(name_ + "/" + columns_[c].name, "its cells cannot be read");
         }

@@ -24,7 +24,7 @@ Hdf5Object storedType(const Hdf5Column& column) {
     return textType(column.width);
 }
 
-Hdf5Object memoryType(const Hdf5Column& column) {
+Hdf5Object writtenType(const Hdf5Column& column) {
     switch (column.type) {
     case Hdf5Column::Type::Double:
         return {H5Tcopy(H5T_NATIVE_DOUBLE), H5Tclose};
@@ -99,7 +99,7 @@ void Hdf5TableWriter::addColumn(const Hdf5Output& file, hid_t group, const Hdf5C
         (!column.unit.empty() && !setWord(dataset.id(), "unit", column.unit))) {
         fail();
     }
-    stored_.push_back({column, std::move(dataset), memoryType(column), {}});
+    stored_.push_back({column, std::move(dataset), writtenType(column), {}});
 }
 
 void Hdf5TableWriter::add(double number) {

@@ -13,7 +13,7 @@ namespace asperity {
 
 namespace {
 
-constexpr double kNoData = std::numeric_limits<double>::quiet_NaN();
+constexpr double kRowNoData = std::numeric_limits<double>::quiet_NaN();
 constexpr std::string_view kBlanks = " \t";
 
 /// In lower case. What std::from_chars takes ("nan", "inf") is none of them.
@@ -58,7 +58,7 @@ std::optional<double> valueOf(std::string_view cell, const NumberStyle& style, N
         row.hasDecimalComma = row.hasDecimalComma || number.has_value();
     }
     if (!number && isMissingWord(cell)) {
-        number = kNoData;
+        number = kRowNoData;
     }
     return number;
 }
@@ -96,7 +96,7 @@ void readCells(std::string_view line, const NumberStyle& style, NumberRow& row) 
         const std::string_view cell = trimmed(line.substr(begin, end - begin));
         begin = end + 1;
         row.endsEmpty = cell.empty();
-        const std::optional<double> value = cell.empty() ? kNoData : valueOf(cell, style, row);
+        const std::optional<double> value = cell.empty() ? kRowNoData : valueOf(cell, style, row);
         if (!value) {
             row.wrong = cell;
             return;

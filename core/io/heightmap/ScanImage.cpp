@@ -13,17 +13,19 @@ namespace asperity {
 
 namespace {
 
-constexpr long long kMaxSide = 65536;
+constexpr long long kImageMaxSide = 65536;
 
 }  // namespace
 
 ImageSize checkedImageSize(long long columns, long long rows, const std::string& file,
                            const std::string& place) {
-    const bool good = columns >= 1 && rows >= 1 && columns <= kMaxSide && rows <= kMaxSide;
+    const bool good =
+        columns >= 1 && rows >= 1 && columns <= kImageMaxSide && rows <= kImageMaxSide;
     if (!good) {
         throw InputError(file, place,
                          "found " + std::to_string(columns) + " x " + std::to_string(rows) +
-                             " pixels; 1 to " + std::to_string(kMaxSide) + " a side are expected");
+                             " pixels; 1 to " + std::to_string(kImageMaxSide) +
+                             " a side are expected");
     }
     return {static_cast<int>(columns), static_cast<int>(rows)};
 }

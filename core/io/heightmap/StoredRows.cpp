@@ -15,7 +15,7 @@ namespace asperity {
 namespace {
 
 /// Parts in which an image is read.
-constexpr int kSteps = 32;
+constexpr int kStoredSteps = 32;
 
 /// The first height; 0 when there is none.
 double datumOf(ChannelRows& rows, const HeightMap& map) {
@@ -42,7 +42,7 @@ float pixelOf(double value, double datum) {
 class SharedRows {
 public:
     SharedRows(ChannelRows& rows, ScanMap& map)
-        : rows_(rows), map_(map), step_(std::max(map.rows / kSteps, 1)) {}
+        : rows_(rows), map_(map), step_(std::max(map.rows / kStoredSteps, 1)) {}
 
     /// @return whether there were any left
     /// @param values room for a row

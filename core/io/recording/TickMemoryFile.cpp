@@ -52,7 +52,7 @@ void listSignals(Memory& memory, const Cell& cell) {
 }
 
 template <class Memory, class Cell>
-void listCoupling(Memory& memory, const Cell& cell) {
+void listCouplingMemory(Memory& memory, const Cell& cell) {
     cell({"mapping_follows"}, memory.mapping.follows);
     listVector(cell, "proxy_stretch_", memory.proxy.stretch, "_m");
     listVector(cell, "proxy_load_", memory.proxy.load, "_n");
@@ -65,7 +65,7 @@ void listCoupling(Memory& memory, const Cell& cell) {
 }
 
 template <class Memory, class Cell>
-void listGuide(Memory& memory, const Cell& cell) {
+void listGuideMemory(Memory& memory, const Cell& cell) {
     cell({"guide"}, memory.guide.fixture.kind);
     listVector(cell, "guide_point_", memory.guide.fixture.point, "_m");
     listVector(cell, "guide_axis_", memory.guide.fixture.axis, "_1");
@@ -80,7 +80,7 @@ void listGuide(Memory& memory, const Cell& cell) {
 }
 
 template <class Memory, class Cell>
-void listGovernor(Memory& memory, const Cell& cell) {
+void listGovernorMemory(Memory& memory, const Cell& cell) {
     cell({.front = "governor_share", .holds = Holds::Share}, memory.governor.share);
     cell({.front = "governor_edge_share", .holds = Holds::Share}, memory.governor.edgeShare);
     cell({"governor_starts"}, memory.governor.starts);
@@ -105,9 +105,9 @@ void listMemory(Memory& memory, const Cell& cell) {
     listSignals(memory, later);
     listVector(later, "tip_", memory.model.tip, "_m");
     listVector(cell, "hand_", memory.mapping.device, "_m");
-    listCoupling(memory, later);
-    listGuide(memory, later);
-    listGovernor(memory, later);
+    listCouplingMemory(memory, later);
+    listGuideMemory(memory, later);
+    listGovernorMemory(memory, later);
     later({"unsolved_s"}, memory.unsolved);
     cell({"started"}, memory.started);
     cell({"fault"}, memory.fault);

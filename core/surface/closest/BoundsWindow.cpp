@@ -19,9 +19,6 @@ constexpr double kHeightRounding = 4e-7;
 /// Said of a block that is not known to bend up at all.
 constexpr float kBendsDown = -1e6F;
 
-constexpr int kLanes = 8;
-using Float8 [[gnu::vector_size(32)]] = float;
-using Int8 [[gnu::vector_size(32)]] = int;
 using Word8 [[gnu::vector_size(32)]] = std::uint32_t;
 
 ASPERITY_INLINE Float8 decodedShorts(Word8 codes) {
@@ -73,7 +70,7 @@ ASPERITY_WITH_AVX2 void boundRows(const CodedRows& coded, const RowQuery& query,
     for (int row = 0; row < coded.rows; ++row) {
         BoundsWindow::Bits reaching = 0;
         // Whole groups of lanes: what lies beyond the window is there to be read, and masked.
-        for (int i = 0; i < coded.columns; i += kLanes) {
+        for (int i = 0; i < coded.columns; i += kFloatLanes) {
             const std::size_t at =
                 static_cast<std::size_t>(row) * coded.stride + static_cast<std::size_t>(i);
             const auto code = loaded<Word8>(coded.codes + at);

@@ -12,9 +12,6 @@ namespace asperity {
 namespace {
 
 constexpr int kMaxToASide = 15;  // pixels
-constexpr int kLanes = 8;
-using Float8 [[gnu::vector_size(32)]] = float;
-using Int8 [[gnu::vector_size(32)]] = int;
 
 /// Pixels first..last along one axis.
 struct PixelRun {
@@ -68,9 +65,9 @@ ASPERITY_WITH_AVX2 Sample leastPromise(const Neighborhood& n) {
     for (int row = n.y.first; row <= n.y.last; ++row) {
         const float* below = n.controls + row * n.stride;
         const float awayY = (static_cast<float>(row) - n.placeY) * n.aspect;
-        for (int group = n.x.first; group <= n.x.last; group += kLanes) {
+        for (int group = n.x.first; group <= n.x.last; group += kFloatLanes) {
             // A whole group at the scan's right edge looks at some pixels twice.
-            const int first = std::min(group, n.columns - kLanes);
+            const int first = std::min(group, n.columns - kFloatLanes);
             Float8 sum[3];
             Float8 rise[3];
             for (int k = 0; k < 3; ++k) {
@@ -97,7 +94,7 @@ ASPERITY_WITH_AVX2 Sample leastPromise(const Neighborhood& n) {
         }
     }
     int best = 0;
-    for (int lane = 1; lane < kLanes; ++lane) {
+    for (int lane = 1; lane < kFloatLanes; ++lane) {
         best = least[lane] < least[best] ? lane : best;
     }
     return {rows[best], columns[best] + best};
@@ -113,7 +110,7 @@ std::optional<Vector2> nearestSample(const BSplineSurface& surface, const Vector
     const double placeY = query.y() / grid.pitchY - 0.5;
     const PixelRun x = pixelsAround(placeX, distance / grid.pitchX, grid.columns);
     const PixelRun y = pixelsAround(placeY, distance / grid.pitchY, grid.rows);
-    if (grid.columns < kLanes || x.first > x.last || y.first > y.last) {
+    if (grid.columns < kFloatLanes || x.first > x.last || y.first > y.last) {
         return std::nullopt;
     }
     const double height = (query.z() - grid.datum) / grid.pitchX;

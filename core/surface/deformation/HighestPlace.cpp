@@ -44,12 +44,12 @@ private:
 };
 
 /// The pixels of one axis whose centers, brought into a box, are different places.
-struct PixelRun {
+struct BoxPixels {
     int first = 0;
     int last = 0;
 };
 
-PixelRun pixelsWithin(double low, double high, double pitch, int pixels) {
+BoxPixels pixelsWithin(double low, double high, double pitch, int pixels) {
     const int above = static_cast<int>(std::ceil(low / pitch - 0.5));
     const int below = static_cast<int>(std::floor(high / pitch - 0.5));
     // One more on each side stands for all that the box cuts off there.
@@ -134,7 +134,7 @@ private:
 
     /// Whether it has cells with pixels that are looked at.
     [[nodiscard]] bool isInBox(int level, int row, int column) const {
-        const auto meets = [level](int block, const PixelRun& run) {
+        const auto meets = [level](int block, const BoxPixels& run) {
             int cells = 1;
             for (int i = 0; i < level; ++i) {
                 cells *= CellBounds::kFactor;
@@ -160,8 +160,8 @@ private:
     const BSplineSurface& surface_;
     Box box_;
     const IsAllowed& isAllowed_;
-    PixelRun across_;
-    PixelRun up_;
+    BoxPixels across_;
+    BoxPixels up_;
     std::optional<Vector2> place_;
     double height_ = -std::numeric_limits<double>::max();  ///< of the place [m]
     Order order_;

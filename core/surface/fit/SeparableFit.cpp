@@ -36,7 +36,7 @@ struct LanesOf<double> {
 template <class Height>
 using Lanes = typename LanesOf<Height>::Type;
 template <class Height>
-constexpr std::ptrdiff_t kLanes = sizeof(Lanes<Height>) / sizeof(Height);
+constexpr std::ptrdiff_t kHeightLanes = sizeof(Lanes<Height>) / sizeof(Height);
 
 template <class Height>
 ASPERITY_INLINE Lanes<Height> load(const Height* from) {
@@ -116,7 +116,7 @@ ASPERITY_INLINE Lanes<Height> convolved(const std::vector<Height>& kernel, const
 template <class Height>
 ASPERITY_INLINE void convolveRow(const BasicLineFit<Height>& fit, const Height* samples,
                                  std::ptrdiff_t begin, std::ptrdiff_t end, Height* out) {
-    constexpr std::ptrdiff_t kStep = kLanes<Height>;
+    constexpr std::ptrdiff_t kStep = kHeightLanes<Height>;
     const std::vector<Height>& kernel = fit.kernel();
     for (std::ptrdiff_t control = begin; control < end; control += kStep) {
         // The last step starts early rather than end late.
@@ -175,10 +175,10 @@ ASPERITY_INLINE void fitAlongX(const BasicLineFit<Height>& fit, const Height* sa
 template <class Height>
 ASPERITY_INLINE void convolveRows(const std::vector<Height>& kernel, const Height* const* middle,
                                   std::ptrdiff_t count, Height* out) {
-    for (std::ptrdiff_t x = 0; x < count; x += kLanes<Height>) {
+    for (std::ptrdiff_t x = 0; x < count; x += kHeightLanes<Height>) {
         const Lanes<Height> lanes =
             convolved(kernel, [middle, x](std::ptrdiff_t k) { return load(middle[k] + x); });
-        if (x + kLanes<Height> <= count) {
+        if (x + kHeightLanes<Height> <= count) {
             store(out + x, lanes);
         } else {
             std::memcpy(out + x, &lanes, static_cast<std::size_t>(count - x) * sizeof(Height));

@@ -12,7 +12,7 @@ namespace asperity {
 
 namespace {
 
-constexpr double kNone = -std::numeric_limits<double>::infinity();
+constexpr double kNoHeight = -std::numeric_limits<double>::infinity();
 
 int blocksOf(int pixels) { return (pixels + kFootprintBlock - 1) / kFootprintBlock; }
 
@@ -51,7 +51,7 @@ FootprintSearch<Heights>::FootprintSearch(const Grid& grid, const Source& height
     , heights_(heights) {
     const std::size_t blocks =
         static_cast<std::size_t>(blockColumns_) * static_cast<std::size_t>(blockRows_);
-    blockHeights_.assign(blocks, kNone);
+    blockHeights_.assign(blocks, kNoHeight);
     for (int row = 0; row < grid.rows; ++row) {
         for (int column = 0; column < grid.columns; ++column) {
             if (heights_.counts(index(row, column))) {
@@ -73,7 +73,7 @@ void FootprintSearch<Heights>::forEachBlockAround(const Tile& tile, const Visit&
     const int highColumn = std::min(tile.column + tip_.blockReachX(), blockColumns_ - 1);
     for (int row = lowRow; row <= highRow; ++row) {
         for (int column = lowColumn; column <= highColumn; ++column) {
-            if (blockHeights_[blockIndex(row, column)] != kNone) {
+            if (blockHeights_[blockIndex(row, column)] != kNoHeight) {
                 visit(row, column);
             }
         }
@@ -108,7 +108,7 @@ void FootprintSearch<Heights>::forEachTile(Progress* progress, const Work& work)
 /// What every place of the tile finds at least.
 template <class Heights>
 double FootprintSearch<Heights>::floorOf(const Tile& tile) const {
-    double floor = kNone;
+    double floor = kNoHeight;
     forEachBlockAround(tile, [&](int row, int column) {
         const double rise = tip_.greatestRise(row - tile.row, column - tile.column);
         floor = std::max(floor, blockHeights_[blockIndex(row, column)] - rise);
@@ -123,7 +123,7 @@ void FootprintSearch<Heights>::findCandidates(Tile& tile, double floor) const {
     forEachBlockAround(tile, [&](int row, int column) {
         const double rise = tip_.leastRise(row - tile.row, column - tile.column);
         const double bound = blockHeights_[blockIndex(row, column)] - rise;
-        if (bound != kNone && bound >= floor) {
+        if (bound != kNoHeight && bound >= floor) {
             tile.candidates.push_back(
                 {.bound = bound, .row = row * kFootprintBlock, .column = column * kFootprintBlock});
         }
@@ -139,10 +139,10 @@ FootprintSearch<Heights>::heightsIn(const Block& block) const {
         for (int column = 0; column < kFootprintBlock; ++column) {
             double& height =
                 heights[static_cast<std::size_t>(row)][static_cast<std::size_t>(column)];
-            height = kNone;
+            height = kNoHeight;
             if (block.row + row < grid_.rows && block.column + column < grid_.columns) {
                 const std::size_t pixel = index(block.row + row, block.column + column);
-                height = heights_.counts(pixel) ? heights_.at(pixel) : kNone;
+                height = heights_.counts(pixel) ? heights_.at(pixel) : kNoHeight;
             }
         }
     }
@@ -164,7 +164,7 @@ template <class Heights>
 double FootprintSearch<Heights>::bestOf(const BlockHeights& heights, const Block& block,
                                         Pixel apex) const {
     Lanes best;
-    best.fill(kNone);
+    best.fill(kNoHeight);
     const int first = std::max(block.row, apex.row - tip_.reachY());
     const int last = std::min(block.row + kFootprintBlock - 1, apex.row + tip_.reachY());
     for (int from = first; from <= last; ++from) {
@@ -180,7 +180,7 @@ double FootprintSearch<Heights>::bestOf(const BlockHeights& heights, const Block
 
 template <class Heights>
 double FootprintSearch<Heights>::bestFor(Tile& tile, Pixel apex) const {
-    double best = kNone;
+    double best = kNoHeight;
     for (Block& block : tile.candidates) {
         if (block.bound <= best) {
             break;
@@ -250,13 +250,13 @@ std::vector<std::uint8_t> FootprintSearch<Heights>::reachingAlone(const Source& 
         return tip_.isWithin(grid_, row, column) && hasLevel({row, column});
     };
     forEachTile(progress, [&](Tile& tile) {
-        double floor = -kNone;
+        double floor = -kNoHeight;
         forEachPixel(tile, [&](int row, int column) {
             if (tells(row, column)) {
                 floor = std::min(floor, levelOf(row, column));
             }
         });
-        if (floor == -kNone) {
+        if (floor == -kNoHeight) {
             return;
         }
         findCandidates(tile, floor);

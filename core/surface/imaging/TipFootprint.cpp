@@ -10,9 +10,9 @@ namespace asperity {
 
 namespace {
 
-constexpr double kNever = std::numeric_limits<double>::infinity();
+constexpr double kAboveAll = std::numeric_limits<double>::infinity();
 /// Rounding must not make a bound cut off what it bounds.
-constexpr double kRounding = 8.0 * std::numeric_limits<double>::epsilon();
+constexpr double kFootprintRounding = 8.0 * std::numeric_limits<double>::epsilon();
 
 /// Whole pixels within `length`, at most those of a line of `count` pixels.
 int pixelsWithin(double length, int count) {
@@ -51,14 +51,14 @@ TipFootprint::TipFootprint(const Grid& grid, double tipRadius)
 double TipFootprint::riseAt(int row, int column) const {
     const double distance = std::hypot(column * pitchX_, row * pitchY_);
     if (distance > radius_) {
-        return kNever;
+        return kAboveAll;
     }
     const double depth = std::sqrt((radius_ - distance) * (radius_ + distance));
     return distance * (distance / (radius_ + depth));
 }
 
 void TipFootprint::fillRises() {
-    rises_.assign(static_cast<std::size_t>(reachY_ + 1) * stride_, kNever);
+    rises_.assign(static_cast<std::size_t>(reachY_ + 1) * stride_, kAboveAll);
     for (int row = 0; row <= reachY_; ++row) {
         double* apex = rises_.data() + static_cast<std::size_t>(row) * stride_ + middle_;
         for (int column = 0; column <= reachX_; ++column) {
@@ -75,8 +75,10 @@ void TipFootprint::fillBlockRises() {
     const auto farthest = [](int blocks) { return (blocks + 1) * kFootprintBlock - 1; };
     for (int up = 0; up <= blockReachY_; ++up) {
         for (int across = 0; across <= blockReachX_; ++across) {
-            leastRises_.push_back(riseAt(nearest(up), nearest(across)) * (1.0 - kRounding));
-            greatestRises_.push_back(riseAt(farthest(up), farthest(across)) * (1.0 + kRounding));
+            leastRises_.push_back(riseAt(nearest(up), nearest(across)) *
+                                  (1.0 - kFootprintRounding));
+            greatestRises_.push_back(riseAt(farthest(up), farthest(across)) *
+                                     (1.0 + kFootprintRounding));
         }
     }
 }

@@ -25,7 +25,7 @@ constexpr std::string_view kFirstKey = "fileformat";
 constexpr std::string_view kWideFirst{"f\0i\0l\0e\0", 8};
 constexpr std::size_t kUsualHeader = 2048;    // [characters]
 constexpr long long kMaxHeader = 1LL << 20U;  // [characters]
-constexpr double kNoData = std::numeric_limits<double>::quiet_NaN();
+constexpr double kBcrNoData = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInt16NoData = 32767.0;
 constexpr double kFloatNoData = 1.7e38;  // and above
 
@@ -168,7 +168,7 @@ private:
         ReadRow plain = replaced(
             rowsOf(bytes_, layout), layout.size.columns, [isFloat = isFloat_](double stored) {
                 const bool missing = isFloat ? stored >= kFloatNoData : stored == kInt16NoData;
-                return missing ? kNoData : stored;
+                return missing ? kBcrNoData : stored;
             });
         const double lowest = number("zmin");
         const double perCount = isFloat_ ? 1.0 : number("bit2nm");
@@ -202,7 +202,7 @@ private:
     HeaderFields fields_;
 };
 
-constexpr std::array<std::string_view, 2> kExtensions{".bcr", ".bcrf"};
+constexpr std::array<std::string_view, 2> kBcrExtensions{".bcr", ".bcrf"};
 
 bool isBcr(const ByteSource& bytes) {
     constexpr std::size_t kLooked = 64;
@@ -220,7 +220,7 @@ bool isBcr(const ByteSource& bytes) {
 
 const HeightMapFormat kBcrFormat = {
     .name = "Image Metrology BCR",
-    .extensions = kExtensions,
+    .extensions = kBcrExtensions,
     .recognizes = isBcr,
     .read = [](const ByteSource& bytes) { return BcrReader(bytes).read(); }};
 

@@ -17,28 +17,28 @@ namespace asperity {
 
 namespace {
 
-constexpr std::string_view kMagic = "DIGITAL SURF";
+constexpr std::string_view kDigitalSurfMagic = "DIGITAL SURF";
 constexpr std::string_view kCompressedMagic = "DSCOMPRESSED";
 constexpr std::size_t kHeader = 512;
 
 // Places in the header [bytes]
-constexpr std::size_t kVersion = 16;
+constexpr std::size_t kDigitalSurfVersion = 16;
 constexpr std::size_t kObject = 18;
 constexpr std::size_t kObjectName = 20;
 constexpr std::size_t kSpecialPoints = 86;
-constexpr std::size_t kBits = 98;
+constexpr std::size_t kDigitalSurfBits = 98;
 constexpr std::size_t kLowest = 100;
-constexpr std::size_t kColumns = 108;
-constexpr std::size_t kRows = 112;
-constexpr std::array<std::size_t, 3> kSteps{120, 124, 128};
-constexpr std::array<std::size_t, 3> kUnits{180, 196, 212};
+constexpr std::size_t kDigitalSurfColumns = 108;
+constexpr std::size_t kDigitalSurfRows = 112;
+constexpr std::array<std::size_t, 3> kDigitalSurfSteps{120, 124, 128};
+constexpr std::array<std::size_t, 3> kDigitalSurfUnits{180, 196, 212};
 constexpr std::size_t kZAxis = 164;
 constexpr std::size_t kInversion = 290;
 constexpr std::size_t kCommentSize = 334;
 constexpr std::size_t kPrivateSize = 336;
 constexpr std::array<std::size_t, 3> kOffsets{466, 470, 474};
 
-constexpr std::size_t kNameLength = 30;
+constexpr std::size_t kDigitalSurfNameLength = 30;
 constexpr std::size_t kTextLength = 16;
 constexpr int kSurface = 2;
 
@@ -56,8 +56,8 @@ public:
             channel.name = "Untitled";
         }
         setSize(channel, samples.size);
-        channel.metadata = {{"object name", text(kObjectName, kNameLength)}};
-        const PhysicalUnit unit = parseUnit(text(kUnits[2], kTextLength));
+        channel.metadata = {{"object name", text(kObjectName, kDigitalSurfNameLength)}};
+        const PhysicalUnit unit = parseUnit(text(kDigitalSurfUnits[2], kTextLength));
         channel.unit = unit.base;
         settleSize(channel, "bytes 120 and 124");
         requireScale();
@@ -67,8 +67,9 @@ public:
             {.channel = std::move(channel), .factor = unit.factor, .readRow = heightsOf(samples)});
         result.notes.emplace_back(
             "no real .sur file has proven this reader: compare the heights with MountainsMap");
-        result.provenance.push_back(
-            {"format version", std::to_string(number<std::int16_t>(kVersion)), "byte 16"});
+        result.provenance.push_back({"format version",
+                                     std::to_string(number<std::int16_t>(kDigitalSurfVersion)),
+                                     "byte 16"});
         return result;
     }
 
@@ -77,7 +78,7 @@ private:
         if (header_.starts_with(kCompressedMagic)) {
             fail("byte 0", "its samples are compressed (DSCOMPRESSED); save it uncompressed");
         }
-        if (!header_.starts_with(kMagic)) {
+        if (!header_.starts_with(kDigitalSurfMagic)) {
             fail("byte 0", "expected 'DIGITAL SURF'");
         }
         if (header_.size() < kHeader) {
@@ -92,13 +93,14 @@ private:
 
     /// The samples are all that follows comment and private zone.
     [[nodiscard]] SampleLayout samplesOf() const {
-        const int bits = number<std::int16_t>(kBits);
+        const int bits = number<std::int16_t>(kDigitalSurfBits);
         if (bits != 16 && bits != 32) {
             fail("byte 98", "expected samples of 16 or 32 bits, found " + std::to_string(bits));
         }
-        const SampleLayout samples{.size = checkedImageSize(number<std::int32_t>(kColumns),
-                                                            number<std::int32_t>(kRows),
-                                                            bytes_.name(), "bytes 108 to 115"),
+        const SampleLayout samples{.size =
+                                       checkedImageSize(number<std::int32_t>(kDigitalSurfColumns),
+                                                        number<std::int32_t>(kDigitalSurfRows),
+                                                        bytes_.name(), "bytes 108 to 115"),
                                    .type = bits == 16 ? SampleType::Int16 : SampleType::Int32,
                                    .place = kHeader + number<std::uint16_t>(kCommentSize) +
                                             std::uint64_t{number<std::uint16_t>(kPrivateSize)}};
@@ -114,17 +116,18 @@ private:
     }
 
     void setSize(ScanChannel& channel, ImageSize size) const {
-        const PhysicalUnit x = parseUnit(text(kUnits[0], kTextLength));
-        const PhysicalUnit y = parseUnit(text(kUnits[1], kTextLength));
+        const PhysicalUnit x = parseUnit(text(kDigitalSurfUnits[0], kTextLength));
+        const PhysicalUnit y = parseUnit(text(kDigitalSurfUnits[1], kTextLength));
         channel.lateralUnit = x.base == y.base ? x.base : std::string();
-        channel.map = emptyMap(size, double{number<float>(kSteps[0])} * x.factor * size.columns,
-                               double{number<float>(kSteps[1])} * y.factor * size.rows);
+        channel.map =
+            emptyMap(size, double{number<float>(kDigitalSurfSteps[0])} * x.factor * size.columns,
+                     double{number<float>(kDigitalSurfSteps[1])} * y.factor * size.rows);
         channel.originX = finiteOrZero(double{number<float>(kOffsets[0])} * x.factor);
         channel.originY = finiteOrZero(double{number<float>(kOffsets[1])} * y.factor);
     }
 
     void requireScale() const {
-        const double step = number<float>(kSteps[2]);
+        const double step = number<float>(kDigitalSurfSteps[2]);
         if (!std::isfinite(step) || step == 0.0 || !std::isfinite(number<float>(kOffsets[2]))) {
             throw InputError(bytes_.name(), "bytes 128 and 474",
                              "expected a step and an offset of the heights, found " +
@@ -135,7 +138,7 @@ private:
     /// In the unit of z; where the header announces special points, 2 below the lowest count is one
     /// that was not measured.
     [[nodiscard]] ReadRow heightsOf(const SampleLayout& samples) const {
-        const double step = number<float>(kSteps[2]);
+        const double step = number<float>(kDigitalSurfSteps[2]);
         const double offset = number<float>(kOffsets[2]);
         const bool special = number<std::int16_t>(kSpecialPoints) != 0;
         const double missing = special ? number<std::int32_t>(kLowest) - 2.0
@@ -148,9 +151,10 @@ private:
     }
 
     void addProvenance(ScanChannel& channel) const {
-        const PhysicalUnit unit = parseUnit(text(kUnits[2], kTextLength));
-        channel.provenance.push_back(scaleProvenance(double{number<float>(kSteps[2])} * unit.factor,
-                                                     unit.base, "bytes 128 and 212"));
+        const PhysicalUnit unit = parseUnit(text(kDigitalSurfUnits[2], kTextLength));
+        channel.provenance.push_back(
+            scaleProvenance(double{number<float>(kDigitalSurfSteps[2])} * unit.factor, unit.base,
+                            "bytes 128 and 212"));
         channel.provenance.push_back(
             {"orientation", "the top row is stored first", "the same in every .sur file"});
         const int inversion = number<std::int16_t>(kInversion);
@@ -179,16 +183,16 @@ private:
     std::string header_;
 };
 
-constexpr std::array<std::string_view, 1> kExtensions{".sur"};
+constexpr std::array<std::string_view, 1> kDigitalSurfExtensions{".sur"};
 
 }  // namespace
 
 const HeightMapFormat kDigitalSurfFormat = {
     .name = "Digital Surf .sur",
-    .extensions = kExtensions,
+    .extensions = kDigitalSurfExtensions,
     .recognizes =
         [](const ByteSource& bytes) {
-            return bytes.startsWith(kMagic) || bytes.startsWith(kCompressedMagic);
+            return bytes.startsWith(kDigitalSurfMagic) || bytes.startsWith(kCompressedMagic);
         },
     .read = [](const ByteSource& bytes) { return DigitalSurfReader(bytes).read(); }};
 

@@ -9,20 +9,20 @@ namespace asperity {
 
 namespace {
 
-constexpr std::string_view kMagic("v/1\x01", 4);
+constexpr std::string_view kExrMagic("v/1\x01", 4);
 constexpr std::uint32_t kMultiPart = 0x1000;
 /// A scale is a short text.
-constexpr std::uint64_t kMaxText = 65536;
+constexpr std::uint64_t kExrMaxText = 65536;
 constexpr int kMaxParts = 64;
 /// Pixels per byte: no data are packed better than this.
-constexpr std::uint64_t kMaxRatio = 2000;
+constexpr std::uint64_t kExrMaxRatio = 2000;
 
 class HeaderWalk {
 public:
     explicit HeaderWalk(const ByteSource& bytes) : bytes_(bytes), reader_(bytes) {}
 
     ExrHeader read() {
-        (void)reader_.take(kMagic.size(), "the signature");
+        (void)reader_.take(kExrMagic.size(), "the signature");
         const auto version = reader_.takeNumber<std::uint32_t>("the version");
         header_.isMultiPart = (version & kMultiPart) != 0;
         takeAttributes();
@@ -98,7 +98,7 @@ private:
         if (window_.rows == 0) {
             throw InputError(bytes_.name(), "header", "expected the attribute dataWindow");
         }
-        if (window_.pixels() / kMaxRatio > bytes_.size()) {
+        if (window_.pixels() / kExrMaxRatio > bytes_.size()) {
             throw InputError(bytes_.name(), "dataWindow",
                              "the file cannot hold " + std::to_string(window_.columns) + " x " +
                                  std::to_string(window_.rows) + " pixels; it is damaged");
@@ -111,7 +111,7 @@ private:
     }
 
     void takeText(const std::string& name, const std::string& type, const ByteSpan& value) {
-        if (type == "string" && value.count <= kMaxText) {
+        if (type == "string" && value.count <= kExrMaxText) {
             header_.texts.emplace(toUtf8(name), toUtf8(bytesOf(bytes_, value)));
         } else if (type == "double") {
             header_.texts.emplace(toUtf8(name), exactText(numberIn<double>(bytes_, value)));
@@ -131,7 +131,7 @@ private:
 
 }  // namespace
 
-bool isExr(const ByteSource& bytes) { return bytes.startsWith(kMagic); }
+bool isExr(const ByteSource& bytes) { return bytes.startsWith(kExrMagic); }
 
 ExrHeader readExrHeader(const ByteSource& bytes) {
     if (!isExr(bytes)) {

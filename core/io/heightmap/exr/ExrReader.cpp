@@ -15,7 +15,7 @@ namespace asperity {
 
 namespace {
 
-constexpr ByteOrder kNative =
+constexpr ByteOrder kExrNative =
     std::endian::native == std::endian::little ? ByteOrder::Little : ByteOrder::Big;
 
 class ExrReader {
@@ -79,7 +79,7 @@ private:
         StoredChannel stored = scaledChannel(
             scale, header_.size,
             rowsOfDecoded([bytes = &bytes_, channel] { return decodeExr(*bytes, channel); },
-                          {.size = header_.size, .type = channel.type, .order = kNative}),
+                          {.size = header_.size, .type = channel.type, .order = kExrNative}),
             channel.name, bytes_.name());
         if (affordsCopies(header_.texts, channels_.size())) {
             stored.channel.metadata = header_.texts;
@@ -93,13 +93,13 @@ private:
     StoredScan result_;
 };
 
-constexpr std::array<std::string_view, 1> kExtensions{".exr"};
+constexpr std::array<std::string_view, 1> kExrExtensions{".exr"};
 
 }  // namespace
 
 const HeightMapFormat kExrFormat = {
     .name = "OpenEXR .exr",
-    .extensions = kExtensions,
+    .extensions = kExrExtensions,
     .recognizes = isExr,
     .read = [](const ByteSource& bytes) { return ExrReader(bytes).read(); },
     .write = writeExr};

@@ -14,10 +14,9 @@ namespace asperity {
 namespace {
 
 constexpr std::string_view kFamily = "Gwyddion Simple Field ";
-constexpr std::string_view kMagic = "Gwyddion Simple Field 1.0\n";
-constexpr std::size_t kAlignment = 4;
+constexpr std::string_view kGsfMagic = "Gwyddion Simple Field 1.0\n";
 /// Gwyddion's own headers have some 200 bytes.
-constexpr std::size_t kMaxHeader = std::size_t{1} << 20U;
+constexpr std::size_t kGsfMaxHeader = std::size_t{1} << 20U;
 
 using Fields = std::map<std::string, std::string>;
 
@@ -27,17 +26,18 @@ public:
         : bytes_(bytes)
         , start_(bytes.startUntil(
               [](std::string_view start) {
-                  return std::min(start.find('\0'), start.size()) + kAlignment < start.size();
+                  return std::min(start.find('\0'), start.size()) + kGsfAlignment < start.size();
               },
-              kMaxHeader + kAlignment)) {}
+              kGsfMaxHeader + kGsfAlignment)) {}
 
     StoredScan read() {
         checkMagic();
         const std::size_t headerEnd = start_.find('\0');
-        if (headerEnd >= kMaxHeader) {
+        if (headerEnd >= kGsfMaxHeader) {
             fail("header", "no NUL byte ends it; the file is truncated or damaged");
         }
-        parseHeader(std::string_view(start_).substr(kMagic.size(), headerEnd - kMagic.size()));
+        parseHeader(
+            std::string_view(start_).substr(kGsfMagic.size(), headerEnd - kGsfMagic.size()));
         StoredScan result;
         result.channels.push_back(channel(dataAfter(headerEnd)));
         addProvenance(result.channels.back());
@@ -47,7 +47,7 @@ public:
 
 private:
     void checkMagic() const {
-        if (start_.starts_with(kMagic)) {
+        if (start_.starts_with(kGsfMagic)) {
             return;
         }
         if (start_.starts_with("Gwyddion Simple Field 1.0\r")) {
@@ -77,7 +77,7 @@ private:
     /// the header promises.
     std::uint64_t dataAfter(std::size_t headerEnd) {
         size_ = checkedImageSize(integer("XRes"), integer("YRes"), bytes_.name(), "XRes, YRes");
-        const std::size_t start = (headerEnd / kAlignment + 1) * kAlignment;
+        const std::size_t start = (headerEnd / kGsfAlignment + 1) * kGsfAlignment;
         const std::string padding = start_.substr(headerEnd, start - headerEnd);
         if (padding.find_first_not_of('\0') != std::string::npos) {
             fail("byte " + std::to_string(headerEnd), "expected NUL bytes up to a multiple of 4");
@@ -167,13 +167,13 @@ private:
     ImageSize size_;
 };
 
-constexpr std::array<std::string_view, 1> kExtensions{".gsf"};
+constexpr std::array<std::string_view, 1> kGsfExtensions{".gsf"};
 
 }  // namespace
 
 const HeightMapFormat kGsfFormat = {
     .name = "Gwyddion Simple Field .gsf",
-    .extensions = kExtensions,
+    .extensions = kGsfExtensions,
     .recognizes = [](const ByteSource& bytes) { return bytes.startsWith(kFamily); },
     .read = [](const ByteSource& bytes) { return GsfReader(bytes).read(); },
     .write = writeGsf};

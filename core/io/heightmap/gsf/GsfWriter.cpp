@@ -13,8 +13,6 @@ namespace asperity {
 
 namespace {
 
-constexpr std::size_t kAlignment = 4;
-
 /// Of the format itself.
 constexpr std::array<std::string_view, 9> kFields = {
     "XRes", "YRes", "XReal", "YReal", "XOffset", "YOffset", "XYUnits", "ZUnits", "Title"};
@@ -33,7 +31,7 @@ std::string header(const HeightRows& map, const HeightMapMeta& meta) {
 void writeGsf(const std::filesystem::path& target, const HeightRows& map, const HeightMapMeta& meta,
               Progress* progress) {
     std::string bytes = header(map, meta);
-    bytes.append(kAlignment - bytes.size() % kAlignment, '\0');
+    bytes.append(kGsfAlignment - bytes.size() % kGsfAlignment, '\0');
     std::ofstream stream(target, std::ios::binary);
     stream << bytes;
     forEachRow(map, progress, [&](int, const std::vector<double>& heights) {

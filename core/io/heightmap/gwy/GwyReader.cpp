@@ -18,7 +18,7 @@ namespace asperity {
 
 namespace {
 
-constexpr std::string_view kMagic = "GWYP";
+constexpr std::string_view kGwyMagic = "GWYP";
 constexpr std::string_view kOldMagic = "GWYO";
 
 /// What the container holds about one image.
@@ -80,7 +80,7 @@ public:
         if (result_.channels.empty()) {
             throw InputError(file_, "", "the file holds no image (no /0/data or similar)");
         }
-        result_.provenance = {{"format version", std::string(kMagic), "byte 0"}};
+        result_.provenance = {{"format version", std::string(kGwyMagic), "byte 0"}};
         return std::move(result_);
     }
 
@@ -91,7 +91,7 @@ private:
                              "this is a file of Gwyddion 1; open and save it with Gwyddion 2");
         }
         ByteReader reader(bytes_);
-        (void)reader.take(kMagic.size(), "the file's mark");
+        (void)reader.take(kGwyMagic.size(), "the file's mark");
         const GwyObject container = takeGwyObject(reader);
         if (container.className != "GwyContainer") {
             throw InputError(file_, "byte 4", "expected an object of class GwyContainer");
@@ -267,16 +267,16 @@ private:
     StoredScan result_;
 };
 
-constexpr std::array<std::string_view, 1> kExtensions{".gwy"};
+constexpr std::array<std::string_view, 1> kGwyExtensions{".gwy"};
 
 }  // namespace
 
 const HeightMapFormat kGwyFormat = {
     .name = "Gwyddion .gwy",
-    .extensions = kExtensions,
+    .extensions = kGwyExtensions,
     .recognizes =
         [](const ByteSource& bytes) {
-            return bytes.startsWith(kMagic) || bytes.startsWith(kOldMagic);
+            return bytes.startsWith(kGwyMagic) || bytes.startsWith(kOldMagic);
         },
     .read = [](const ByteSource& bytes) { return GwyReader(bytes).read(); },
     .write = writeGwy,

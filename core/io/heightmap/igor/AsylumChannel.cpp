@@ -14,14 +14,15 @@ namespace asperity {
 
 namespace {
 
-constexpr std::array<std::pair<std::string_view, const char*>, 8> kUnits{{{"Height", "m"},
-                                                                          {"ZSensor", "m"},
-                                                                          {"Deflection", "m"},
-                                                                          {"Amplitude", "m"},
-                                                                          {"Phase", "deg"},
-                                                                          {"Current", "A"},
-                                                                          {"Frequency", "Hz"},
-                                                                          {"Potential", "V"}}};
+constexpr std::array<std::pair<std::string_view, const char*>, 8> kAsylumUnits{
+    {{"Height", "m"},
+     {"ZSensor", "m"},
+     {"Deflection", "m"},
+     {"Amplitude", "m"},
+     {"Phase", "deg"},
+     {"Current", "A"},
+     {"Frequency", "Hz"},
+     {"Potential", "V"}}};
 
 /// "HeightTraceMod1" → "HeightTrace": images that were changed after the scan.
 std::string_view withoutChanges(std::string_view label) {
@@ -71,7 +72,7 @@ std::string asylumUnit(const std::string& label, const std::map<std::string, std
     if (said != note.end()) {
         return said->second;
     }
-    for (const auto& [name, unit] : kUnits) {
+    for (const auto& [name, unit] : kAsylumUnits) {
         if (signal.starts_with(name)) {
             return unit;
         }

@@ -143,13 +143,13 @@ private:
     std::map<std::string, std::string> note_;
 };
 
-constexpr std::array<std::string_view, 1> kExtensions{".ibw"};
+constexpr std::array<std::string_view, 1> kIgorExtensions{".ibw"};
 
 }  // namespace
 
 const HeightMapFormat kIgorFormat = {
     .name = "Igor .ibw (Asylum Research)",
-    .extensions = kExtensions,
+    .extensions = kIgorExtensions,
     .recognizes = startsAsIgorWave,
     .read = [](const ByteSource& bytes) { return IgorReader(bytes).read(); }};
 

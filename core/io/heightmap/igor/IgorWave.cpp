@@ -19,7 +19,7 @@ constexpr std::size_t kFileHeader = 64;
 constexpr std::size_t kWaveHeader = 320;
 constexpr std::size_t kHeaders = kFileHeader + kWaveHeader;
 constexpr std::size_t kLabel = 32;
-constexpr std::uint64_t kMaxText = std::uint64_t{1} << 18U;
+constexpr std::uint64_t kWaveMaxText = std::uint64_t{1} << 18U;
 constexpr std::uint64_t kFooter = 1024;
 constexpr int kImageVersion = 5;
 
@@ -32,21 +32,21 @@ constexpr std::size_t kDimensionUnitSizes = 20;
 constexpr std::size_t kLabelSizes = 36;
 constexpr std::size_t kNumbers = kFileHeader + 12;
 constexpr std::size_t kType = kFileHeader + 16;
-constexpr std::size_t kName = kFileHeader + 28;
+constexpr std::size_t kWaveName = kFileHeader + 28;
 constexpr std::size_t kCounts = kFileHeader + 68;
-constexpr std::size_t kSteps = kFileHeader + 84;
+constexpr std::size_t kWaveSteps = kFileHeader + 84;
 constexpr std::size_t kStarts = kFileHeader + 116;
-constexpr std::size_t kUnit = kFileHeader + 148;
+constexpr std::size_t kWaveUnit = kFileHeader + 148;
 constexpr std::size_t kDimensionUnits = kFileHeader + 152;
 constexpr std::size_t kShortUnit = 4;
-constexpr std::size_t kNameLength = 32;
+constexpr std::size_t kWaveNameLength = 32;
 
 constexpr int kComplex = 1;
 
 /// The first bytes of a file in its own byte order; the version's low byte is never 0.
-class Header {
+class WaveHeader {
 public:
-    explicit Header(const ByteSource& bytes)
+    explicit WaveHeader(const ByteSource& bytes)
         : bytes_(bytes.start(kHeaders))
         , order_(bytes_.empty() || bytes_[0] != '\0' ? ByteOrder::Little : ByteOrder::Big) {}
 
@@ -105,7 +105,7 @@ public:
     IgorWave read() {
         requireSound();
         wave_.order = header_.order();
-        wave_.name = header_.text(kName, kNameLength);
+        wave_.name = header_.text(kWaveName, kWaveNameLength);
         readDimensions();
         readNumbers();
         readTexts();
@@ -134,11 +134,11 @@ private:
     void readDimensions() {
         for (std::size_t i = 0; i < IgorWave::kDimensions; ++i) {
             wave_.counts[i] = header_.at<std::int32_t>(kCounts + i * sizeof(std::int32_t));
-            wave_.steps[i] = header_.at<double>(kSteps + i * sizeof(double));
+            wave_.steps[i] = header_.at<double>(kWaveSteps + i * sizeof(double));
             wave_.starts[i] = header_.at<double>(kStarts + i * sizeof(double));
             wave_.dimensionUnits[i] = header_.text(kDimensionUnits + i * kShortUnit, kShortUnit);
         }
-        wave_.unit = header_.text(kUnit, kShortUnit);
+        wave_.unit = header_.text(kWaveUnit, kShortUnit);
     }
 
     void readNumbers() {
@@ -229,7 +229,7 @@ private:
 
     /// No note of an instrument comes near the limit; what is beyond is left out.
     [[nodiscard]] std::string textIn(const ByteSpan& span) const {
-        return bytesOf(bytes_, {span.place, std::min(span.count, kMaxText)});
+        return bytesOf(bytes_, {span.place, std::min(span.count, kWaveMaxText)});
     }
 
     [[nodiscard]] std::uint64_t size(std::size_t place) const {
@@ -256,7 +256,7 @@ private:
     }
 
     const ByteSource& bytes_;
-    Header header_;
+    WaveHeader header_;
     std::uint64_t end_ = 0;  ///< of what is read so far
     IgorWave wave_;
 };
@@ -267,7 +267,7 @@ bool startsAsIgorWave(const ByteSource& bytes) {
     // Version and, by it, the length that the checksum is over.
     constexpr std::array<std::pair<int, std::size_t>, 4> kSums{
         {{1, 118}, {2, 126}, {3, 130}, {kImageVersion, kHeaders}}};
-    const Header header(bytes);
+    const WaveHeader header(bytes);
     const auto* const sum =
         std::ranges::find(kSums, header.version(), [](const auto& each) { return each.first; });
     if (sum == kSums.end()) {

@@ -19,14 +19,14 @@ namespace asperity {
 namespace {
 
 // Of the whole scan.
-constexpr std::uint16_t kVersion = 0x8000;
-constexpr std::uint16_t kOriginX = 0x8040;
-constexpr std::uint16_t kOriginY = 0x8041;
-constexpr std::uint16_t kSizeX = 0x8042;
-constexpr std::uint16_t kSizeY = 0x8043;
+constexpr std::uint16_t kJpkVersion = 0x8000;
+constexpr std::uint16_t kJpkOriginX = 0x8040;
+constexpr std::uint16_t kJpkOriginY = 0x8041;
+constexpr std::uint16_t kJpkSizeX = 0x8042;
+constexpr std::uint16_t kJpkSizeY = 0x8043;
 constexpr std::uint16_t kRotation = 0x8044;
 constexpr std::uint16_t kReflect = 0x8045;
-constexpr std::array<std::pair<const char*, std::uint16_t>, 9> kTexts = {{{"version", kVersion},
+constexpr std::array<std::pair<const char*, std::uint16_t>, 9> kTexts = {{{"version", kJpkVersion},
                                                                           {"start date", 0x8003},
                                                                           {"name", 0x8004},
                                                                           {"comment", 0x8005},
@@ -41,7 +41,7 @@ constexpr std::uint16_t kRetrace = 0x8051;
 constexpr std::uint16_t kFancyName = 0x8052;
 
 /// Of a text that is kept: each channel carries a copy.
-constexpr std::size_t kMaxText = 4096;
+constexpr std::size_t kJpkMaxText = 4096;
 
 class JpkReader {
 public:
@@ -54,7 +54,7 @@ public:
         isReflected_ = scan_.integer(kReflect).value_or(0) != 0;
         for (const auto& [key, tag] : kTexts) {
             if (const std::string text(trimmed(scan_.text(tag))); !text.empty()) {
-                metadata_.emplace(key, text.substr(0, kMaxText));
+                metadata_.emplace(key, text.substr(0, kJpkMaxText));
             }
         }
         for (std::size_t i = 1; i < directories_.size(); ++i) {
@@ -102,10 +102,10 @@ private:
         channel.direction = directory.integer(kRetrace).value_or(0) != 0 ? "backward" : "forward";
         channel.name = uniqueName(nameOf(directory), channel.direction);
         channel.lateralUnit = "m";
-        channel.map =
-            emptyMap(size, scan_.number(kSizeX).value_or(0.0), scan_.number(kSizeY).value_or(0.0));
-        channel.originX = finiteOrZero(scan_.number(kOriginX).value_or(0.0));
-        channel.originY = finiteOrZero(scan_.number(kOriginY).value_or(0.0));
+        channel.map = emptyMap(size, scan_.number(kJpkSizeX).value_or(0.0),
+                               scan_.number(kJpkSizeY).value_or(0.0));
+        channel.originX = finiteOrZero(scan_.number(kJpkOriginX).value_or(0.0));
+        channel.originY = finiteOrZero(scan_.number(kJpkOriginY).value_or(0.0));
         channel.metadata = metadata_;
         settleSize(channel, "tags 32834 and 32835");
         return channel;
@@ -156,7 +156,7 @@ private:
     }
 
     void describeScan() {
-        result_.provenance.push_back({"format version", scan_.text(kVersion), "tag 32768"});
+        result_.provenance.push_back({"format version", scan_.text(kJpkVersion), "tag 32768"});
         result_.provenance.push_back(
             {"orientation",
              isReflected_ ? "first stored row on top" : "first stored row at the bottom",
@@ -177,17 +177,19 @@ private:
     StoredScan result_;
 };
 
-constexpr std::array<std::string_view, 2> kExtensions{".jpk", ".jpk-qi-image"};
+constexpr std::array<std::string_view, 2> kJpkExtensions{".jpk", ".jpk-qi-image"};
 
 }  // namespace
 
 bool isJpkImage(const ByteSource& bytes) {
-    return isTiffWithTag(bytes, kVersion) && isTiffWithTag(bytes, kSizeX);
+    return isTiffWithTag(bytes, kJpkVersion) && isTiffWithTag(bytes, kJpkSizeX);
 }
 
 StoredScan readJpkImage(const ByteSource& bytes) { return JpkReader(bytes).read(); }
 
-const HeightMapFormat kJpkFormat = {
-    .name = "JPK image", .extensions = kExtensions, .recognizes = isJpkImage, .read = readJpkImage};
+const HeightMapFormat kJpkFormat = {.name = "JPK image",
+                                    .extensions = kJpkExtensions,
+                                    .recognizes = isJpkImage,
+                                    .read = readJpkImage};
 
 }  // namespace asperity

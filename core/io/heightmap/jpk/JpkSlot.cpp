@@ -10,16 +10,16 @@ constexpr std::uint16_t kSlotCount = 0x8080;
 constexpr std::uint16_t kDefaultSlot = 0x8081;
 
 // Tags of the first slot; those of the next one are kStep further.
-constexpr std::uint16_t kName = 0x8090;
+constexpr std::uint16_t kSlotName = 0x8090;
 constexpr std::uint16_t kEncoder = 0x80A1;
-constexpr std::uint16_t kUnit = 0x80A2;
+constexpr std::uint16_t kSlotUnit = 0x80A2;
 constexpr std::uint16_t kScaling = 0x80A3;
 constexpr std::uint16_t kMultiplier = 0x80A4;
-constexpr std::uint16_t kOffset = 0x80A5;
-constexpr std::uint16_t kNoData = 0x80AA;
+constexpr std::uint16_t kSlotOffset = 0x80A5;
+constexpr std::uint16_t kSlotNoData = 0x80AA;
 constexpr std::int64_t kStep = 0x30;
 /// So many slots have room among the tags.
-constexpr std::int64_t kMaxSlots = (0xFFFF - kNoData) / kStep + 1;
+constexpr std::int64_t kMaxSlots = (0xFFFF - kSlotNoData) / kStep + 1;
 
 std::uint16_t tagOf(std::uint16_t first, std::int64_t slot) {
     return static_cast<std::uint16_t>(first + slot * kStep);
@@ -34,19 +34,19 @@ double requireNumber(const TiffDirectory& channel, std::uint16_t tag) {
 }
 
 JpkSlot readSlot(const TiffDirectory& channel, std::int64_t number) {
-    JpkSlot slot{.name = channel.text(tagOf(kName, number)),
-                 .unit = channel.text(tagOf(kUnit, number))};
+    JpkSlot slot{.name = channel.text(tagOf(kSlotName, number)),
+                 .unit = channel.text(tagOf(kSlotUnit, number))};
     const std::string scaling = channel.text(tagOf(kScaling, number));
     if (scaling == "LinearScaling") {
         slot.multiplier = requireNumber(channel, tagOf(kMultiplier, number));
-        slot.offset = requireNumber(channel, tagOf(kOffset, number));
+        slot.offset = requireNumber(channel, tagOf(kSlotOffset, number));
     } else if (scaling != "NullScaling") {
         channel.fail("its slot '" + slot.name + "' has the scaling '" + scaling +
                      "'; expected LinearScaling or NullScaling");
     }
     // Without this encoder the largest count is often a height: counts are spread over all bits.
     if (channel.text(tagOf(kEncoder, number)).ends_with("WithValidity")) {
-        slot.noData = requireNumber(channel, tagOf(kNoData, number));
+        slot.noData = requireNumber(channel, tagOf(kSlotNoData, number));
     }
     return slot;
 }
@@ -64,7 +64,7 @@ JpkSlot defaultJpkSlot(const TiffDirectory& channel) {
         return {};
     }
     for (std::int64_t slot = 0; slot < count; ++slot) {
-        if (channel.text(tagOf(kName, slot)) == name) {
+        if (channel.text(tagOf(kSlotName, slot)) == name) {
             return readSlot(channel, slot);
         }
     }

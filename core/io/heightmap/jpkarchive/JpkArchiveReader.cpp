@@ -50,7 +50,7 @@ StoredScan readJpkArchive(const ByteSource& bytes) {
     return scan;
 }
 
-constexpr std::array<std::string_view, 2> kExtensions{".jpk-qi-data", ".jpk-force-map"};
+constexpr std::array<std::string_view, 2> kJpkArchiveExtensions{".jpk-qi-data", ".jpk-force-map"};
 
 bool recognizesJpkArchive(const ByteSource& bytes) {
     if (!isZip(bytes)) {
@@ -66,7 +66,7 @@ bool recognizesJpkArchive(const ByteSource& bytes) {
 }  // namespace
 
 const HeightMapFormat kJpkArchiveFormat = {.name = "JPK archive",
-                                           .extensions = kExtensions,
+                                           .extensions = kJpkArchiveExtensions,
                                            .recognizes = recognizesJpkArchive,
                                            .read = readJpkArchive};
 

@@ -18,7 +18,7 @@ namespace asperity {
 
 namespace {
 
-constexpr std::string_view kMagic = ":NANONIS_VERSION:";
+constexpr std::string_view kNanonisMagic = ":NANONIS_VERSION:";
 constexpr std::string_view kLastTag = "\n:SCANIT_END:";
 constexpr std::string_view kDataMark = "\x1A\x04";
 
@@ -255,14 +255,14 @@ private:
     StoredScan result_;
 };
 
-constexpr std::array<std::string_view, 1> kExtensions{".sxm"};
+constexpr std::array<std::string_view, 1> kNanonisExtensions{".sxm"};
 
 }  // namespace
 
 const HeightMapFormat kNanonisFormat = {
     .name = "Nanonis .sxm",
-    .extensions = kExtensions,
-    .recognizes = [](const ByteSource& bytes) { return bytes.startsWith(kMagic); },
+    .extensions = kNanonisExtensions,
+    .recognizes = [](const ByteSource& bytes) { return bytes.startsWith(kNanonisMagic); },
     .read = [](const ByteSource& bytes) { return NanonisReader(bytes).read(); }};
 
 }  // namespace asperity

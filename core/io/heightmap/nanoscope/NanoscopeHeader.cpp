@@ -10,7 +10,7 @@ namespace asperity {
 namespace {
 
 constexpr std::string_view kLineEnd = "\r\n";
-constexpr std::string_view kHeaderEnd = "\\*File list end";
+constexpr std::string_view kNanoscopeHeaderEnd = "\\*File list end";
 constexpr char kPadding = '\x1A';
 
 /// The header's text, without its end mark and padding.
@@ -99,7 +99,7 @@ std::optional<CiaoValue> parseCiaoValue(std::string_view value) {
 }
 
 std::size_t nanoscopeHeaderSize(std::string_view bytes) {
-    return std::min(bytes.find(kHeaderEnd), bytes.find(kPadding));
+    return std::min(bytes.find(kNanoscopeHeaderEnd), bytes.find(kPadding));
 }
 
 std::vector<NanoscopeSection> readNanoscopeHeader(std::string_view bytes, const std::string& file) {

@@ -17,7 +17,7 @@ namespace asperity {
 
 namespace {
 
-constexpr std::string_view kMagic = "\\*File list";
+constexpr std::string_view kNanoscopeMagic = "\\*File list";
 constexpr std::string_view kTextMagic = "?*File list";
 /// Force curves and force volumes; these list the image that was recorded with them, too.
 constexpr std::string_view kForceMagic = "\\*Force file list";
@@ -164,16 +164,17 @@ private:
     StoredScan result_;
 };
 
-constexpr std::array<std::string_view, 6> kExtensions{".spm", ".di", ".0*", ".1*", ".2*", ".3*"};
+constexpr std::array<std::string_view, 6> kNanoscopeExtensions{".spm", ".di", ".0*",
+                                                               ".1*",  ".2*", ".3*"};
 
 }  // namespace
 
 const HeightMapFormat kNanoscopeFormat = {
     .name = "Bruker NanoScope",
-    .extensions = kExtensions,
+    .extensions = kNanoscopeExtensions,
     .recognizes =
         [](const ByteSource& bytes) {
-            return bytes.startsWith(kMagic) || bytes.startsWith(kTextMagic) ||
+            return bytes.startsWith(kNanoscopeMagic) || bytes.startsWith(kTextMagic) ||
                    bytes.startsWith(kForceMagic);
         },
     .read = [](const ByteSource& bytes) { return NanoscopeReader(bytes).read(); }};

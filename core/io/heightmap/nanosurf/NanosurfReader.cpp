@@ -19,8 +19,8 @@ namespace asperity {
 
 namespace {
 
-constexpr std::string_view kMagic = "[DataSet]";
-constexpr std::string_view kHeaderEnd = "\r\n#!";
+constexpr std::string_view kNanosurfMagic = "[DataSet]";
+constexpr std::string_view kNanosurfHeaderEnd = "\r\n#!";
 
 /// One that [DataSet] lists, by group and place in it.
 using ChannelKey = std::pair<long long, long long>;
@@ -53,7 +53,7 @@ public:
                              "it ends with a bare line feed: a transfer in text mode has damaged "
                              "the file");
         }
-        const HeaderText header = headerText(bytes_, kHeaderEnd);
+        const HeaderText header = headerText(bytes_, kNanosurfHeaderEnd);
         sections_ = sectionsOf(header.text, '=', file_);
         place_ = header.end;
         for (const HeaderFields* const channel : listedChannels()) {
@@ -237,14 +237,14 @@ private:
     StoredScan result_;
 };
 
-constexpr std::array<std::string_view, 2> kExtensions{".nid", ".ezd"};
+constexpr std::array<std::string_view, 2> kNanosurfExtensions{".nid", ".ezd"};
 
 }  // namespace
 
 const HeightMapFormat kNanosurfFormat = {
     .name = "Nanosurf .nid",
-    .extensions = kExtensions,
-    .recognizes = [](const ByteSource& bytes) { return bytes.startsWith(kMagic); },
+    .extensions = kNanosurfExtensions,
+    .recognizes = [](const ByteSource& bytes) { return bytes.startsWith(kNanosurfMagic); },
     .read = [](const ByteSource& bytes) { return NanosurfReader(bytes).read(); }};
 
 }  // namespace asperity

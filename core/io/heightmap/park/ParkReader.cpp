@@ -21,7 +21,7 @@ constexpr std::uint16_t kVersionTag = 50433;
 constexpr std::uint16_t kSamplesTag = 50434;
 constexpr std::uint16_t kHeaderTag = 50435;
 constexpr std::uint16_t kCommentTag = 50436;
-constexpr std::int64_t kMagic = 0x0E031301;
+constexpr std::int64_t kParkMagic = 0x0E031301;
 constexpr std::int64_t kVersion1 = 0x01000001;
 constexpr std::int64_t kVersion2 = 0x01000002;
 
@@ -29,18 +29,18 @@ constexpr std::int64_t kVersion2 = 0x01000002;
 constexpr std::size_t kImageType = 0;
 constexpr std::size_t kSource = 4;
 constexpr std::size_t kMode = 68;
-constexpr std::size_t kColumns = 100;
-constexpr std::size_t kRows = 104;
+constexpr std::size_t kParkColumns = 100;
+constexpr std::size_t kParkRows = 104;
 constexpr std::size_t kIsForward = 128;
 constexpr std::size_t kIsSwapped = 136;
-constexpr std::size_t kSizeX = 140;    // [um]
-constexpr std::size_t kSizeY = 148;    // [um]
-constexpr std::size_t kOriginX = 156;  // [um]
-constexpr std::size_t kOriginY = 164;  // [um]
+constexpr std::size_t kParkSizeX = 140;    // [um]
+constexpr std::size_t kParkSizeY = 148;    // [um]
+constexpr std::size_t kParkOriginX = 156;  // [um]
+constexpr std::size_t kParkOriginY = 164;  // [um]
 constexpr std::size_t kGain = 220;
 constexpr std::size_t kScale = 228;
-constexpr std::size_t kOffset = 236;
-constexpr std::size_t kUnit = 244;
+constexpr std::size_t kParkOffset = 236;
+constexpr std::size_t kParkUnit = 244;
 constexpr std::size_t kDataType = 348;
 constexpr std::uint64_t kHeaderBytes1 = 356;
 constexpr std::uint64_t kHeaderBytes2 = 580;
@@ -74,7 +74,7 @@ private:
     /// @throw InputError when it is of an unknown version, or shorter than that has it
     static std::string headerOf(const TiffDirectory& tags) {
         const std::int64_t version = tags.requireInteger(kVersionTag);
-        if (tags.requireInteger(kMagicTag) != kMagic ||
+        if (tags.requireInteger(kMagicTag) != kParkMagic ||
             (version != kVersion1 && version != kVersion2)) {
             tags.fail("expected the tags of a Park file of version 1 or 2, found version " +
                       std::to_string(version));
@@ -100,8 +100,8 @@ private:
     }
 
     [[nodiscard]] SampleLayout layoutOf() const {
-        SampleLayout layout{.size = checkedImageSize(at<std::int32_t>(kColumns),
-                                                     at<std::int32_t>(kRows), bytes_.name(),
+        SampleLayout layout{.size = checkedImageSize(at<std::int32_t>(kParkColumns),
+                                                     at<std::int32_t>(kParkRows), bytes_.name(),
                                                      "Park header"),
                             .type = sampleType(),
                             .place = samples_.place,
@@ -132,9 +132,10 @@ private:
         }
         channel.lateralUnit = "m";
         channel.direction = at<std::int32_t>(kIsForward) != 0 ? "forward" : "backward";
-        channel.map = emptyMap(size, at<double>(kSizeX) * 1.0_um, at<double>(kSizeY) * 1.0_um);
-        channel.originX = finiteOrZero(at<double>(kOriginX) * 1.0_um);
-        channel.originY = finiteOrZero(at<double>(kOriginY) * 1.0_um);
+        channel.map =
+            emptyMap(size, at<double>(kParkSizeX) * 1.0_um, at<double>(kParkSizeY) * 1.0_um);
+        channel.originX = finiteOrZero(at<double>(kParkOriginX) * 1.0_um);
+        channel.originY = finiteOrZero(at<double>(kParkOriginY) * 1.0_um);
         channel.metadata = {{"mode", text(kMode, kShortLength)},
                             {"software", tags_.text(number(TiffTag::Software))},
                             {"date", tags_.text(number(TiffTag::DateTime))},
@@ -150,17 +151,17 @@ private:
 
     /// value = unit * gain * (count * scale + offset); the gain may be negative.
     void takeScale(StoredChannel& stored) const {
-        const std::string written = text(kUnit, kShortLength);
+        const std::string written = text(kParkUnit, kShortLength);
         const PhysicalUnit unit = parseUnit(written.empty() ? "um" : written);
         const auto gain = at<double>(kGain);
         const double scale = at<double>(kScale) == 0.0 ? 1.0 : at<double>(kScale);
         stored.channel.unit = unit.base;
-        setScale(stored, gain * scale * unit.factor, gain * at<double>(kOffset) * unit.factor,
+        setScale(stored, gain * scale * unit.factor, gain * at<double>(kParkOffset) * unit.factor,
                  bytes_.name());
         stored.channel.provenance.push_back(
             {"scale",
              exactText(gain) + " x (" + exactText(scale) + " x count + " +
-                 exactText(at<double>(kOffset)) + ") " + (written.empty() ? "um" : written),
+                 exactText(at<double>(kParkOffset)) + ") " + (written.empty() ? "um" : written),
              written.empty() ? "Park header, bytes 220 to 244; it has no unit: um as usual"
                              : "Park header, bytes 220 to 260"});
     }
@@ -189,13 +190,13 @@ private:
     int version_ = 2;
 };
 
-constexpr std::array<std::string_view, 2> kExtensions{".tiff", ".tif"};
+constexpr std::array<std::string_view, 2> kParkExtensions{".tiff", ".tif"};
 
 }  // namespace
 
 const HeightMapFormat kParkFormat = {
     .name = "Park Systems TIFF",
-    .extensions = kExtensions,
+    .extensions = kParkExtensions,
     .recognizes = [](const ByteSource& bytes) { return isTiffWithTag(bytes, kMagicTag); },
     .read = [](const ByteSource& bytes) { return ParkReader(bytes).read(); }};
 

@@ -143,13 +143,13 @@ private:
     SampleLayout samples_;  ///< of the next image
 };
 
-constexpr std::array<std::string_view, 1> kExtensions{".mi"};
+constexpr std::array<std::string_view, 1> kPicoviewExtensions{".mi"};
 
 }  // namespace
 
 const HeightMapFormat kPicoviewFormat = {
     .name = "PicoView .mi",
-    .extensions = kExtensions,
+    .extensions = kPicoviewExtensions,
     .recognizes =
         [](const ByteSource& bytes) {
             return bytes.startsWith(kImageMagic) || bytes.startsWith(kCurveMagic);

@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::string_view kSignature = "\x89PNG\r\n\x1A\n";
 /// A scale is a short text.
-constexpr std::uint64_t kMaxText = 65536;
+constexpr std::uint64_t kPngMaxText = 65536;
 
 class ChunkWalk {
 public:
@@ -58,17 +58,17 @@ private:
 
     void takeHeader() {
         constexpr std::uint64_t kHeaderBytes = 13;
-        constexpr std::size_t kRows = 4;
-        constexpr std::size_t kBits = 8;
+        constexpr std::size_t kPngRows = 4;
+        constexpr std::size_t kPngBits = 8;
         constexpr std::size_t kColor = 9;
         if (data_.count != kHeaderBytes) {
             fail("expected a header of " + std::to_string(kHeaderBytes) + " bytes");
         }
         const std::string data = bytesOf(bytes_, data_);
-        header_.size =
-            checkedImageSize(bigEndian<std::uint32_t>(data.data()),
-                             bigEndian<std::uint32_t>(data.data() + kRows), bytes_.name(), "IHDR");
-        header_.bits = static_cast<unsigned char>(data[kBits]);
+        header_.size = checkedImageSize(bigEndian<std::uint32_t>(data.data()),
+                                        bigEndian<std::uint32_t>(data.data() + kPngRows),
+                                        bytes_.name(), "IHDR");
+        header_.bits = static_cast<unsigned char>(data[kPngBits]);
         header_.color = static_cast<unsigned char>(data[kColor]);
     }
 
@@ -97,7 +97,7 @@ private:
 
     /// The chunk's content; nothing of one that is too long for a scale.
     [[nodiscard]] std::string shortData() const {
-        return data_.count <= kMaxText ? bytesOf(bytes_, data_) : std::string();
+        return data_.count <= kPngMaxText ? bytesOf(bytes_, data_) : std::string();
     }
 
     [[noreturn]] void fail(const std::string& what) const {

@@ -12,7 +12,7 @@ namespace asperity {
 namespace {
 
 /// What the PNG library reads from, and what went wrong on the way.
-struct Source {
+struct PngSource {
     const ByteSource& bytes;
     std::uint64_t place = 0;
     std::string message;         ///< the library's own
@@ -32,24 +32,24 @@ struct Source {
 };
 
 void readBytes(png_structp png, png_bytep target, std::size_t count) {
-    if (!static_cast<Source*>(png_get_io_ptr(png))->read(target, count)) {
+    if (!static_cast<PngSource*>(png_get_io_ptr(png))->read(target, count)) {
         png_error(png, "the file cannot be read");
     }
 }
 
 /// The library comes back to where its jump buffer was set.
 [[noreturn]] void jumpOut(png_structp png, png_const_charp message) {
-    static_cast<Source*>(png_get_error_ptr(png))->message = message;
+    static_cast<PngSource*>(png_get_error_ptr(png))->message = message;
     png_longjmp(png, 1);
 }
 
-void ignoreWarning(png_structp /*png*/, png_const_charp /*message*/) {}
+void ignoreReadWarning(png_structp /*png*/, png_const_charp /*message*/) {}
 
 /// The library's two structures of a file being read.
-class PngFile {
+class PngInput {
 public:
-    explicit PngFile(Source& source)
-        : png_(png_create_read_struct(PNG_LIBPNG_VER_STRING, &source, jumpOut, ignoreWarning))
+    explicit PngInput(PngSource& source)
+        : png_(png_create_read_struct(PNG_LIBPNG_VER_STRING, &source, jumpOut, ignoreReadWarning))
         , info_(png_ == nullptr ? nullptr : png_create_info_struct(png_)) {
         if (info_ == nullptr) {
             png_destroy_read_struct(&png_, nullptr, nullptr);
@@ -60,9 +60,9 @@ public:
         // All but the pixels is checked and left out.
         png_set_keep_unknown_chunks(png_, PNG_HANDLE_CHUNK_NEVER, nullptr, -1);
     }
-    ~PngFile() { png_destroy_read_struct(&png_, &info_, nullptr); }
-    PngFile(const PngFile&) = delete;
-    PngFile& operator=(const PngFile&) = delete;
+    ~PngInput() { png_destroy_read_struct(&png_, &info_, nullptr); }
+    PngInput(const PngInput&) = delete;
+    PngInput& operator=(const PngInput&) = delete;
 
     /// The only function into which the library jumps back: nothing in it has a destructor.
     /// @return whether all was read
@@ -98,8 +98,8 @@ std::string decodePng(const ByteSource& bytes, const PngHeader& header) {
     for (std::size_t row = 0; row < rows.size(); ++row) {
         rows[row] = reinterpret_cast<png_bytep>(samples.data() + row * rowBytes);
     }
-    Source source{.bytes = bytes};
-    PngFile file(source);
+    PngSource source{.bytes = bytes};
+    PngInput file(source);
     if (!file.readImage(rows.data(), rowBytes)) {
         if (source.failure) {
             std::rethrow_exception(source.failure);

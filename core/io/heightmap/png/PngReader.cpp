@@ -16,11 +16,11 @@ namespace {
 constexpr int kGray = 0;
 constexpr int kPalette = 3;
 constexpr int kTransparentGray = 4;
-constexpr int kBits = 16;
+constexpr int kPngBits = 16;
 
 void requireHeights(const ByteSource& bytes, const PngHeader& header) {
     const bool isGray = header.color == kGray || header.color == kTransparentGray;
-    if (isGray && header.bits == kBits) {
+    if (isGray && header.bits == kPngBits) {
         return;
     }
     const std::string what = header.color == kPalette ? "a picture in false colors (palette)"
@@ -35,8 +35,8 @@ void requireHeights(const ByteSource& bytes, const PngHeader& header) {
 
 /// No data are packed better than this.
 void requirePlausible(const ByteSource& bytes, const PngHeader& header) {
-    constexpr std::uint64_t kMaxRatio = 1100;
-    if (header.size.pixels() * sizeof(std::uint16_t) / kMaxRatio > header.packedBytes) {
+    constexpr std::uint64_t kPngMaxRatio = 1100;
+    if (header.size.pixels() * sizeof(std::uint16_t) / kPngMaxRatio > header.packedBytes) {
         throw InputError(bytes.name(), "IDAT",
                          "its " + std::to_string(header.packedBytes) + " bytes cannot hold " +
                              std::to_string(header.size.columns) + " x " +
@@ -65,12 +65,12 @@ StoredScan readPng(const ByteSource& bytes) {
     return result;
 }
 
-constexpr std::array<std::string_view, 1> kExtensions{".png"};
+constexpr std::array<std::string_view, 1> kPngExtensions{".png"};
 
 }  // namespace
 
 const HeightMapFormat kPngFormat = {.name = "PNG",
-                                    .extensions = kExtensions,
+                                    .extensions = kPngExtensions,
                                     .recognizes = isPng,
                                     .read = readPng,
                                     .write = writePng};

@@ -72,7 +72,7 @@ void encode(const std::vector<double>& heights, const HeightCounts& counts,
     throw Error(std::string("the PNG library reports: ") + message);
 }
 
-void ignoreWarning(png_structp /*png*/, png_const_charp /*message*/) {}
+void ignoreWriteWarning(png_structp /*png*/, png_const_charp /*message*/) {}
 
 struct CloseFile {
     void operator()(std::FILE* file) const { (void)std::fclose(file); }
@@ -88,11 +88,12 @@ FileHandle openForWriting(const std::filesystem::path& target) {
 }
 
 /// libpng's two structures of a file being written.
-class PngFile {
+class PngOutput {
 public:
-    explicit PngFile(const std::filesystem::path& target)
+    explicit PngOutput(const std::filesystem::path& target)
         : file_(openForWriting(target))
-        , png_(png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, throwError, ignoreWarning))
+        , png_(png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, throwError,
+                                       ignoreWriteWarning))
         , info_(png_create_info_struct(png_)) {
         if (info_ == nullptr) {
             png_destroy_write_struct(&png_, nullptr);
@@ -100,9 +101,9 @@ public:
         }
         png_init_io(png_, file_.get());
     }
-    ~PngFile() { png_destroy_write_struct(&png_, &info_); }
-    PngFile(const PngFile&) = delete;
-    PngFile& operator=(const PngFile&) = delete;
+    ~PngOutput() { png_destroy_write_struct(&png_, &info_); }
+    PngOutput(const PngOutput&) = delete;
+    PngOutput& operator=(const PngOutput&) = delete;
 
     void writeHeader(const HeightRows& map, const ImageKeys& keys) {
         png_set_IHDR(png_, info_, static_cast<png_uint_32>(map.columns),
@@ -143,7 +144,7 @@ void writePng(const std::filesystem::path& target, const HeightRows& map, const 
     ProgressPart ranging(progress, 0.0, 0.1);
     const HeightRange range = heightRange(map, &ranging);
     const HeightCounts counts(range);
-    PngFile file(target);
+    PngOutput file(target);
     file.writeHeader(map, textKeys(map, meta, counts, range.missing));
     std::vector<png_byte> bytes;
     ProgressPart writing(progress, 0.1, 1.0);

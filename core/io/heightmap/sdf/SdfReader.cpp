@@ -23,7 +23,7 @@ namespace {
 
 constexpr std::size_t kMagicLength = 8;
 constexpr std::string_view kEndMark = "*";
-constexpr double kNoData = std::numeric_limits<double>::quiet_NaN();
+constexpr double kSdfNoData = std::numeric_limits<double>::quiet_NaN();
 
 bool isTextMagic(std::string_view magic) { return magic == "aISO-1.0" || magic == "aBCR-0.0"; }
 bool isBinaryMagic(std::string_view magic) { return magic == "bISO-1.0" || magic == "bBCR-0.0"; }
@@ -43,7 +43,7 @@ double noDataOf(SampleType type) {
     case SampleType::Int32:
         return std::numeric_limits<std::int32_t>::min();
     default:
-        return kNoData;
+        return kSdfNoData;
     }
 }
 
@@ -92,7 +92,7 @@ private:
         requireSamples(bytes_, layout, "points");
         return replaced(rowsOf(bytes_, layout), size_.columns,
                         [noData = noDataOf(layout.type)](double number) {
-                            return number == noData ? kNoData : number;
+                            return number == noData ? kSdfNoData : number;
                         });
     }
 
@@ -204,7 +204,7 @@ private:
     double scale_ = 0.0;   // of a number [m]
 };
 
-constexpr std::array<std::string_view, 1> kExtensions{".sdf"};
+constexpr std::array<std::string_view, 1> kSdfExtensions{".sdf"};
 
 bool isSdf(const ByteSource& bytes) {
     const std::string magic = bytes.start(kMagicLength);
@@ -215,7 +215,7 @@ bool isSdf(const ByteSource& bytes) {
 
 const HeightMapFormat kSdfFormat = {
     .name = "Surface data file .sdf",
-    .extensions = kExtensions,
+    .extensions = kSdfExtensions,
     .recognizes = isSdf,
     .read = [](const ByteSource& bytes) { return SdfReader(bytes).read(); }};
 

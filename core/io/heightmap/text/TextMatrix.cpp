@@ -203,13 +203,13 @@ private:
     long long count_ = 0;  ///< of rows
 };
 
-constexpr std::array<std::string_view, 1> kExtensions{".txt"};
+constexpr std::array<std::string_view, 1> kMatrixExtensions{".txt"};
 
 }  // namespace
 
 const HeightMapFormat kTextFormat = {
     .name = "text matrix",
-    .extensions = kExtensions,
+    .extensions = kMatrixExtensions,
     .recognizes = [](const ByteSource& bytes) { return glanceAtText(bytes).has_value(); },
     .read = [](const ByteSource& bytes) { return TextMatrixReader(bytes).read(); },
     .write = writeText};

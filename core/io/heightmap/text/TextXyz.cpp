@@ -21,7 +21,7 @@ namespace {
 /// A grid has about one node for each of its points; with fewer nodes, points are there twice.
 constexpr double kMinNodesPerPoint = 0.8;
 constexpr double kMaxNodesPerPoint = 1.2;
-constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
+constexpr std::size_t kNoColumn = std::numeric_limits<std::size_t>::max();
 
 class TextXyzReader {
 public:
@@ -124,12 +124,12 @@ private:
         const auto columns = static_cast<std::size_t>(x_.count);
         const std::size_t nodes = columns * static_cast<std::size_t>(y_.count);
         std::deque<double> heights(nodes, std::numeric_limits<double>::quiet_NaN());
-        std::vector<std::size_t> points(nodes, kNone);
+        std::vector<std::size_t> points(nodes, kNoColumn);
         for (std::size_t i = 0; i < points_.size(); ++i) {
             const int row = y_.count - 1 - y_.nodeOf(points_.at(i, 1));
             const std::size_t node = static_cast<std::size_t>(row) * columns +
                                      static_cast<std::size_t>(x_.nodeOf(points_.at(i, 0)));
-            if (points[node] != kNone) {
+            if (points[node] != kNoColumn) {
                 throw InputError(file_,
                                  "points " + std::to_string(points[node] + 1) + " and " +
                                      std::to_string(i + 1),
@@ -158,7 +158,7 @@ private:
     GridAxis y_;
 };
 
-constexpr std::array<std::string_view, 4> kExtensions{".xyz", ".asc", ".csv", ".dat"};
+constexpr std::array<std::string_view, 4> kXyzExtensions{".xyz", ".asc", ".csv", ".dat"};
 
 bool isXyz(const ByteSource& bytes) {
     const std::optional<TextHeader> header = glanceAtText(bytes);
@@ -169,7 +169,7 @@ bool isXyz(const ByteSource& bytes) {
 
 const HeightMapFormat kXyzFormat = {
     .name = "XYZ points",
-    .extensions = kExtensions,
+    .extensions = kXyzExtensions,
     .recognizes = isXyz,
     .read = [](const ByteSource& bytes) { return TextXyzReader(bytes).read(); }};
 

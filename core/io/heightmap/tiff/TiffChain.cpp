@@ -16,7 +16,7 @@ constexpr std::size_t kMaxDirectories = 1024;
 constexpr std::uint64_t kMaxFields = 65535;
 
 /// How a TIFF file writes its offsets.
-struct Header {
+struct ChainHeader {
     ByteOrder order = ByteOrder::Little;
     bool big = false;  ///< with offsets of 8 bytes instead of 4
 
@@ -30,21 +30,21 @@ struct Header {
     }
 };
 
-std::optional<Header> headerOf(const ByteSource& bytes) {
+std::optional<ChainHeader> headerOf(const ByteSource& bytes) {
     using std::string_view_literals::operator""sv;
     constexpr std::uint64_t kMagicBytes = 4;
     const std::string magic = bytes.start(kMagicBytes);
     if (magic == "II*\0"sv) {
-        return Header{ByteOrder::Little, false};
+        return ChainHeader{ByteOrder::Little, false};
     }
     if (magic == "MM\0*"sv) {
-        return Header{ByteOrder::Big, false};
+        return ChainHeader{ByteOrder::Big, false};
     }
     if (magic == "II+\0"sv) {
-        return Header{ByteOrder::Little, true};
+        return ChainHeader{ByteOrder::Little, true};
     }
     if (magic == "MM\0+"sv) {
-        return Header{ByteOrder::Big, true};
+        return ChainHeader{ByteOrder::Big, true};
     }
     return std::nullopt;
 }
@@ -52,7 +52,7 @@ std::optional<Header> headerOf(const ByteSource& bytes) {
 /// Walks from directory to directory.
 class Chain {
 public:
-    Chain(const ByteSource& bytes, const Header& header)
+    Chain(const ByteSource& bytes, const ChainHeader& header)
         : bytes_(bytes)
         , header_(header)
         , next_(offsetAt(header.big ? kFirstOfBig : kFirst, "header"))
@@ -156,7 +156,7 @@ private:
     }
 
     const ByteSource& bytes_;
-    Header header_;
+    ChainHeader header_;
     std::uint64_t next_;
     std::uint64_t left_;  ///< bytes of the file that no directory has spent yet
     std::set<std::uint64_t> visited_;
@@ -167,7 +167,7 @@ private:
 bool isTiff(const ByteSource& bytes) { return headerOf(bytes).has_value(); }
 
 bool isTiffWithTag(const ByteSource& bytes, std::uint16_t tag) {
-    const std::optional<Header> header = headerOf(bytes);
+    const std::optional<ChainHeader> header = headerOf(bytes);
     if (!header) {
         return false;
     }
@@ -180,7 +180,7 @@ bool isTiffWithTag(const ByteSource& bytes, std::uint16_t tag) {
 }
 
 std::vector<TiffDirectory> readTiffDirectories(const ByteSource& bytes) {
-    const std::optional<Header> header = headerOf(bytes);
+    const std::optional<ChainHeader> header = headerOf(bytes);
     if (!header) {
         throw InputError(bytes.name(), "", "this is no TIFF");
     }

@@ -15,18 +15,18 @@ namespace asperity {
 namespace {
 
 /// What the TIFF library reads from, and what went wrong on the way. Nothing of it is global.
-struct Source {
+struct TiffSource {
     const ByteSource& bytes;
     std::uint64_t place = 0;
     std::string message;         ///< the library's first one
     std::exception_ptr failure;  ///< of reading the bytes
 };
 
-Source& sourceOf(thandle_t handle) { return *static_cast<Source*>(handle); }
+TiffSource& sourceOf(thandle_t handle) { return *static_cast<TiffSource*>(handle); }
 
 /// No exception may pass through the library, which is written in C.
 tmsize_t readBytes(thandle_t handle, void* target, tmsize_t count) {
-    Source& source = sourceOf(handle);
+    TiffSource& source = sourceOf(handle);
     const std::uint64_t left = source.bytes.size() - std::min(source.place, source.bytes.size());
     const std::uint64_t taken = std::min<std::uint64_t>(left, static_cast<std::uint64_t>(count));
     try {
@@ -42,7 +42,7 @@ tmsize_t readBytes(thandle_t handle, void* target, tmsize_t count) {
 tmsize_t writeNothing(thandle_t /*handle*/, void* /*bytes*/, tmsize_t /*count*/) { return -1; }
 
 toff_t seek(thandle_t handle, toff_t offset, int from) {
-    Source& source = sourceOf(handle);
+    TiffSource& source = sourceOf(handle);
     const std::uint64_t start = from == SEEK_SET   ? 0
                                 : from == SEEK_CUR ? source.place
                                                    : source.bytes.size();
@@ -59,7 +59,7 @@ int keepError(TIFF* /*tiff*/, void* source, const char* /*module*/, const char* 
     constexpr std::size_t kMaxMessage = 300;
     std::array<char, kMaxMessage> text{};
     (void)std::vsnprintf(text.data(), text.size(), format, arguments);
-    std::string& message = static_cast<Source*>(source)->message;
+    std::string& message = static_cast<TiffSource*>(source)->message;
     if (message.empty()) {
         message = text.data();
     }
@@ -74,12 +74,12 @@ int ignoreWarning(TIFF* /*tiff*/, void* /*source*/, const char* /*module*/, cons
 struct FreeOptions {
     void operator()(TIFFOpenOptions* options) const { TIFFOpenOptionsFree(options); }
 };
-struct CloseTiff {
+struct CloseTiffInput {
     void operator()(TIFF* tiff) const { TIFFClose(tiff); }
 };
-using TiffHandle = std::unique_ptr<TIFF, CloseTiff>;
+using TiffInput = std::unique_ptr<TIFF, CloseTiffInput>;
 
-TiffHandle open(Source& source, std::uint64_t largestBlock) {
+TiffInput open(TiffSource& source, std::uint64_t largestBlock) {
     constexpr std::uint64_t kMargin = std::uint64_t{1} << 20U;
     const std::unique_ptr<TIFFOpenOptions, FreeOptions> options(TIFFOpenOptionsAlloc());
     TIFFOpenOptionsSetErrorHandlerExtR(options.get(), keepError, &source);
@@ -87,9 +87,9 @@ TiffHandle open(Source& source, std::uint64_t largestBlock) {
     TIFFOpenOptionsSetMaxSingleMemAlloc(
         options.get(), static_cast<tmsize_t>(source.bytes.size() + largestBlock + kMargin));
     // Not mapped into memory, strips as they are.
-    return TiffHandle(TIFFClientOpenExt(source.bytes.name().c_str(), "rmc", &source, readBytes,
-                                        writeNothing, seek, closeNothing, sizeOfSource, nullptr,
-                                        nullptr, options.get()));
+    return TiffInput(TIFFClientOpenExt(source.bytes.name().c_str(), "rmc", &source, readBytes,
+                                       writeNothing, seek, closeNothing, sizeOfSource, nullptr,
+                                       nullptr, options.get()));
 }
 
 class Decoder {
@@ -204,8 +204,8 @@ private:
 
     const TiffDirectory& directory_;
     const TiffImage& image_;
-    Source source_;
-    TiffHandle tiff_;
+    TiffSource source_;
+    TiffInput tiff_;
 };
 
 }  // namespace

@@ -11,7 +11,7 @@ namespace asperity {
 
 namespace {
 
-constexpr std::uint64_t kMaxText = 65536;
+constexpr std::uint64_t kTiffMaxText = 65536;
 
 }  // namespace
 
@@ -85,7 +85,8 @@ std::string TiffDirectory::text(std::uint16_t tag) const {
     if (field == nullptr || sizeOfTiffType(field->type) != 1) {
         return {};
     }
-    const std::string stored = bytesOf(*bytes_, {field->place, std::min(field->count, kMaxText)});
+    const std::string stored =
+        bytesOf(*bytes_, {field->place, std::min(field->count, kTiffMaxText)});
     return toUtf8(std::string_view(stored).substr(0, stored.find('\0')));
 }
 

@@ -13,10 +13,10 @@ namespace {
 constexpr std::int64_t kUncompressed = 1;
 constexpr std::int64_t kHighestBitFirst = 1;
 /// No codec that is read packs better: a file that promises more is damaged.
-constexpr std::uint64_t kMaxRatio = 2000;
-constexpr std::int64_t kMaxSide = 65536;
+constexpr std::uint64_t kTiffMaxRatio = 2000;
+constexpr std::int64_t kTiffMaxSide = 65536;
 
-constexpr ByteOrder kNative =
+constexpr ByteOrder kTiffNative =
     std::endian::native == std::endian::little ? ByteOrder::Little : ByteOrder::Big;
 
 std::int64_t integerOr(const TiffDirectory& directory, TiffTag tag, std::int64_t missing) {
@@ -66,7 +66,7 @@ ImageSize blockSize(const TiffDirectory& directory, const TiffImage& image) {
         }
         return tile;
     }
-    const std::int64_t rows = integerOr(directory, TiffTag::RowsPerStrip, kMaxSide);
+    const std::int64_t rows = integerOr(directory, TiffTag::RowsPerStrip, kTiffMaxSide);
     if (rows < 1) {
         directory.fail("expected one or more rows a strip, found " + std::to_string(rows));
     }
@@ -94,7 +94,7 @@ void requireLengths(const TiffDirectory& directory, const TiffImage& image) {
         const std::uint64_t bytes =
             image.isPlain ? static_cast<std::uint64_t>(rowsOfStrip(image, i)) *
                                 static_cast<std::uint64_t>(image.size.columns) * sizeOf(image.type)
-                          : image.blockBytes() / kMaxRatio;
+                          : image.blockBytes() / kTiffMaxRatio;
         if (image.blocks[i].count < bytes) {
             directory.fail("strip or tile " + std::to_string(i + 1) + " has " +
                            std::to_string(image.blocks[i].count) + " bytes, expected " +
@@ -188,7 +188,7 @@ ReadRow rowsOf(const TiffDirectory& directory, const TiffImage& image, bool bott
     }
     return rowsOfDecoded(
         [directory, image] { return decodeTiff(directory, image); },
-        {.size = image.size, .type = image.type, .order = kNative, .bottomFirst = bottomFirst});
+        {.size = image.size, .type = image.type, .order = kTiffNative, .bottomFirst = bottomFirst});
 }
 
 }  // namespace asperity

@@ -123,18 +123,18 @@ private:
     StoredScan result_;
 };
 
-constexpr std::array<std::string_view, 2> kExtensions{".tiff", ".tif"};
+constexpr std::array<std::string_view, 2> kTiffExtensions{".tiff", ".tif"};
 
 }  // namespace
 
 const HeightMapFormat kTiffFormat = {
     .name = "TIFF",
-    .extensions = kExtensions,
+    .extensions = kTiffExtensions,
     .recognizes = isTiff,
     .read = [](const ByteSource& bytes) { return TiffReader(bytes).read(); },
     .write = writeTiff};
 
 const HeightMapFormat kTiffCountsFormat = {
-    .name = "TIFF, 16-bit", .extensions = kExtensions, .write = writeTiffCounts};
+    .name = "TIFF, 16-bit", .extensions = kTiffExtensions, .write = writeTiffCounts};
 
 }  // namespace asperity

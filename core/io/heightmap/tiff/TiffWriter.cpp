@@ -18,7 +18,7 @@ namespace asperity {
 
 namespace {
 
-struct CloseTiff {
+struct CloseTiffOutput {
     void operator()(TIFF* tiff) const { TIFFClose(tiff); }
 };
 
@@ -71,15 +71,15 @@ void setTags(TIFF* tiff, const HeightRows& map, Samples samples) {
     setResolution(tiff, map);
 }
 
-using TiffHandle = std::unique_ptr<TIFF, CloseTiff>;
+using TiffOutput = std::unique_ptr<TIFF, CloseTiffOutput>;
 
 /// @param sampleBytes of a pixel
-TiffHandle created(const std::filesystem::path& target, const HeightRows& map,
+TiffOutput created(const std::filesystem::path& target, const HeightRows& map,
                    std::size_t sampleBytes) {
     const std::size_t pixels =
         static_cast<std::size_t>(map.columns) * static_cast<std::size_t>(map.rows);
     const bool big = pixels > kClassicLimit / sampleBytes;
-    TiffHandle tiff(TIFFOpen(target.c_str(), big ? "w8" : "w"));
+    TiffOutput tiff(TIFFOpen(target.c_str(), big ? "w8" : "w"));
     if (!tiff) {
         throw Error("the TIFF library cannot open the file");
     }
@@ -105,7 +105,7 @@ void writeSamples(TIFF* tiff, const HeightRows& map, Progress* progress, const S
 
 void writeTiff(const std::filesystem::path& target, const HeightRows& map,
                const HeightMapMeta& meta, Progress* progress) {
-    const TiffHandle tiff = created(target, map, sizeof(float));
+    const TiffOutput tiff = created(target, map, sizeof(float));
     setTags(tiff.get(), map, Samples::Floats);
     const std::string text = description(map, meta, {{"Gwy::ZUnit", meta.unit}});
     TIFFSetField(tiff.get(), TIFFTAG_IMAGEDESCRIPTION, text.c_str());
@@ -117,7 +117,7 @@ void writeTiffCounts(const std::filesystem::path& target, const HeightRows& map,
                      const HeightMapMeta& meta, Progress* progress) {
     ProgressPart ranging(progress, 0.0, 0.2);
     const HeightCounts counts(heightRange(map, &ranging));
-    const TiffHandle tiff = created(target, map, sizeof(std::uint16_t));
+    const TiffOutput tiff = created(target, map, sizeof(std::uint16_t));
     setTags(tiff.get(), map, Samples::Counts);
     const std::string text = description(map, meta, counts.keys(meta.unit));
     TIFFSetField(tiff.get(), TIFFTAG_IMAGEDESCRIPTION, text.c_str());

@@ -98,13 +98,13 @@ private:
     VtiHead head_;
 };
 
-constexpr std::array<std::string_view, 1> kExtensions{".vti"};
+constexpr std::array<std::string_view, 1> kVtiExtensions{".vti"};
 
 }  // namespace
 
 const HeightMapFormat kVtiFormat = {
     .name = "VTK image .vti",
-    .extensions = kExtensions,
+    .extensions = kVtiExtensions,
     .recognizes = isVtkXml,
     .read = [](const ByteSource& bytes) { return VtiReader(bytes).read(); },
     .write = writeVti};

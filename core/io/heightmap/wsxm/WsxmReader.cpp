@@ -17,10 +17,10 @@ namespace asperity {
 
 namespace {
 
-constexpr std::string_view kMagic = "WSxM file copyright";
+constexpr std::string_view kWsxmMagic = "WSxM file copyright";
 constexpr std::string_view kImageLine = "SxM Image file";
 constexpr std::string_view kPointsLine = "WSxM ASCII XYZ file";
-constexpr std::string_view kHeaderEnd = "[Header end]";
+constexpr std::string_view kWsxmHeaderEnd = "[Header end]";
 
 constexpr std::array<std::pair<std::string_view, SampleType>, 4> kTypes{
     {{"short", SampleType::Int16},
@@ -37,7 +37,7 @@ std::string secondLine(const ByteSource& bytes) {
 
 /// Points as text have a reader of their own.
 bool recognizesWsxm(const ByteSource& bytes) {
-    return bytes.startsWith(kMagic) && !secondLine(bytes).starts_with(kPointsLine);
+    return bytes.startsWith(kWsxmMagic) && !secondLine(bytes).starts_with(kPointsLine);
 }
 
 class WsxmReader {
@@ -77,7 +77,7 @@ private:
                              curves ? "this WSxM file holds curves, no image ('" + kind + "')"
                                     : "expected 'SxM Image file', found '" + kind + "'");
         }
-        return headerText(bytes_, kHeaderEnd);
+        return headerText(bytes_, kWsxmHeaderEnd);
     }
 
     [[nodiscard]] HeaderFields section(const std::string& name) const {
@@ -178,13 +178,13 @@ private:
     HeaderFields control_;
 };
 
-constexpr std::array<std::string_view, 2> kExtensions{".stp", ".top"};
+constexpr std::array<std::string_view, 2> kWsxmExtensions{".stp", ".top"};
 
 }  // namespace
 
 const HeightMapFormat kWsxmFormat = {
     .name = "WSxM .stp/.top",
-    .extensions = kExtensions,
+    .extensions = kWsxmExtensions,
     .recognizes = recognizesWsxm,
     .read = [](const ByteSource& bytes) { return WsxmReader(bytes).read(); }};
 

@@ -18,7 +18,7 @@ namespace asperity {
 namespace {
 
 /// Of a text that is kept; a comment may be of any length, and each layer carries a copy.
-constexpr std::size_t kMaxText = 4096;
+constexpr std::size_t kX3pMaxText = 4096;
 
 std::string_view localName(const pugi::xml_node& node) {
     const std::string_view name = node.name();
@@ -231,7 +231,7 @@ private:
 
     void keep(const pugi::xml_node& node, const std::string& name) {
         if (const std::string text = textOf(node); !text.empty()) {
-            description_.metadata[toUtf8(name)] = text.substr(0, kMaxText);
+            description_.metadata[toUtf8(name)] = text.substr(0, kX3pMaxText);
         }
     }
 

@@ -233,7 +233,7 @@ private:
     StoredScan result_;
 };
 
-constexpr std::array<std::string_view, 1> kExtensions{".x3p"};
+constexpr std::array<std::string_view, 1> kX3pExtensions{".x3p"};
 
 /// A damaged archive comes here, too: opening it names the damage.
 bool recognizesX3p(const ByteSource& bytes) {
@@ -248,7 +248,7 @@ bool recognizesX3p(const ByteSource& bytes) {
 
 const HeightMapFormat kX3pFormat = {
     .name = "X3P (ISO 25178-72)",
-    .extensions = kExtensions,
+    .extensions = kX3pExtensions,
     .recognizes = recognizesX3p,
     .read = [](const ByteSource& bytes) { return X3pReader(bytes).read(); }};
 
