@@ -1,4 +1,4 @@
-# How Asperity's own targets are built: C++20, warnings are errors, includes from the top folder.
+# How Asperity's own targets are built: C++20, many warnings, includes from the top folder.
 
 include(GNUInstallDirs)
 # By this file's own place: the plugin for ParaView is a project of its own over the same core.
@@ -27,62 +27,95 @@ if(ASPERITY_SANITIZE)
   add_link_options(-fsanitize=${ASPERITY_SANITIZE})
 endif()
 
-# GCC 12 sees std::string's operator+ write out of bounds (GCC bug 105329) where it optimizes less or
-# compiles from precompiled headers; what is built without either keeps these warnings.
-set(gcc_string_warnings -Wno-array-bounds -Wno-stringop-overflow)
-
-# asperity_precompile(TARGET OWNER [HEADER ...]): with ASPERITY_PRECOMPILE, a target's sources start
-# from the headers that its owner names; only the owner itself names them. It saves half the time of
-# a build from nothing. A source must still include all that it uses: builds without it hold it to that.
-function(asperity_precompile target owner)
-  set(owners_tests asperity_test_support asperity_test_clicks)
-  set(owners_all ${owners_tests} asperity_base asperity_ui_base asperity_session)
-  if(NOT owner IN_LIST owners_${ASPERITY_PRECOMPILE})
-    return()
-  endif()
-  # -fPIC: programs and libraries share precompiled headers only if they are compiled alike.
-  target_compile_options(
-    ${target} PRIVATE -fPIC "$<$<CXX_COMPILER_ID:Clang>:SHELL:-Xclang -fno-pch-timestamp>"
-                      "$<$<CXX_COMPILER_ID:GNU>:${gcc_string_warnings}>")
-  if(target STREQUAL owner)
-    target_precompile_headers(${target} PRIVATE ${ARGN})
-  else()
-    target_precompile_headers(${target} REUSE_FROM ${owner})
-  endif()
-endfunction()
-
 # asperity_optimize_less(TARGET): -O1 for what runs once, as tests and the parsing of a command line:
 # it saves a third to a half of the compiler's time. What they call keeps its own optimization.
 function(asperity_optimize_less target)
-  target_compile_options(
-    ${target} PRIVATE $<$<CONFIG:Release>:-O1>
-                      "$<$<CXX_COMPILER_ID:GNU>:${gcc_string_warnings}>")
+  target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
+endfunction()
+
+# Compiles a target's sources in batches: files that include up to ASPERITY_BATCH sources each. Most of a
+# source's compile time is the same headers over and over. A batch includes from the top folder, so that
+# it is the same text in every checkout and the compiler cache finds it. Apart stay sources with options
+# of their own and what the build writes (it changes at each commit).
+function(asperity_batch_sources target)
+  get_target_property(sources ${target} SOURCES)
+  get_target_property(folder ${target} SOURCE_DIR)
+  set(batched)
+  foreach(source IN LISTS sources)
+    if(NOT source MATCHES "[.](cpp|cxx)$")
+      continue()
+    endif()
+    cmake_path(ABSOLUTE_PATH source BASE_DIRECTORY ${folder} NORMALIZE OUTPUT_VARIABLE file)
+    cmake_path(IS_PREFIX CMAKE_BINARY_DIR ${file} is_made)
+    set(apart ${is_made})
+    foreach(property COMPILE_OPTIONS COMPILE_DEFINITIONS)
+      get_source_file_property(own ${file} TARGET_DIRECTORY ${target} ${property})
+      if(own)
+        set(apart TRUE)
+      endif()
+    endforeach()
+    if(NOT apart)
+      list(APPEND batched ${file})
+    endif()
+  endforeach()
+
+  list(LENGTH batched count)
+  if(count LESS 2)
+    return()
+  endif()
+  # Of one size, so that no batch is much shorter than the others.
+  math(EXPR batches "(${count} + ${ASPERITY_BATCH} - 1) / ${ASPERITY_BATCH}")
+  foreach(batch RANGE 1 ${batches})
+    math(EXPR first "${count} * (${batch} - 1) / ${batches}")
+    math(EXPR number "${count} * ${batch} / ${batches} - ${first}")
+    list(SUBLIST batched ${first} ${number} members)
+    set(text "// Sources of ${target} that are compiled together (cmake/Targets.cmake).\n")
+    foreach(member IN LISTS members)
+      cmake_path(RELATIVE_PATH member BASE_DIRECTORY ${asperity_top} OUTPUT_VARIABLE included)
+      string(APPEND text "#include \"${included}\"\n")
+    endforeach()
+    set(file ${CMAKE_BINARY_DIR}/batches/${target}_${batch}.cpp)
+    file(CONFIGURE OUTPUT ${file} CONTENT "${text}" @ONLY)
+    target_sources(${target} PRIVATE ${file})
+  endforeach()
+  # Still of the target, for AUTOMOC to read, but not compiled by themselves.
+  set_source_files_properties(${batched} TARGET_DIRECTORY ${target} PROPERTIES HEADER_FILE_ONLY ON)
+endfunction()
+
+# asperity_batches(TARGET): as asperity_batch_sources() at the end of the folder's CMakeLists.txt, which may
+# give sources options of their own until then.
+function(asperity_batches target)
+  if(ASPERITY_BATCH GREATER 1)
+    cmake_language(EVAL CODE "cmake_language(DEFER CALL asperity_batch_sources ${target})")
+  endif()
 endfunction()
 
 function(asperity_compile_options target)
   # -ffp-contract=off: a recorded run replays to the same bits whatever the optimizer fuses.
   # -Wno-missing-field-initializers: designated initializers leave defaults to the members.
-  # -Wno-restrict: GCC 12 sees overlaps in std::string's own operator+ (GCC bug 105651).
+  # GCC 12 sees std::string's own operator+ overlap (-Wrestrict, GCC bug 105651) and write out of bounds
+  # (-Warray-bounds, -Wstringop-overflow, GCC bug 105329).
   target_compile_options(
     ${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual
-                      -Wno-missing-field-initializers -Werror
-                      $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict> -ffp-contract=off)
+                      -Wno-missing-field-initializers
+                      "$<$<CXX_COMPILER_ID:GNU>:-Wno-restrict;-Wno-array-bounds;-Wno-stringop-overflow>"
+                      -ffp-contract=off)
+  if(ASPERITY_BATCH GREATER 1)
+    # GCC takes the sources of a batch for headers, whose types must not use an anonymous namespace.
+    target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
+  endif()
   target_include_directories(
     ${target} PUBLIC $<BUILD_INTERFACE:${asperity_top}>
                      $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/asperity>)
 endfunction()
 
-# asperity_library(NAME SOURCES ... [DEPENDS ...] [HEADERS OWNER [HEADER ...]]): one folder's static
-# library; HEADERS: as asperity_precompile(), by default those of asperity_base.
+# asperity_library(NAME SOURCES ... [DEPENDS ...]): one folder's static library.
 function(asperity_library name)
-  cmake_parse_arguments(ARG "" "" "SOURCES;DEPENDS;HEADERS" ${ARGN})
+  cmake_parse_arguments(ARG "" "" "SOURCES;DEPENDS" ${ARGN})
   add_library(${name} STATIC ${ARG_SOURCES})
   target_link_libraries(${name} PUBLIC ${ARG_DEPENDS})
   asperity_compile_options(${name})
-  if(NOT ARG_HEADERS)
-    set(ARG_HEADERS asperity_base)
-  endif()
-  asperity_precompile(${name} ${ARG_HEADERS})
+  asperity_batches(${name})
   cmake_path(IS_PREFIX core_folder ${CMAKE_CURRENT_SOURCE_DIR} is_core)
   if(is_core)
     string(REPLACE asperity_ "" exported ${name})
@@ -118,12 +151,10 @@ function(asperity_test name)
                                         GTest::gtest_main)
   asperity_compile_options(${name})
   asperity_optimize_less(${name})
+  asperity_batches(${name})
   set(properties DISCOVERY_TIMEOUT 60 PROPERTIES LABELS ${ARG_LABEL})
   if(asperity_window_test_main IN_LIST ARG_DEPENDS)
-    asperity_precompile(${name} asperity_test_clicks)
     list(APPEND properties RESOURCE_LOCK display)
-  else()
-    asperity_precompile(${name} asperity_test_support)
   endif()
   set(others "-*Long.*")
   if(ARG_ALONE)

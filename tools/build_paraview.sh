@@ -16,7 +16,7 @@ export PYTHONPATH=$root/lib/python3/dist-packages${PYTHONPATH:+:$PYTHONPATH}
 if [ ! -f "$paraview/plugin/build.ninja" ]; then
     # ParaView's Python is Debian's, whatever other one comes first.
     cmake -G Ninja -S "$top/vtkplugins/paraview" -B "$paraview/plugin" --log-level=WARNING \
-        -DCMAKE_BUILD_TYPE=Release -DASPERITY_PRECOMPILE=all -DCMAKE_PREFIX_PATH="$root" \
+        -DCMAKE_BUILD_TYPE=Release -DCMAKE_PREFIX_PATH="$root" \
         -DPython3_EXECUTABLE=/usr/bin/python3
 fi
 log=$paraview/build.log

@@ -18,25 +18,8 @@ for argument in "$@"; do
     esac
 done
 
-# Without the sloppiness ccache does not keep what is compiled from precompiled headers. It reads
-# them, 150 to 270 MB each, for every source file if it may not remember what it read (CCACHE_INODECACHE).
-export CCACHE_NOHASHDIR=1 CCACHE_SLOPPINESS=pch_defines,time_macros CCACHE_PCH_EXTSUM=1 CCACHE_INODECACHE=1
+# Depend mode: the compiler's own list of headers says what an object was made from, so that nothing is
+# preprocessed once more to find out.
+export CCACHE_DEPEND=1 CCACHE_NOHASHDIR=1 CCACHE_SLOPPINESS=time_macros CCACHE_INODECACHE=1
 export CCACHE_EXTRAFILES=$top/tools/sanitizer_ignorelist.txt
-if [[ " ${command[*]} " != *" -emit-pch "* ]]; then
-    exec ccache "${command[@]}"
-fi
-
-# clang's precompiled headers tell the checkout's own path, so that they serve no other one. Each
-# is compiled again, and ccache knows it by what it was compiled from.
-"${command[@]}"
-for ((i = 0; i < ${#command[@]}; ++i)); do
-    case ${command[i]} in
-    -o) header=${command[i + 1]} ;;
-    -MF) sources=${command[i + 1]} ;;
-    esac
-done
-{
-    "$1" --version
-    printf '%s\n' "${command[@]}"
-    sed 's/^[^:]*://; s/\\$//' "$sources" | xargs cat
-} | sha256sum >"$header.sum"
+exec ccache "${command[@]}"

@@ -1,0 +1,77 @@
+"""A batch that was compiled in one checkout is found by the compiler cache in another one."""
+
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+import tempfile
+import unittest
+
+TOP = pathlib.Path(__file__).resolve().parents[2]
+
+PROJECT = """cmake_minimum_required(VERSION 3.25)
+project(small LANGUAGES CXX)
+set(ASPERITY_BATCH 3 CACHE STRING "")
+include(cmake/Targets.cmake)
+add_subdirectory(core)
+"""
+LIBRARY = """asperity_library(asperity_base SOURCES One.cpp Two.cpp Alone.cpp)
+set_source_files_properties(Alone.cpp PROPERTIES COMPILE_OPTIONS -DALONE)
+"""
+
+
+class Batches(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name).resolve()
+
+    def checkout(self, name):
+        top = self.folder / name
+        (top / "core").mkdir(parents=True)
+        for copied in ("cmake/Targets.cmake", "tools/cached_compiler.sh", "tools/sanitizer_ignorelist.txt"):
+            (top / copied).parent.mkdir(exist_ok=True)
+            shutil.copy(TOP / copied, top / copied)
+        (top / "CMakeLists.txt").write_text(PROJECT)
+        (top / "core/CMakeLists.txt").write_text(LIBRARY)
+        (top / "core/Text.h").write_text("#pragma once\n#include <string>\nstd::string text();\n")
+        (top / "core/One.cpp").write_text('#include "core/Text.h"\nstd::string text() { return "one"; }\n')
+        (top / "core/Two.cpp").write_text('#include "core/Text.h"\nstd::string two() { return text(); }\n')
+        (top / "core/Alone.cpp").write_text("#ifndef ALONE\n#error\n#endif\nint alone() { return 1; }\n")
+        return top
+
+    def build(self, top, compiler):
+        """Configures and builds a checkout. Returns how many sources were compiled and how many the cache had."""
+        environment = dict(os.environ, CCACHE_DIR=str(self.folder / "cache"))
+        def run(*command):
+            return subprocess.run(command, check=True, env=environment, capture_output=True, text=True).stdout
+        run("ccache", "--zero-stats")
+        run("cmake", "-G", "Ninja", "-S", top, "-B", top / "build/x", f"-DCMAKE_CXX_COMPILER={compiler}")
+        output = run("cmake", "--build", top / "build/x")
+        stats = dict(line.split("\t") for line in run("ccache", "--print-stats").splitlines())
+        hits = int(stats["direct_cache_hit"]) + int(stats["preprocessed_cache_hit"])
+        return len(re.findall(r"Building CXX object .*(?:batches|Alone)", output)), hits
+
+    def test_are_found_in_another_checkout(self):
+        for compiler in ("g++", "clang++"):
+            if not shutil.which(compiler):
+                continue  # clang is a package of the gates
+            with self.subTest(compiler=compiler):
+                compiled, _ = self.build(self.checkout(f"{compiler}/one"), compiler)
+                self.assertEqual(compiled, 2)  # a batch of two, and one with options of its own
+                compiled, hits = self.build(self.checkout(f"{compiler}/two"), compiler)
+                self.assertEqual(compiled, 2)
+                self.assertGreaterEqual(hits, 2)
+
+    def test_include_from_the_top_folder(self):
+        top = self.checkout("one")
+        self.build(top, "g++")
+        texts = [file.read_text() for file in (top / "build/x/batches").iterdir()]
+        self.assertEqual(len(texts), 1)
+        self.assertEqual(re.findall(r'#include "(.*)"', texts[0]), ["core/One.cpp", "core/Two.cpp"])
+        self.assertNotIn(str(top), texts[0])
+
+
+if __name__ == "__main__":
+    unittest.main()
