@@ -3,12 +3,20 @@
 # Usage: tools/test.sh [PRESET]   all tests of one preset but those labeled long: release
 #                                 (default), dev, asan, tsan, or of one sanitizer gate: asan-gate,
 #                                 tsan-gate
-#        tools/test.sh gates      the three gates in one run: the release tests; readers, tick and maps
-#                                 with AddressSanitizer and UBSan, and 15 s of each fuzzer;
-#                                 loop, recording and devices with ThreadSanitizer
+#        tools/test.sh gates      all gates in one run: what changed compiled source by source; the release
+#                                 tests; readers, tick and maps with AddressSanitizer and UBSan, and
+#                                 15 s of each fuzzer; loop, recording and devices with ThreadSanitizer
 set -euo pipefail
 top=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 wanted=${1:-release}
+
+# Runs a command and says how long it took.
+stage() {
+    local name=$1 begin=$SECONDS
+    shift
+    "$@"
+    echo "== $name: $((SECONDS - begin)) s"
+}
 
 # The tests that draw need a display; a virtual one gives the same pictures everywhere.
 with_display() {
@@ -20,24 +28,31 @@ case $wanted in
 release | dev) ;;
 *) packages=("$top/tools/gate_packages.txt") ;;
 esac
-"$top/tools/install_packages.sh" "${packages[@]}"
+stage "installing packages" "$top/tools/install_packages.sh" "${packages[@]}"
 
 cd "$top"
 if [ "$wanted" != gates ]; then
     target=all
     case $wanted in asan-gate | tsan-gate) target=asperity_gate ;; esac
-    "$top/tools/build.sh" "$wanted" "$target"
+    stage "building $wanted" "$top/tools/build.sh" "$wanted" "$target"
     with_display ctest --preset "$wanted" -j2
     exit
 fi
 
-# A gate that cannot be configured is told before the first one is built.
-for preset in release asan-gate tsan-gate; do
-    cmake --preset "$preset" --log-level=WARNING
-done
-"$top/tools/build.sh" release
-"$top/tools/build.sh" asan-gate asperity_gate
-"$top/tools/build.sh" tsan-gate asperity_gate
+# A gate that cannot be configured is told before the first one is built. Warnings are errors in the gates,
+# not in a user's build.
+configure() {
+    cmake --preset release --log-level=WARNING -DCMAKE_COMPILE_WARNING_AS_ERROR=ON
+    for preset in dev asan-gate tsan-gate; do
+        cmake --preset "$preset" --log-level=WARNING
+    done
+}
+stage "configuring the gates" configure
+stage "sources alone" "$top/tools/compile_alone.py" "$top/build/dev"
+stage "building release" "$top/tools/build.sh" release
+stage "building benchmarks" "$top/tools/build.sh" release asperity_benchmarks
+stage "building asan-gate" "$top/tools/build.sh" asan-gate asperity_gate
+stage "building tsan-gate" "$top/tools/build.sh" tsan-gate asperity_gate
 
 # One run and one summary for all of them. What they check must not be skipped.
 export ASPERITY_GATES=1

@@ -1,0 +1,116 @@
+#!/usr/bin/env python3
+"""Compiles, each by itself, the sources and headers that changed in the last 20 commits or are not
+committed, and a source that includes each such header. `release` and the gates compile sources in batches
+and from precompiled headers, where an include that is missing is not missed.
+Usage: compile_alone.py BUILD [COMMITS]    BUILD: the folder of the preset dev, configured"""
+
+import collections
+import concurrent.futures
+import json
+import os
+import pathlib
+import re
+import shlex
+import subprocess
+import sys
+
+TOP = pathlib.Path(__file__).resolve().parents[1]
+INCLUDES = re.compile(r'^#include "([^"]+)"', re.MULTILINE)
+HEADERS = {".h", ".hpp"}
+
+
+def changed_files(commits):
+    """Paths of what the last commits and the working tree changed, in the checkout."""
+    def git(*arguments):
+        return subprocess.run(["git", "-C", TOP, *arguments], check=True, capture_output=True,
+                              text=True).stdout.split("\n")
+    history = [line for line in git("rev-list", f"--max-count={commits + 1}", "HEAD") if line]
+    named = git("diff", "--name-only", history[-1]) + git("ls-files", "--others", "--exclude-standard")
+    return sorted({name for name in named if name and (TOP / name).is_file()})
+
+
+def commands_of(build):
+    """The compiler's arguments for each source of the build, without what to compile and to write."""
+    commands = {}
+    for entry in json.loads((build / "compile_commands.json").read_text()):
+        source = pathlib.Path(entry["file"]).resolve()
+        if not source.is_relative_to(TOP) or source.is_relative_to(build):
+            continue
+        arguments = shlex.split(entry["command"])
+        output = arguments.index("-o")
+        del arguments[output:output + 2]
+        arguments = [a for a in arguments if a not in ("-c", "-g", "-O1", entry["file"])]
+        commands.setdefault(str(source.relative_to(TOP)), arguments)
+    return commands
+
+
+class Users:
+    """Which sources include a header, themselves or through other headers."""
+
+    def __init__(self, sources):
+        self.sources = set(sources)
+        self.includers = collections.defaultdict(list)
+        for folder in ("app", "bench", "core", "hardware", "tests", "tools", "ui", "vtkplugins"):
+            for file in sorted((TOP / folder).rglob("*")):
+                if file.suffix in HEADERS | {".cpp", ".cxx"}:
+                    for included in INCLUDES.findall(file.read_text()):
+                        self.includers[included].append(str(file.relative_to(TOP)))
+
+    def of(self, header):
+        """The nearest source that includes the header, another than its own where there is one; or None."""
+        seen, waiting, own = {header}, collections.deque([header]), None
+        while waiting:
+            for includer in self.includers[waiting.popleft()]:
+                if includer in self.sources:
+                    if pathlib.Path(includer).stem != pathlib.Path(header).stem:
+                        return includer
+                    own = own or includer
+                elif includer not in seen:
+                    seen.add(includer)
+                    waiting.append(includer)
+        return own
+
+
+def works_for(files, commands, users, folder):
+    """(name, source, arguments) of each compilation; a header is compiled by a source with it alone."""
+    sources, works = set(), []
+    for file in files:
+        if file in commands:
+            sources.add(file)
+        elif pathlib.Path(file).suffix in HEADERS and (user := users.of(file)):
+            sources.add(user)
+            alone = folder / (file.replace("/", "_") + ".cpp")
+            if not alone.exists():
+                alone.write_text(f'#include "{file}"\n')
+            works.append((file, str(alone), commands[user]))
+    return works + [(source, str(TOP / source), commands[source]) for source in sorted(sources)]
+
+
+def main(build, commits):
+    build = build.resolve()
+    folder = build / "alone"
+    folder.mkdir(exist_ok=True)
+    commands = commands_of(build)
+    works = works_for(changed_files(commits), commands, Users(commands), folder)
+
+    def compile_one(work):
+        name, source, arguments = work
+        # Not optimized: only whether it compiles. Each has a name of its own, so that two may run at a time.
+        output = folder / (pathlib.Path(source).relative_to("/").as_posix().replace("/", "_") + ".o")
+        result = subprocess.run([*arguments, "-O0", "-o", str(output), "-c", source], cwd=build,
+                                capture_output=True, text=True)
+        output.unlink(missing_ok=True)
+        return name, result
+
+    failed = []
+    with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
+        for name, result in pool.map(compile_one, works):
+            if result.returncode != 0:
+                failed.append(name)
+                print(f"{name} does not compile by itself:\n{result.stderr}", flush=True)
+    print(f"{len(works) - len(failed)} of {len(works)} sources and headers compile by themselves")
+    return 1 if failed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(pathlib.Path(sys.argv[1]), int(sys.argv[2]) if len(sys.argv) > 2 else 20))
