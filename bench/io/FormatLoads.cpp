@@ -15,7 +15,7 @@ namespace asperity {
 
 namespace {
 
-constexpr int kRounds = 7;
+constexpr int kFormatRounds = 7;
 constexpr int kImagePixels = 2048;
 constexpr int kTextPixels = 1024;
 
@@ -37,7 +37,7 @@ Pair pairOf(const std::string& name, const std::filesystem::path& file) {
 /// One after the other in each round, so that both meet the same machine.
 void measure(Pair& pair) {
     bool answers = !pair.gwyddion.command.empty();
-    for (int round = 0; round < kRounds; ++round) {
+    for (int round = 0; round < kFormatRounds; ++round) {
         pair.ours.run();
         answers = answers && pair.gwyddion.tryRun();
     }
@@ -114,7 +114,7 @@ void measureFormats(const std::filesystem::path& folder) {
                 "looked at, in a fresh process\neach, from a warm cache, best of %d [ms]: the load "
                 "alone (Gwyddion's modules are loaded before), and the whole\nprocess from start "
                 "to end; ratios are Gwyddion's time over ours\n%-42s %7s %9s %6s %7s %9s %6s\n",
-                kRounds, "file", "load", "Gwyddion", "ratio", "process", "Gwyddion", "ratio");
+                kFormatRounds, "file", "load", "Gwyddion", "ratio", "process", "Gwyddion", "ratio");
     Slower slower;
     for (Pair& pair : pairs) {
         measure(pair);

@@ -35,7 +35,7 @@ namespace asperity {
 
 namespace {
 
-constexpr int kRounds = 15;
+constexpr int kLoadRounds = 15;
 constexpr int kPixels = 8192;
 constexpr int kQuickPixels = 4096;
 constexpr int kExrPixels = 4096;
@@ -107,7 +107,7 @@ void writeRaw(const std::filesystem::path& path, const HeightMap& map) {
 
 /// One after the other in each round, so that all meet the same machine.
 void measure(std::vector<Load>& loads) {
-    for (int round = 0; round < kRounds; ++round) {
+    for (int round = 0; round < kLoadRounds; ++round) {
         for (Load& load : loads) {
             load.run();
         }
@@ -150,7 +150,7 @@ void measureScan(const BenchFolder& folder, const BenchOptions& options) {
     measure(loads);
     requireSameSums(loads, static_cast<double>(pixels) * pixels);
     std::printf("%d x %d pixels, fresh processes, warm cache, best of %d\n", pixels, pixels,
-                kRounds);
+                kLoadRounds);
     print(loads);
     const std::string load = "load " + std::to_string(pixels) + "^2: ";
     giveRows(

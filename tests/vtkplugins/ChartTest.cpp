@@ -22,8 +22,6 @@ using test::kSize;
 
 class Charts : public test::Pictures {};
 
-}  // namespace
-
 TEST_F(Charts, ChartsShowEveryCurveAndItsPeak) {
     ASPERITY_NEEDS_DISPLAY();
     Curve spike{.label = "spike", .color = Color{255, 0, 0}};
@@ -121,4 +119,5 @@ TEST_F(Charts, ShareMapsDivideTheirCellsAsTheSharesSay) {
     EXPECT_THROW(writeShareMaps(path, {}, kSize), Error);
 }
 
+}  // namespace
 }  // namespace asperity

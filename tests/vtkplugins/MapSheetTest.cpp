@@ -51,8 +51,6 @@ int ticksOf(const test::Image& image) {
     return ticks;
 }
 
-}  // namespace
-
 TEST_F(MapSheets, ShowPixelsInTheirColorsAndPlaces) {
     ASPERITY_NEEDS_DISPLAY();
     const std::filesystem::path path = folder / "sheet.png";
@@ -163,4 +161,5 @@ TEST_F(MapSheets, RefuseWhatIsNoMap) {
     EXPECT_THROW(writeMapSheet(folder / "sheet.png", "", std::vector(7, halves())), Error);
 }
 
+}  // namespace
 }  // namespace asperity

@@ -73,8 +73,6 @@ HeightMap smallMap() {
     return map;
 }
 
-}  // namespace
-
 TEST_F(VtkFormats, ImageHoldsHeightsAtPixelCentersBottomRowFirst) {
     write("map.VTI", smallMap());
     vtkNew<vtkXMLImageDataReader> reader;
@@ -322,4 +320,5 @@ TEST_F(VtkFormats, FailuresThrowAndLeaveNothingBehind) {
     EXPECT_TRUE(std::filesystem::is_empty(folder));
 }
 
+}  // namespace
 }  // namespace asperity

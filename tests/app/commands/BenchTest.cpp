@@ -13,7 +13,6 @@
 namespace asperity {
 namespace {
 
-using nlohmann::json;
 using testing::HasSubstr;
 using testing::Not;
 
@@ -60,7 +59,8 @@ TEST_F(Bench, PrintsEachFigureBesideItsGoalAndWritesThem) {
     EXPECT_THAT(run.output, HasSubstr("1 goals met, 1 not met, 1 beside programs that are not "));
     EXPECT_THAT(run.output, Not(HasSubstr("table"))) << "each measurement's own tables stay away";
     EXPECT_EQ(asked(), "--quick");
-    const json rows = json::parse(std::ifstream(folder_.file("rows.json"))).at("rows");
+    const nlohmann::json rows =
+        nlohmann::json::parse(std::ifstream(folder_.file("rows.json"))).at("rows");
     ASSERT_EQ(rows.size(), 3U);
     EXPECT_EQ(rows[0].at("name"), "fast");
     EXPECT_EQ(rows[0].at("value"), 4.5);

@@ -14,7 +14,6 @@
 namespace asperity {
 namespace {
 
-using nlohmann::json;
 using testing::HasSubstr;
 
 /// Two runs on a flat sample, whose normal is the vertical: they differ in adhesion alone.
@@ -66,8 +65,8 @@ TEST_F(Compare, TellsWhatTheLogsOfBothRunsTell) {
         largest = std::abs(difference) > std::abs(largest) ? difference : largest;
     }
     const auto ticks = static_cast<double>(weak.rows());
-    const json answer = json::parse(told.output.substr(told.output.find('{')));
-    const json& difference = answer["difference"];
+    const nlohmann::json answer = nlohmann::json::parse(told.output.substr(told.output.find('{')));
+    const nlohmann::json& difference = answer["difference"];
     ASSERT_LT(largest, -1e-9) << "the stronger one pulls";
     EXPECT_NEAR(difference["mean_n"].get<double>(), sum / ticks, 1e-18);
     EXPECT_NEAR(difference["rms_n"].get<double>(), std::sqrt(squares / ticks), 1e-18);
@@ -91,7 +90,7 @@ TEST_F(Compare, TakesABundle) {
     const auto bundle = compare(in("weak") + " " + in("strong.zip") + " --json");
     ASSERT_EQ(bundle.exitCode, 0) << bundle.output;
     const auto differenceOf = [](const test::ProgramRun& run) {
-        return json::parse(run.output.substr(run.output.find('{')))["difference"];
+        return nlohmann::json::parse(run.output.substr(run.output.find('{')))["difference"];
     };
     EXPECT_EQ(differenceOf(bundle), differenceOf(folder));
 }

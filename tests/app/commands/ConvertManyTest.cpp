@@ -51,8 +51,6 @@ protected:
     test::ScratchFolder scratch;
 };
 
-}  // namespace
-
 TEST_F(ConvertMany, WritesAFileForEachIntoTheFolder) {
     const auto run = convert(path("a.gwy") + " " + path("b.gsf") + into("exr"));
     EXPECT_EQ(run.exitCode, 0) << run.output;
@@ -214,4 +212,5 @@ TEST_F(ConvertMany, AllChannelsGoIntoNothingElseAndAsTheyAre) {
     EXPECT_FALSE(std::filesystem::exists(scratch.file("c.gwy")));
 }
 
+}  // namespace
 }  // namespace asperity

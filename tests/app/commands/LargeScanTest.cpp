@@ -20,7 +20,7 @@ namespace asperity {
 namespace {
 
 /// Hills with a tenth of the rows without data, as large as asked for, never in memory.
-HeightRows hills(int side) {
+HeightRows largeHills(int side) {
     return {.columns = side,
             .rows = side,
             .pitchX = 2.0_nm,
@@ -38,7 +38,7 @@ class LargeScan : public ::testing::Test {
 protected:
     /// Of `asperity` with these arguments, where IN stands for a scan of this side [bytes].
     [[nodiscard]] long peakMemory(int side, std::vector<std::string> arguments) const {
-        writeHeightMap(input, hills(side), {});
+        writeHeightMap(input, largeHills(side), {});
         std::ranges::replace(arguments, std::string("IN"), input.string());
         const test::ChildEnd end = test::ChildProgram(arguments).wait();
         EXPECT_EQ(end.exitCode, 0) << arguments.at(0) << ' ' << side;
@@ -93,7 +93,7 @@ TEST_F(LargeScan, IsLookedAtRowByRow) {
 }
 
 TEST_F(LargeScan, ASignalEndsConvertAndNothingIsLeft) {
-    writeHeightMap(input, hills(3000), {});
+    writeHeightMap(input, largeHills(3000), {});
     const std::filesystem::path folder = scratch.file("results");
     std::filesystem::create_directory(folder);
     for (const auto& [signal, name] :

@@ -15,7 +15,6 @@
 namespace asperity {
 namespace {
 
-using nlohmann::json;
 using testing::HasSubstr;
 
 constexpr double kDepth = 50e-9;
@@ -38,25 +37,25 @@ protected:
     [[nodiscard]] test::ProgramRun run(const std::string& options) const {
         return test::runProgram("measure " + scratch.file("grating.gwy").string() + " " + options);
     }
-    [[nodiscard]] json measured(const std::string& options) const {
+    [[nodiscard]] nlohmann::json measured(const std::string& options) const {
         const auto ran = run(options + " --json");
         EXPECT_EQ(ran.exitCode, 0) << ran.output;
-        return json::parse(ran.output);
+        return nlohmann::json::parse(ran.output);
     }
 
     test::ScratchFolder scratch;
 };
 
 TEST_F(Measure, LevelsByAPlaneUnlessToldOtherwise) {
-    const json level = measured("");
+    const nlohmann::json level = measured("");
     EXPECT_EQ(level["level"], "plane");
     EXPECT_EQ(level["pixels"], 300 * 20);
     EXPECT_EQ(level["squares"], 299 * 19);
     EXPECT_NEAR(level["mean_m"].get<double>(), 0.0, 1e-20);
     EXPECT_THAT(level["notes"].back().get<std::string>(), HasSubstr("leveling: plane"));
-    const json raw = measured("--level none");
+    const nlohmann::json raw = measured("--level none");
     EXPECT_NEAR(raw["sz_m"].get<double>(), kDepth + 0.01 * 380e-9, 1e-20);
-    const json flat = measured("--level rows,zero");
+    const nlohmann::json flat = measured("--level rows,zero");
     EXPECT_EQ(flat["level"], "rows, zero");
     EXPECT_NEAR(flat["sz_m"].get<double>(), kDepth, 1e-20);
     EXPECT_EQ(flat["lowest_m"], 0.0);
@@ -64,8 +63,9 @@ TEST_F(Measure, LevelsByAPlaneUnlessToldOtherwise) {
 
 TEST_F(Measure, RectangleLimitsTheRoughness) {
     // On the first ridge alone there is nothing but the slope.
-    const json ridge = measured("--level none --rectangle 0,0,179e-9,400e-9");
-    EXPECT_EQ(ridge["rectangle"], json({{"column", 0}, {"row", 0}, {"columns", 18}, {"rows", 20}}));
+    const nlohmann::json ridge = measured("--level none --rectangle 0,0,179e-9,400e-9");
+    EXPECT_EQ(ridge["rectangle"],
+              nlohmann::json({{"column", 0}, {"row", 0}, {"columns", 18}, {"rows", 20}}));
     EXPECT_NEAR(ridge["sz_m"].get<double>(), 0.01 * 380e-9, 1e-20);
     EXPECT_NEAR(ridge["sdr"].get<double>(), std::sqrt(1.0 + 0.01 * 0.01) - 1.0, 1e-15);
     const auto outside = run("--rectangle 5,5,6,6");
@@ -74,9 +74,10 @@ TEST_F(Measure, RectangleLimitsTheRoughness) {
 }
 
 TEST_F(Measure, ProfileAcrossAGratingGivesItsDepth) {
-    const json all = measured("--level none --profile 0,110e-9,3000e-9,110e-9 --samples 1501 "
-                              "--low 210e-9,370e-9 --high 0,170e-9");
-    const json& profile = all["profile"];
+    const nlohmann::json all =
+        measured("--level none --profile 0,110e-9,3000e-9,110e-9 --samples 1501 "
+                 "--low 210e-9,370e-9 --high 0,170e-9");
+    const nlohmann::json& profile = all["profile"];
     EXPECT_EQ(profile["samples"], 1501);
     EXPECT_NEAR(profile["length_m"].get<double>(), 3000e-9, 1e-20);
     EXPECT_NEAR(profile["grating"]["height_m"].get<double>(), kDepth, 1e-12 * kDepth);
@@ -87,7 +88,8 @@ TEST_F(Measure, ProfileAcrossAGratingGivesItsDepth) {
 }
 
 TEST_F(Measure, ProfileAlongARidgeGivesTheAngle) {
-    const json profile = measured("--level none --profile 95e-9,10e-9,95e-9,390e-9")["profile"];
+    const nlohmann::json profile =
+        measured("--level none --profile 95e-9,10e-9,95e-9,390e-9")["profile"];
     EXPECT_EQ(profile["samples"], 20);
     EXPECT_NEAR(profile["ends"]["angle_rad"].get<double>(), std::atan(0.01), 1e-12);
     EXPECT_NEAR(profile["fitted_angle_rad"].get<double>(), std::atan(0.01), 1e-12);
@@ -125,7 +127,7 @@ TEST_F(Measure, TakesASceneAndRefusesAShape) {
     const auto scene = scratch.write(
         "scene.toml", "[sample]\nfile = \"grating.gwy\"\nlevel = [\"rows\", \"zero\"]\n");
     const auto ran = test::runProgram("measure --json " + scene.string());
-    EXPECT_EQ(json::parse(ran.output)["level"], "rows, zero");
+    EXPECT_EQ(nlohmann::json::parse(ran.output)["level"], "rows, zero");
     const auto shape = scratch.write("shape.toml", "[sample]\nshape = \"sphere\"\n");
     const auto refused = test::runProgram("measure " + shape.string());
     EXPECT_EQ(refused.exitCode, 1);

@@ -3,6 +3,7 @@
 #include "app/session/SceneControl.h"
 #include "tests/app/session/ControlFixture.h"
 #include "tests/support/Places.h"
+#include "tests/support/StepsScan.h"
 #include "ui/panels/OverviewMap.h"
 #include "ui/panels/OverviewPanel.h"
 #include "ui/view/ZoomView.h"
@@ -14,8 +15,6 @@
 
 namespace asperity::test {
 namespace {
-
-const std::filesystem::path kSteps = test::dataFolder() / "samples/steps.gsf";
 
 class ColorControlTest : public ControlFixture {
 protected:

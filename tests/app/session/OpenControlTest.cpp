@@ -4,6 +4,7 @@
 #include "tests/core/io/heightmap/RealScans.h"
 #include "tests/support/Places.h"
 #include "tests/support/ReferenceTable.h"
+#include "tests/support/StepsScan.h"
 #include "ui/panels/CropPicture.h"
 #include "ui/panels/LengthBox.h"
 #include "ui/panels/LevelingEditor.h"
@@ -26,8 +27,6 @@
 
 namespace asperity::test {
 namespace {
-
-const std::filesystem::path kSteps = test::dataFolder() / "samples/steps.gsf";
 
 class OpenControlTest : public ControlFixture {
 protected:

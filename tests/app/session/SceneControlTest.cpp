@@ -3,6 +3,7 @@
 #include "tests/app/session/ControlFixture.h"
 #include "tests/core/io/heightmap/SyntheticScans.h"
 #include "tests/support/Places.h"
+#include "tests/support/StepsScan.h"
 
 #include <QAction>
 #include <QMenu>
@@ -30,8 +31,6 @@ std::string levelImage(int number, const char* title) {
                                            gwyNumbers("data", std::vector<double>(32 * 32, 0.0)));
     return gwyComponent(key, field) + gwyText(key + "/title", title);
 }
-
-const std::filesystem::path kSteps = test::dataFolder() / "samples/steps.gsf";
 
 TEST_F(SceneControlTest, OpensAFileAndShowsItsScene) {
     scenes.open(kSteps);

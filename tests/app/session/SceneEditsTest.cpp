@@ -3,13 +3,13 @@
 #include "app/session/SceneControl.h"
 #include "tests/app/session/ControlFixture.h"
 #include "tests/support/Places.h"
+#include "tests/support/StepsScan.h"
 
 #include <cmath>
 
 namespace asperity::test {
 namespace {
 
-const std::filesystem::path kSteps = test::dataFolder() / "samples/steps.gsf";
 const std::filesystem::path kGrating = test::dataFolder() / "samples/grating.gsf";
 
 class SceneEditsTest : public ControlFixture {

@@ -10,7 +10,7 @@
 namespace asperity {
 namespace {
 
-constexpr double kStep = 1e-3;  // [s]
+constexpr double kHandStep = 1e-3;  // [s]
 constexpr double kGain = 1e-6;
 
 OperatorTask taskTo(const Vector3& target) {
@@ -32,12 +32,12 @@ FreeReach reachIn(const OperatorTraits& traits, const Vector3& target,
     FreeReach reach;
     Vector3 before = Vector3::Zero();
     while (!person.hasPressed() && reach.time < limit) {
-        reach.time += kStep;
-        const Vector3 hand = person.advance(kStep);
-        reach.fastest = std::max(reach.fastest, (hand - before).norm() / kStep);
+        reach.time += kHandStep;
+        const Vector3 hand = person.advance(kHandStep);
+        reach.fastest = std::max(reach.fastest, (hand - before).norm() / kHandStep);
         before = hand;
         reach.tip = kGain * hand;
-        person.see({.tip = reach.tip + shift}, kStep);
+        person.see({.tip = reach.tip + shift}, kHandStep);
     }
     reach.pressed = person.hasPressed();
     return reach;
@@ -83,8 +83,8 @@ TEST(Operator, NeverPressesFarFromTheTarget) {
     Operator person(OperatorTraits{}, taskTo({50.0_nm, 0.0, 0.0}), Vector3::Zero(), 1);
     person.begin();
     for (int i = 0; i < 10'000; ++i) {
-        (void)person.advance(kStep);
-        person.see({.tip = Vector3::Zero()}, kStep);  // whatever the hand does, the tip stays
+        (void)person.advance(kHandStep);
+        person.see({.tip = Vector3::Zero()}, kHandStep);  // whatever the hand does, the tip stays
         ASSERT_FALSE(person.hasPressed());
     }
     EXPECT_GT(person.movements(), 3);
@@ -93,8 +93,8 @@ TEST(Operator, NeverPressesFarFromTheTarget) {
 TEST(Operator, RestsUntilTheTrialBegins) {
     Operator person(steady(), taskTo({50.0_nm, 0.0, 0.0}), Vector3::Zero(), 1);
     for (int i = 0; i < 1000; ++i) {
-        EXPECT_EQ(person.advance(kStep), Vector3::Zero());
-        person.see({}, kStep);
+        EXPECT_EQ(person.advance(kHandStep), Vector3::Zero());
+        person.see({}, kHandStep);
     }
 }
 
@@ -104,10 +104,10 @@ TEST(Operator, AForceThatIsSuddenlyFeltStopsTheMovement) {
     double time = 0.0;
     Vector3 hand = Vector3::Zero();
     const auto step = [&](double force) {
-        time += kStep;
-        person.feel({force, 0.0, 0.0}, kStep);
-        hand = person.advance(kStep);
-        person.see({.tip = kGain * hand}, kStep);
+        time += kHandStep;
+        person.feel({force, 0.0, 0.0}, kHandStep);
+        hand = person.advance(kHandStep);
+        person.see({.tip = kGain * hand}, kHandStep);
     };
     while (hand.x() < 5e-3) {  // on the way
         step(0.0);
@@ -132,7 +132,7 @@ TEST(Operator, TremblesAsMuchAsItsTraitsSay) {
     double sum = 0.0;
     constexpr int kTicks = 200'000;
     for (int i = 0; i < kTicks; ++i) {
-        const double x = person.advance(kStep).x();
+        const double x = person.advance(kHandStep).x();
         sum += x * x;
     }
     EXPECT_NEAR(std::sqrt(sum / kTicks), 0.2e-3, 0.02e-3);

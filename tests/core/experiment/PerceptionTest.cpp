@@ -9,8 +9,8 @@
 namespace asperity {
 namespace {
 
-constexpr double kStep = 1e-3;  // [s]
-constexpr double kScale = 2e6;  // of the screen
+constexpr double kSenseStep = 1e-3;  // [s]
+constexpr double kScale = 2e6;       // of the screen
 const Vector3 kSight = Vector3::UnitY();
 
 OperatorTraits sharp() {
@@ -23,18 +23,18 @@ TEST(Perception, SightIsLate) {
     OperatorSight sight(sharp(), kScale, kSight);
     Random random(1);
     double time = 0.0;
-    for (; time < 1.0; time += kStep) {
-        sight.show({.tip = Vector3::UnitX() * time}, kStep);
+    for (; time < 1.0; time += kSenseStep) {
+        sight.show({.tip = Vector3::UnitX() * time}, kSenseStep);
     }
     const double late = time - sight.look(random).x();
     EXPECT_GE(late, 0.25);
-    EXPECT_LE(late, 0.25 + 2.0 / 60.0 + 2.0 * kStep);
+    EXPECT_LE(late, 0.25 + 2.0 / 60.0 + 2.0 * kSenseStep);
 }
 
 /// Root mean square of what is seen of a tip at rest at 0, along an axis [m].
 double spread(const ShownMoment& moment, int axis) {
     OperatorSight sight(OperatorTraits{}, kScale, kSight);
-    sight.show(moment, kStep);
+    sight.show(moment, kSenseStep);
     Random random(1);
     double sum = 0.0;
     constexpr int kLooks = 20'000;
@@ -58,20 +58,20 @@ TEST(Perception, SightIsAsExactAsItsTraits) {
 double answerTo(double before, double after) {
     OperatorTouch touch{OperatorTraits{}};
     for (int i = 0; i < 3000; ++i) {
-        touch.feel({0.0, 0.0, before}, kStep);
+        touch.feel({0.0, 0.0, before}, kSenseStep);
     }
     (void)touch.takeNotice();
     for (int i = 0; i < 1000; ++i) {
-        touch.feel({0.0, 0.0, after}, kStep);
+        touch.feel({0.0, 0.0, after}, kSenseStep);
         if (touch.takeNotice()) {
-            return (i + 1) * kStep;
+            return (i + 1) * kSenseStep;
         }
     }
     return -1.0;
 }
 
 TEST(Perception, TouchNoticesLargeChangesLate) {
-    EXPECT_NEAR(answerTo(0.0, 0.1), 0.15, 2.0 * kStep);
+    EXPECT_NEAR(answerTo(0.0, 0.1), 0.15, 2.0 * kSenseStep);
     EXPECT_LT(answerTo(0.0, 0.05), 0.0) << "below what a hand notices";
     EXPECT_LT(answerTo(2.0, 2.15), 0.0) << "below a tenth of what acts";
     EXPECT_GT(answerTo(2.0, 2.3), 0.0);

@@ -11,9 +11,9 @@ namespace {
 using test::GuidedDevice;
 using test::kGains;
 
-constexpr double kFar = 1e-4;                // of what the sample pulls from there [N]
-const Vector3 kHigh(64e-3, 64e-3, 40e-3);    // of the device [m]
-const Vector3 kTarget(64e-9, 64e-9, 40e-9);  // where that sends the base [m]
+constexpr double kPullAt40nm = 1e-4;               // of what the sample pulls from there [N]
+const Vector3 kDeviceAt40nm(64e-3, 64e-3, 40e-3);  // of the device [m]
+const Vector3 kTarget(64e-9, 64e-9, 40e-9);        // where that sends the base [m]
 
 VirtualFixture guideTo(FixtureKind kind, const Vector3& point) {
     return {.kind = kind,
@@ -28,9 +28,9 @@ TEST(GuidedTick, AGuidePullsTheBaseToItsTargetAndTheDeviceFeelsIt) {
     const Scene scene = test::coupledScene(kGains);
     GuidedDevice device(scene);
     device.settings.guide = guideTo(FixtureKind::Point, kTarget);
-    device.moveTo(kHigh, 1000);
+    device.moveTo(kDeviceAt40nm, 1000);
     const Vector3 aside(1e-3, 0.0, 2e-3);
-    const TickOutput out = device.moveTo(kHigh + aside, 4000);
+    const TickOutput out = device.moveTo(kDeviceAt40nm + aside, 4000);
     // Coupling and guide in series: the base comes to Kc / (Kc + k) of the way. The guide gives
     // less than k e by its fading towards the capture distance and towards its limit.
     const Vector3 way = (out.base.position - kTarget) / 1e-6;
@@ -44,16 +44,17 @@ TEST(GuidedTick, APlaneLeavesTheDeviceFreeWithinIt) {
     const Scene scene = test::coupledScene(kGains);
     GuidedDevice device(scene);
     device.settings.guide = guideTo(FixtureKind::Plane, kTarget);
-    device.moveTo(kHigh, 1000);
-    const TickOutput within = device.moveTo(kHigh + Vector3(15e-3, -10e-3, 0.0), 4000);
-    EXPECT_LT(within.deviceForce.norm(), kFar);
-    EXPECT_LT(device.moveTo(kHigh + Vector3(15e-3, -10e-3, 3e-3), 4000).deviceForce.z(), -0.3);
+    device.moveTo(kDeviceAt40nm, 1000);
+    const TickOutput within = device.moveTo(kDeviceAt40nm + Vector3(15e-3, -10e-3, 0.0), 4000);
+    EXPECT_LT(within.deviceForce.norm(), kPullAt40nm);
+    EXPECT_LT(device.moveTo(kDeviceAt40nm + Vector3(15e-3, -10e-3, 3e-3), 4000).deviceForce.z(),
+              -0.3);
 }
 
 TEST(GuidedTick, AGuideThatIsSwitchedOnComesOnByAndBy) {
     const Scene scene = test::coupledScene(kGains);
     GuidedDevice device(scene);
-    const Vector3 place = kHigh + Vector3(5e-3, 0.0, 0.0);
+    const Vector3 place = kDeviceAt40nm + Vector3(5e-3, 0.0, 0.0);
     Vector3 last = device.moveTo(place, 100).deviceForce;
     device.settings.guide = guideTo(FixtureKind::Point, kTarget);
     double steepest = 0.0;
@@ -70,19 +71,19 @@ TEST(GuidedTick, NeitherZoomNorAnotherGuideMovesTheBaseByItself) {
     const Scene scene = test::coupledScene(kGains);
     GuidedDevice device(scene);
     device.settings.guide = guideTo(FixtureKind::Point, kTarget);
-    device.moveTo(kHigh, 1000);
-    const Vector3 place = kHigh + Vector3(3e-3, 0.0, 0.0);
+    device.moveTo(kDeviceAt40nm, 1000);
+    const Vector3 place = kDeviceAt40nm + Vector3(3e-3, 0.0, 0.0);
     const TickOutput before = device.moveTo(place, 4000);
     ASSERT_GT(before.deviceForce.norm(), 0.2);
     device.settings.positionGain = 2e-6;
     const TickOutput zoomed = device.moveTo(place);
     EXPECT_LT((zoomed.base.position - before.base.position).norm(), 1e-15);
-    EXPECT_LT(zoomed.deviceForce.norm(), kFar) << "the guide comes on anew";
+    EXPECT_LT(zoomed.deviceForce.norm(), kPullAt40nm) << "the guide comes on anew";
     const TickOutput held = device.moveTo(place, 4000);
     device.settings.guide = {};
     const TickOutput without = device.moveTo(place);
     EXPECT_LT((without.base.position - held.base.position).norm(), 1e-15);
-    EXPECT_LT(without.deviceForce.norm(), kFar);
+    EXPECT_LT(without.deviceForce.norm(), kPullAt40nm);
 }
 
 TEST(GuidedTick, WithTheTipUnderControlItIsTheTipThatIsGuided) {
@@ -110,8 +111,8 @@ TEST(GuidedTick, WithoutACouplingAGuideHasNothingToPullAt) {
     const Scene scene = test::coupledScene({});
     GuidedDevice device(scene);
     device.settings.guide = guideTo(FixtureKind::Point, kTarget);
-    device.moveTo(kHigh, 1000);
-    const Vector3 place = kHigh + Vector3(3e-3, 0.0, 0.0);
+    device.moveTo(kDeviceAt40nm, 1000);
+    const Vector3 place = kDeviceAt40nm + Vector3(3e-3, 0.0, 0.0);
     EXPECT_LT((device.moveTo(place, 1000).base.position - 1e-6 * place).norm(), 1e-18);
 }
 

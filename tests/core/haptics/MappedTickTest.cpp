@@ -11,15 +11,15 @@ namespace {
 using test::GuidedDevice;
 using test::kGains;
 
-const Vector3 kHigh(64e-3, 64e-3, 4e-3);
+const Vector3 kDeviceAt4nm(64e-3, 64e-3, 4e-3);
 const Vector3 kPressed(64e-3, 64e-3, -3e-3);
-constexpr double kFar = 0.02;  // of what the sample pulls from 4 nm [N]
+constexpr double kPullAt4nm = 0.02;  // of what the sample pulls from 4 nm [N]
 
 /// Engaged, in the air.
 GuidedDevice engagedDevice(const Scene& scene) {
     GuidedDevice guided(scene);
     guided.device.maxForce = 8.5;
-    guided.moveTo(kHigh, 1500);
+    guided.moveTo(kDeviceAt4nm, 1500);
     return guided;
 }
 
@@ -45,7 +45,7 @@ TEST(MappedTick, AClutchedDeviceMovesNothingAndFeelsNothing) {
 TEST(MappedTick, AfterAClutchTheCommandGoesOnFromWhereItWas) {
     const Scene scene = test::coupledScene(kGains);
     GuidedDevice guided = engagedDevice(scene);
-    const TickOutput before = guided.moveTo(kHigh);
+    const TickOutput before = guided.moveTo(kDeviceAt4nm);
     guided.settings.clutchButton = 2;
     guided.device.buttons = 1U << 2U;
     const Vector3 elsewhere(10e-3, 20e-3, 30e-3);
@@ -63,10 +63,10 @@ TEST(MappedTick, AForceThatAClutchTookAwayComesOnByAndBy) {
     const Scene scene = test::coupledScene(kGains);
     GuidedDevice guided = engagedDevice(scene);
     guided.settings.clutched = true;
-    guided.moveTo(kHigh, 20);
+    guided.moveTo(kDeviceAt4nm, 20);
     guided.settings.clutched = false;
-    EXPECT_EQ(guided.moveTo(kHigh, 500).forceState, ForceState::Engaging);
-    EXPECT_EQ(guided.moveTo(kHigh, 600).forceState, ForceState::On);
+    EXPECT_EQ(guided.moveTo(kDeviceAt4nm, 500).forceState, ForceState::Engaging);
+    EXPECT_EQ(guided.moveTo(kDeviceAt4nm, 600).forceState, ForceState::On);
 }
 
 TEST(MappedTick, ATurnedViewTurnsMotionAndForceAlike) {
@@ -77,7 +77,7 @@ TEST(MappedTick, ATurnedViewTurnsMotionAndForceAlike) {
     const Matrix3 axes = axesOf(turned.settings.deviceTurn);
     turned.device.maxForce = 8.5;
     const auto asSeen = [&](const Vector3& place) -> Vector3 { return axes.transpose() * place; };
-    turned.moveTo(asSeen(kHigh), 1500);
+    turned.moveTo(asSeen(kDeviceAt4nm), 1500);
     const TickOutput one = straight.glideTo(kPressed, 4000);
     const TickOutput other = turned.glideTo(asSeen(kPressed), 4000);
     EXPECT_LT((one.base.position - other.base.position).norm(), 1e-15);
@@ -99,40 +99,41 @@ TEST(MappedTick, AViewThatTurnsMovesNothing) {
 TEST(MappedTick, TheEdgeOfTheWorkspacePushesBack) {
     const Scene scene = test::coupledScene(kGains);
     GuidedDevice guided = engagedDevice(scene);
-    guided.settings.workspace = workspaceAround(kHigh);
-    EXPECT_LT(guided.glideTo(kHigh + Vector3(44e-3, 0.0, 0.0), 1000).deviceForce.norm(), kFar);
-    const TickOutput out = guided.glideTo(kHigh + Vector3(48e-3, 0.0, 0.0), 4000);
-    EXPECT_NEAR(out.deviceForce.x(), -0.6 / std::hypot(1.0, 0.6 / 2.0), kFar);
-    EXPECT_NEAR(out.deviceForce.z(), 0.0, kFar);
+    guided.settings.workspace = workspaceAround(kDeviceAt4nm);
+    EXPECT_LT(guided.glideTo(kDeviceAt4nm + Vector3(44e-3, 0.0, 0.0), 1000).deviceForce.norm(),
+              kPullAt4nm);
+    const TickOutput out = guided.glideTo(kDeviceAt4nm + Vector3(48e-3, 0.0, 0.0), 4000);
+    EXPECT_NEAR(out.deviceForce.x(), -0.6 / std::hypot(1.0, 0.6 / 2.0), kPullAt4nm);
+    EXPECT_NEAR(out.deviceForce.z(), 0.0, kPullAt4nm);
 }
 
 TEST(MappedTick, AClutchedDeviceStillFeelsTheEdge) {
     const Scene scene = test::coupledScene(kGains);
     GuidedDevice guided = engagedDevice(scene);
-    guided.settings.workspace = workspaceAround(kHigh);
+    guided.settings.workspace = workspaceAround(kDeviceAt4nm);
     guided.settings.clutched = true;
-    EXPECT_LT(guided.glideTo(kHigh + Vector3(0.0, 48e-3, 0.0), 200).deviceForce.y(), -0.5);
+    EXPECT_LT(guided.glideTo(kDeviceAt4nm + Vector3(0.0, 48e-3, 0.0), 200).deviceForce.y(), -0.5);
     guided.settings.forcesOn = false;
-    EXPECT_EQ(guided.moveTo(kHigh + Vector3(0.0, 48e-3, 0.0)).deviceForce, Vector3::Zero());
+    EXPECT_EQ(guided.moveTo(kDeviceAt4nm + Vector3(0.0, 48e-3, 0.0)).deviceForce, Vector3::Zero());
 }
 
 TEST(MappedTick, ADeviceThatStartsBeyondTheEdgeIsNotPushedUntilItComesIn) {
     const Scene scene = test::coupledScene(kGains);
     GuidedDevice guided(scene);
     guided.device.maxForce = 8.5;
-    guided.settings.workspace = workspaceAround(kHigh);
-    const Vector3 beyond = kHigh + Vector3(50e-3, 0.0, 0.0);
-    EXPECT_LT(guided.moveTo(beyond, 2000).deviceForce.norm(), kFar);
-    guided.glideTo(kHigh, 1500);
+    guided.settings.workspace = workspaceAround(kDeviceAt4nm);
+    const Vector3 beyond = kDeviceAt4nm + Vector3(50e-3, 0.0, 0.0);
+    EXPECT_LT(guided.moveTo(beyond, 2000).deviceForce.norm(), kPullAt4nm);
+    guided.glideTo(kDeviceAt4nm, 1500);
     EXPECT_LT(guided.glideTo(beyond, 500).deviceForce.x(), -0.5);
 }
 
 TEST(MappedTick, CouplingAndEdgeTogetherStayWithinTheLimit) {
     const Scene scene = test::coupledScene(kGains);
     GuidedDevice guided = engagedDevice(scene);
-    guided.settings.workspace = workspaceAround(kHigh);
+    guided.settings.workspace = workspaceAround(kDeviceAt4nm);
     guided.settings.workspace.forceLimit = 3.0;
-    const TickOutput out = guided.glideTo(kHigh - Vector3(0.0, 0.0, 90e-3), 2000);
+    const TickOutput out = guided.glideTo(kDeviceAt4nm - Vector3(0.0, 0.0, 90e-3), 2000);
     EXPECT_EQ(out.forceState, ForceState::Limited);
     EXPECT_NEAR(out.deviceForce.norm(), scene.settings.governor.maxForce, 1e-12);
 }
@@ -140,11 +141,11 @@ TEST(MappedTick, CouplingAndEdgeTogetherStayWithinTheLimit) {
 TEST(MappedTick, AHandleThatComesBackElsewhereAfterItWasLostMovesNothing) {
     const Scene scene = test::coupledScene(kGains);
     GuidedDevice guided = engagedDevice(scene);
-    const TickOutput before = guided.moveTo(kHigh);
+    const TickOutput before = guided.moveTo(kDeviceAt4nm);
     guided.device.connected = false;
-    guided.moveTo(kHigh, 20);
+    guided.moveTo(kDeviceAt4nm, 20);
     guided.device.connected = true;
-    const TickOutput after = guided.moveTo(kHigh - Vector3(0.0, 0.0, 54e-3), 20);
+    const TickOutput after = guided.moveTo(kDeviceAt4nm - Vector3(0.0, 0.0, 54e-3), 20);
     EXPECT_EQ(after.fault, Fault::DeviceLost);
     EXPECT_LT((after.base.position - before.base.position).norm(), 1e-18);
 }
@@ -152,9 +153,9 @@ TEST(MappedTick, AHandleThatComesBackElsewhereAfterItWasLostMovesNothing) {
 TEST(MappedTick, AHandleThatWasMovedWhileTheLoopRestedMovesNothing) {
     const Scene scene = test::coupledScene(kGains);
     GuidedDevice guided = engagedDevice(scene);
-    const TickOutput before = guided.moveTo(kHigh);
+    const TickOutput before = guided.moveTo(kDeviceAt4nm);
     ++guided.starts;
-    const TickOutput after = guided.moveTo(kHigh + Vector3(20e-3, 0.0, -50e-3), 10);
+    const TickOutput after = guided.moveTo(kDeviceAt4nm + Vector3(20e-3, 0.0, -50e-3), 10);
     EXPECT_LT((after.base.position - before.base.position).norm(), 1e-18);
     EXPECT_EQ(after.forceState, ForceState::Engaging);
 }

@@ -3,6 +3,7 @@
 #include "core/Units.h"
 #include "core/map/Engagement.h"
 #include "tests/core/map/HeldTrace.h"
+#include "tests/core/map/MapCycle.h"
 #include "tests/support/TestScenes.h"
 
 #include <gtest/gtest.h>
@@ -13,8 +14,9 @@
 namespace asperity {
 namespace {
 
-constexpr double kSetpoint = 5e-9;
-constexpr double kTolerance = 1e-3;  // of the force
+using test::kSetpoint;
+
+constexpr double kForceTolerance = 1e-3;  // of the force
 
 /// On a slope a lever that pulls bends to the side, and lets go before the law at the place does.
 TEST(JumpSearch, PullsOffWhereTheLeverLosesItsEquilibrium) {
@@ -34,7 +36,7 @@ TEST(JumpSearch, PullsOffWhereTheLeverLosesItsEquilibrium) {
         std::vector<TipAtHeight> passed;
         const auto pullOff = findPullOff(path, engaged->atSetpoint, 0.3_nm, passed);
         ASSERT_TRUE(pullOff);
-        EXPECT_NEAR(pullOff->forceBefore(), expected, kTolerance * std::abs(expected));
+        EXPECT_NEAR(pullOff->forceBefore(), expected, kForceTolerance * std::abs(expected));
         EXPECT_TRUE(pullOff->before.state.converged);
     }
 }

@@ -121,16 +121,17 @@ TEST(MapComparison, NeedsThreePixels) {
     EXPECT_TRUE(std::isnan(none.measuredMean));
 }
 
-const MapPlan kPlan{.grid = {.columns = 40, .rows = 25},
-                    .region = {10e-9, 20e-9, 90e-9, 60e-9},
-                    .setpoint = 1e-9,
-                    .quantities = {MapQuantity::Height, MapQuantity::AdhesionForce}};
+const MapPlan kComparedPlan{.grid = {.columns = 40, .rows = 25},
+                            .region = {10e-9, 20e-9, 90e-9, 60e-9},
+                            .setpoint = 1e-9,
+                            .quantities = {MapQuantity::Height, MapQuantity::AdhesionForce}};
 
 /// Height and tilt of a sample on its stage, as large as the hills.
 std::vector<double> tilted(const std::vector<double>& heights) {
     std::vector<double> values = heights;
     for (std::size_t i = 0; i < values.size(); ++i) {
-        const Vector2 place = kPlan.place(static_cast<int>(i) / 40, static_cast<int>(i) % 40);
+        const Vector2 place =
+            kComparedPlan.place(static_cast<int>(i) / 40, static_cast<int>(i) % 40);
         values[i] += 7e-9 + 0.1 * (place.x() - 10e-9) - 0.05 * (place.y() - 20e-9);
     }
     return values;
@@ -141,7 +142,7 @@ TEST(ComparedQuantity, OfAHeightLosesItsPlane) {
     std::vector<double> measured = tilted(predicted);
     measured[17] = kNone;
     const ComparedQuantity result =
-        compareQuantity(kPlan, MapQuantity::Height, predicted, measured);
+        compareQuantity(kComparedPlan, MapQuantity::Height, predicted, measured);
     ASSERT_TRUE(result.plane.has_value());
     EXPECT_NEAR(result.plane->slopeX, 0.1, 1e-12);
     EXPECT_NEAR(result.plane->slopeY, -0.05, 1e-12);
@@ -158,12 +159,12 @@ TEST(ComparedQuantity, OfALevelNoiseNothingIsExplainedByATiltedPrediction) {
     const std::vector<double> predicted = tilted(waves(3, 0.0, 1e-12));
     const std::vector<double> measured = waves(17, 0.0, 1e-9);
     const ComparedQuantity result =
-        compareQuantity(kPlan, MapQuantity::Height, predicted, measured);
+        compareQuantity(kComparedPlan, MapQuantity::Height, predicted, measured);
     EXPECT_LT(result.numbers.shareByLine, 0.1);
     EXPECT_LT(result.numbers.shareAsPredicted, 0.1);
     EXPECT_NEAR(result.predictedPlane->slopeX, 0.1, 1e-4);
     const ComparedQuantity flat =
-        compareQuantity(kPlan, MapQuantity::Height, tilted(waves(3, 0.0, 0.0)), measured);
+        compareQuantity(kComparedPlan, MapQuantity::Height, tilted(waves(3, 0.0, 0.0)), measured);
     EXPECT_TRUE(flat.numbers.isPredictedConstant()) << "rounding is no relief";
 }
 
@@ -173,7 +174,7 @@ TEST(ComparedQuantity, OfAHeightNeedsMorePixelsThanItsPlane) {
         predicted[i] = 1e-9 * static_cast<double>(i % 7);
     }
     const ComparedQuantity result =
-        compareQuantity(kPlan, MapQuantity::Height, predicted, waves(3, 1e-9, 4e-9));
+        compareQuantity(kComparedPlan, MapQuantity::Height, predicted, waves(3, 1e-9, 4e-9));
     EXPECT_EQ(result.numbers.compared, 5U);
     EXPECT_TRUE(std::isnan(result.numbers.correlation));
 }
@@ -182,7 +183,7 @@ TEST(ComparedQuantity, OfAForceStaysAsItIs) {
     const std::vector<double> predicted = waves(3, 1e-9, 4e-9);
     const std::vector<double> measured = tilted(predicted);
     const ComparedQuantity result =
-        compareQuantity(kPlan, MapQuantity::AdhesionForce, predicted, measured);
+        compareQuantity(kComparedPlan, MapQuantity::AdhesionForce, predicted, measured);
     EXPECT_FALSE(result.plane.has_value());
     EXPECT_EQ(result.measured, measured);
     EXPECT_NEAR(result.numbers.meanDifference, 7e-9 + 0.1 * 40e-9 - 0.05 * 20e-9, 1e-20);
@@ -191,7 +192,7 @@ TEST(ComparedQuantity, OfAForceStaysAsItIs) {
 TEST(ComparedQuantity, WithoutACommonPixelIsNoError) {
     const std::vector<double> none(kPixels, kNone);
     const ComparedQuantity result =
-        compareQuantity(kPlan, MapQuantity::Height, none, waves(3, 1e-9, 4e-9));
+        compareQuantity(kComparedPlan, MapQuantity::Height, none, waves(3, 1e-9, 4e-9));
     EXPECT_EQ(result.numbers.compared, 0U);
     EXPECT_FALSE(result.plane.has_value());
 }

@@ -2,6 +2,7 @@
 
 #include "core/Units.h"
 #include "core/contact/laws/ForceCurve.h"
+#include "tests/core/map/MapCycle.h"
 #include "tests/support/TestScenes.h"
 
 #include <gtest/gtest.h>
@@ -14,7 +15,7 @@
 namespace asperity {
 namespace {
 
-constexpr double kSetpoint = 5e-9;
+using test::kSetpoint;
 
 double strongestPullOf(const std::vector<PixelCurvePoint>& points) {
     return -std::ranges::min(points, {}, &PixelCurvePoint::force).force;

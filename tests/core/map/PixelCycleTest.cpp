@@ -2,6 +2,7 @@
 
 #include "core/Units.h"
 #include "core/contact/laws/ForceCurve.h"
+#include "tests/core/map/MapCycle.h"
 #include "tests/support/TestScenes.h"
 
 #include <gtest/gtest.h>
@@ -12,7 +13,9 @@
 namespace asperity {
 namespace {
 
-constexpr double kSetpoint = 5e-9;
+using test::cycleOn;
+using test::kSetpoint;
+
 const Vector2 kMiddle(61.0_nm, 67.0_nm);
 
 /// A frictionless scene with the law of Johnson, Kendall and Roberts on a soft sample and lever.
@@ -31,10 +34,6 @@ SceneDescription shapeScene(const ShapeDescription& shape, double lever = 0.5) {
     SceneDescription scene = jkrScene(lever);
     scene.sample.shape = shape;
     return scene;
-}
-
-MapValues cycleOn(const Scene& scene, const Vector2& place, bool truth = false) {
-    return pixelCycle(MapInstrument(scene, truth), place, kSetpoint);
 }
 
 void expectRelative(double value, double expected, double tolerance, const char* what) {

@@ -1,6 +1,7 @@
 #include "core/map/RasterLine.h"
 
 #include "core/Units.h"
+#include "tests/core/map/MapCycle.h"
 #include "tests/support/TestScenes.h"
 
 #include <gtest/gtest.h>
@@ -10,7 +11,7 @@
 namespace asperity {
 namespace {
 
-constexpr double kSetpoint = 5e-9;
+using test::kSetpoint;
 
 std::vector<MapValues> lineOn(const Scene& scene, int columns, int row = 0,
                               double setpoint = kSetpoint) {

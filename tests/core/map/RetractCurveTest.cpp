@@ -2,6 +2,7 @@
 
 #include "core/Units.h"
 #include "core/map/Engagement.h"
+#include "tests/core/map/MapCycle.h"
 #include "tests/support/TestScenes.h"
 
 #include <gtest/gtest.h>
@@ -11,7 +12,7 @@
 namespace asperity {
 namespace {
 
-constexpr double kSetpoint = 5e-9;
+using test::kSetpoint;
 
 /// The same area of the law's own curve in small steps.
 double areaOfLaw(const Scene& scene) {

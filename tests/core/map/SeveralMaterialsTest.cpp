@@ -1,6 +1,7 @@
 #include "core/FormattedText.h"
 #include "core/map/MapInstrument.h"
 #include "core/map/PixelCycle.h"
+#include "tests/core/map/MapCycle.h"
 #include "tests/support/TestScenes.h"
 
 #include <gtest/gtest.h>
@@ -17,7 +18,8 @@
 namespace asperity {
 namespace {
 
-constexpr double kSetpoint = 5e-9;  // [N]
+using test::cycleOn;
+using test::kSetpoint;
 
 /// Hills whose upper half is of another material.
 Scene halvedScene(double upperModulus, double lowerModulus) {
@@ -44,10 +46,6 @@ Scene uniformScene(double modulus) {
     description.sample.material.elastic.youngsModulus = modulus;
     description.truth.material = description.sample.material;
     return buildScene(description, test::hillyMap());
-}
-
-MapValues cycleOn(const Scene& scene, const Vector2& place, bool truth) {
-    return pixelCycle(MapInstrument(scene, truth), place, kSetpoint);
 }
 
 /// What topography does to the curve is the same: a uniform sample of the material of the place

@@ -16,7 +16,7 @@ namespace {
 
 using std::numbers::pi;
 
-constexpr int kDraws = 10000;
+constexpr int kNoiseDraws = 10000;
 constexpr double kStandardErrors = 5.0;
 
 /// Where the tip touches and how it moves there.
@@ -152,15 +152,15 @@ Scatter scatterOfErrors(const Cantilever& lever, const ImperfectWorld& world,
     const Eigen::LLT<Matrix3> root(covariance);
     Scatter scatter;
     Random random(11);
-    for (int i = 0; i < kDraws; ++i) {
+    for (int i = 0; i < kNoiseDraws; ++i) {
         DecouplingInput input;
         const Vector3 force = world.draw(random, input);
         const ForceEstimate estimate = estimateForce(lever, input);
         EXPECT_EQ(estimate.covariance, covariance) << "does not depend on the signals";
         const Vector3 error = estimate.force - force;
-        scatter.mean += error / kDraws;
-        scatter.products += error * error.transpose() / kDraws;
-        scatter.chiSquare += error.dot(root.solve(error)) / kDraws;
+        scatter.mean += error / kNoiseDraws;
+        scatter.products += error * error.transpose() / kNoiseDraws;
+        scatter.chiSquare += error.dot(root.solve(error)) / kNoiseDraws;
     }
     return scatter;
 }
@@ -174,18 +174,18 @@ TEST(DecouplingNoise, ScattersAsTheReportedCovarianceSays) {
         const Matrix3 covariance = estimateForce(lever, input).covariance;
         const Scatter scatter = scatterOfErrors(lever, ImperfectWorld(lever, input), covariance);
         for (int i = 0; i < 3; ++i) {
-            const double meanError = std::sqrt(covariance(i, i) / kDraws);
+            const double meanError = std::sqrt(covariance(i, i) / kNoiseDraws);
             EXPECT_NEAR(scatter.mean(i), 0.0, kStandardErrors * meanError) << i;
             for (int j = 0; j <= i; ++j) {
                 const double error = std::sqrt(
                     (covariance(i, i) * covariance(j, j) + covariance(i, j) * covariance(i, j)) /
-                    kDraws);
+                    kNoiseDraws);
                 EXPECT_NEAR(scatter.products(i, j), covariance(i, j), kStandardErrors * error)
                     << i << j;
             }
         }
         // Three degrees of freedom: mean 3, variance 6.
-        EXPECT_NEAR(scatter.chiSquare, 3.0, kStandardErrors * std::sqrt(6.0 / kDraws));
+        EXPECT_NEAR(scatter.chiSquare, 3.0, kStandardErrors * std::sqrt(6.0 / kNoiseDraws));
     }
 }
 
@@ -198,7 +198,7 @@ TEST(DecouplingNoise, HardlyEverRaisesAFlag) {
     const ImperfectWorld world(lever, inputAt(place));
     Random random(12);
     int flagged = 0;
-    for (int i = 0; i < kDraws; ++i) {
+    for (int i = 0; i < kNoiseDraws; ++i) {
         DecouplingInput input;
         (void)world.draw(random, input);
         flagged += estimateForce(lever, input).plausibility.holds() ? 0 : 1;

@@ -24,8 +24,8 @@ bool leaves(ContactLaw law, const ContactPair& pair, double indentation) {
 
 constexpr ContactPair kPolymer{
     .tipRadius = 100e-9, .reducedModulus = 2.35e9, .workOfAdhesion = 0.066};
-constexpr ContactPair kHard{.tipRadius = 20e-9, .reducedModulus = 1e12, .workOfAdhesion = 1e-4};
-constexpr ContactPair kSoft{.tipRadius = 10e-6, .reducedModulus = 1e8, .workOfAdhesion = 0.01};
+constexpr ContactPair kHardPair{.tipRadius = 20e-9, .reducedModulus = 1e12, .workOfAdhesion = 1e-4};
+constexpr ContactPair kSoftPair{.tipRadius = 10e-6, .reducedModulus = 1e8, .workOfAdhesion = 0.01};
 
 TEST(LawRange, HertzHoldsWithoutAdhesionOrUnderALoadThatOutweighsIt) {
     EXPECT_TRUE(leaves(ContactLaw::Hertz, kPolymer, 1.0_nm));
@@ -40,19 +40,19 @@ TEST(LawRange, HertzHoldsWithoutAdhesionOrUnderALoadThatOutweighsIt) {
 }
 
 TEST(LawRange, DmtIsForStiffSamplesAndJkrForSoftOnes) {
-    EXPECT_FALSE(leaves(ContactLaw::Dmt, kHard, 0.002_nm));
-    EXPECT_TRUE(leaves(ContactLaw::Jkr, kHard, 0.002_nm));
-    EXPECT_TRUE(leaves(ContactLaw::Dmt, kSoft, 10.0_nm));
-    EXPECT_FALSE(leaves(ContactLaw::Jkr, kSoft, 10.0_nm));
-    EXPECT_FALSE(leaves(ContactLaw::Maugis, kHard, 0.002_nm));
-    EXPECT_FALSE(leaves(ContactLaw::Maugis, kSoft, 10.0_nm));
+    EXPECT_FALSE(leaves(ContactLaw::Dmt, kHardPair, 0.002_nm));
+    EXPECT_TRUE(leaves(ContactLaw::Jkr, kHardPair, 0.002_nm));
+    EXPECT_TRUE(leaves(ContactLaw::Dmt, kSoftPair, 10.0_nm));
+    EXPECT_FALSE(leaves(ContactLaw::Jkr, kSoftPair, 10.0_nm));
+    EXPECT_FALSE(leaves(ContactLaw::Maugis, kHardPair, 0.002_nm));
+    EXPECT_FALSE(leaves(ContactLaw::Maugis, kSoftPair, 10.0_nm));
 }
 
 TEST(LawRange, LawsWithoutARangeDoNotKnowOfAttractionAcrossAGap) {
-    EXPECT_TRUE(leaves(ContactLaw::Jkr, kSoft, -0.3_nm));
-    EXPECT_FALSE(leaves(ContactLaw::Jkr, kSoft, -0.5_nm));
-    EXPECT_TRUE(leaves(ContactLaw::Dmt, kHard, -0.3_nm));
-    EXPECT_FALSE(leaves(ContactLaw::Maugis, kHard, -0.3_nm));
+    EXPECT_TRUE(leaves(ContactLaw::Jkr, kSoftPair, -0.3_nm));
+    EXPECT_FALSE(leaves(ContactLaw::Jkr, kSoftPair, -0.5_nm));
+    EXPECT_TRUE(leaves(ContactLaw::Dmt, kHardPair, -0.3_nm));
+    EXPECT_FALSE(leaves(ContactLaw::Maugis, kHardPair, -0.3_nm));
 }
 
 /// The same pair with attraction over this range, as a scene asks for.
@@ -61,12 +61,12 @@ ContactModel ranged(ContactLaw law, const ContactPair& pair, double range) {
 }
 
 TEST(LawRange, GoesByTheRangeOfTheScene) {
-    const ContactModel jkr = ranged(ContactLaw::Jkr, kSoft, 1.0_nm);  // lambda 5.2
+    const ContactModel jkr = ranged(ContactLaw::Jkr, kSoftPair, 1.0_nm);  // lambda 5.2
     EXPECT_DOUBLE_EQ(jkr.cohesiveRange(), 1.0_nm);
     EXPECT_TRUE(leavesLawsRange(jkr, pressed(jkr, -0.7_nm))) << "the adhesion reaches so far";
     EXPECT_FALSE(leavesLawsRange(jkr, pressed(jkr, -1.5_nm)));
-    EXPECT_FALSE(leaves(ContactLaw::Jkr, kSoft, -0.7_nm)) << "beyond 0.36 nm";
-    const ContactModel longRange = ranged(ContactLaw::Jkr, kSoft, 2.0_nm);
+    EXPECT_FALSE(leaves(ContactLaw::Jkr, kSoftPair, -0.7_nm)) << "beyond 0.36 nm";
+    const ContactModel longRange = ranged(ContactLaw::Jkr, kSoftPair, 2.0_nm);
     EXPECT_TRUE(leavesLawsRange(longRange, pressed(longRange, 10.0_nm))) << "lambda 2.6";
     const ContactModel shortRange = ranged(ContactLaw::Jkr, kPolymer, 0.01_nm);
     EXPECT_TRUE(leaves(ContactLaw::Jkr, kPolymer, 1.0_nm)) << "lambda 1.4";

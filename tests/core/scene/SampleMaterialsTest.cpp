@@ -14,8 +14,8 @@
 namespace asperity {
 namespace {
 
-constexpr double kHard = 4e9;
-constexpr double kSoft = 0.5e9;
+constexpr double kHardModulus = 4e9;
+constexpr double kSoftModulus = 0.5e9;
 
 /// The left half of a scan of this size has one value, the right half the other, with one column of
 /// pixels between.
@@ -40,7 +40,7 @@ SceneDescription mappedDescription() {
 }
 
 SceneMaps mapsOver(const HeightMap& scan) {
-    const MaterialMaps maps{.youngsModulus = halves(scan, kHard, kSoft),
+    const MaterialMaps maps{.youngsModulus = halves(scan, kHardModulus, kSoftModulus),
                             .workOfAdhesion = halves(scan, 0.02, 0.08),
                             .friction = halves(scan, 0.1, 0.6)};
     return {.sample = maps, .truth = maps};
@@ -74,15 +74,15 @@ void expectSame(const TipState& state, const TipState& expected) {
 TEST(SampleMaterials, ATipMeetsTheMaterialOfItsPlace) {
     const HeightMap scan = test::flatMap();
     const Scene scene = buildScene(mappedDescription(), scan, nullptr, mapsOver(scan));
-    expectSame(pressed(scene, 30e-9), pressed(uniformScene(scan, kHard, 0.02, 0.1), 30e-9));
-    expectSame(pressed(scene, 98e-9), pressed(uniformScene(scan, kSoft, 0.08, 0.6), 98e-9));
+    expectSame(pressed(scene, 30e-9), pressed(uniformScene(scan, kHardModulus, 0.02, 0.1), 30e-9));
+    expectSame(pressed(scene, 98e-9), pressed(uniformScene(scan, kSoftModulus, 0.08, 0.6), 98e-9));
 }
 
 TEST(SampleMaterials, TheNumbersStandForTheStiffestAndMostAdhesivePart) {
     const HeightMap scan = test::flatMap();
     const Scene scene = buildScene(mappedDescription(), scan, nullptr, mapsOver(scan));
     const SampleMaterial& material = scene.description.sample.material;
-    EXPECT_EQ(material.elastic.youngsModulus, kHard);
+    EXPECT_EQ(material.elastic.youngsModulus, kHardModulus);
     EXPECT_NEAR(material.workOfAdhesion, 0.08, 1e-8);
     EXPECT_NEAR(material.friction.coefficient, 0.6, 1e-7);
     EXPECT_EQ(scene.belief.contact.pair().workOfAdhesion, material.workOfAdhesion);

@@ -5,6 +5,7 @@
 #include "core/Units.h"
 #include "core/surface/fit/BSplineFit.h"
 #include "core/surface/synthetic/SyntheticSurface.h"
+#include "tests/support/DoubleLimits.h"
 #include "tests/support/FloatingPointTraps.h"
 #include "tests/support/StorageError.h"
 
@@ -20,11 +21,10 @@ namespace {
 
 ASPERITY_TRAP_FLOATING_POINT();
 
+using test::kInfinity;
+using test::kNan;
 using test::StorageError;
 using test::storageErrorOf;
-
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 HeightMap randomMap(int columns, int rows) {
     HeightMap map = flatMap(

@@ -12,7 +12,7 @@ namespace asperity {
 namespace {
 
 /// Soft hills of 5 nm on 200 nm; no data in the lower left quarter.
-HeightMap hills(int columns, int rows) {
+HeightMap hillsWithGap(int columns, int rows) {
     HeightMap map;
     map.columns = columns;
     map.rows = rows;
@@ -29,7 +29,7 @@ HeightMap hills(int columns, int rows) {
 }
 
 TEST(CoarserSurface, IsTheSameLandWithFewerPixels) {
-    const BSplineSurface fine = fitSurface(hills(400, 160));
+    const BSplineSurface fine = fitSurface(hillsWithGap(400, 160));
     const BSplineSurface coarse = coarserSurface(fine, 100);
     EXPECT_EQ(coarse.grid().columns, 100);
     EXPECT_EQ(coarse.grid().rows, 100);
@@ -44,7 +44,7 @@ TEST(CoarserSurface, IsTheSameLandWithFewerPixels) {
 }
 
 TEST(CoarserSurface, StaysAsItIsWhereItHasNoMorePixels) {
-    const BSplineSurface fine = fitSurface(hills(60, 40));
+    const BSplineSurface fine = fitSurface(hillsWithGap(60, 40));
     EXPECT_TRUE(coarserSurface(fine, 60).grid().controlHeights == fine.grid().controlHeights);
 }
 

@@ -3,6 +3,7 @@
 #include "core/Error.h"
 #include "core/Units.h"
 #include "core/surface/synthetic/SyntheticSurface.h"
+#include "tests/support/DoubleLimits.h"
 
 #include <gtest/gtest.h>
 
@@ -13,9 +14,9 @@
 namespace asperity {
 namespace {
 
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+using test::kNan;
 
-HeightMap ramp() {
+HeightMap rampMap() {
     HeightMap map = flatMap({.columns = 12, .rows = 10, .sizeX = 12.0_nm, .sizeY = 10.0_nm});
     for (int row = 0; row < map.rows; ++row) {
         for (int column = 0; column < map.columns; ++column) {
@@ -26,7 +27,7 @@ HeightMap ramp() {
 }
 
 TEST(InvalidPixels, ASingleHoleTakesTheMeanAroundIt) {
-    HeightMap map = ramp();
+    HeightMap map = rampMap();
     map.heights[map.index(4, 6)] = kNan;
     const HeightMap whole = withInvalidPixelsFilled(map);
     EXPECT_DOUBLE_EQ(whole.at(4, 6), 6.0);
@@ -36,7 +37,7 @@ TEST(InvalidPixels, ASingleHoleTakesTheMeanAroundIt) {
 }
 
 TEST(InvalidPixels, ALargeHoleStaysWithinTheHeightsAroundIt) {
-    HeightMap map = ramp();
+    HeightMap map = rampMap();
     for (int row = 2; row < 9; ++row) {
         for (int column = 3; column < 9; ++column) {
             map.heights[map.index(row, column)] = kNan;
@@ -53,7 +54,7 @@ TEST(InvalidPixels, ALargeHoleStaysWithinTheHeightsAroundIt) {
 }
 
 TEST(InvalidPixels, OneKnownPixelFillsTheMap) {
-    HeightMap map = ramp();
+    HeightMap map = rampMap();
     std::ranges::fill(map.heights, std::numeric_limits<double>::infinity());
     map.heights[map.index(9, 0)] = 5.0_nm;
     const HeightMap whole = withInvalidPixelsFilled(map);
@@ -64,7 +65,7 @@ TEST(InvalidPixels, OneKnownPixelFillsTheMap) {
 }
 
 TEST(InvalidPixels, AMaskedPixelWithAHeightKeepsBoth) {
-    HeightMap map = ramp();
+    HeightMap map = rampMap();
     map.invalid.assign(map.heights.size(), 0);
     map.invalid[7] = 1;
     const HeightMap whole = withInvalidPixelsFilled(map);
@@ -73,13 +74,13 @@ TEST(InvalidPixels, AMaskedPixelWithAHeightKeepsBoth) {
 }
 
 TEST(InvalidPixels, AWholeMapIsLeftAsItIs) {
-    const HeightMap whole = withInvalidPixelsFilled(ramp());
-    EXPECT_EQ(whole.heights, ramp().heights);
+    const HeightMap whole = withInvalidPixelsFilled(rampMap());
+    EXPECT_EQ(whole.heights, rampMap().heights);
     EXPECT_TRUE(whole.invalid.empty());
 }
 
 TEST(InvalidPixels, AMapWithoutAnyHeightIsRefused) {
-    HeightMap map = ramp();
+    HeightMap map = rampMap();
     std::ranges::fill(map.heights, kNan);
     EXPECT_THROW((void)withInvalidPixelsFilled(map), Error);
 }

@@ -7,7 +7,6 @@
 #include "core/surface/fit/BSplineFit.h"
 #include "core/surface/fit/GaussianFilter.h"
 #include "core/surface/synthetic/SyntheticSurface.h"
-#include "tests/support/FloatingPointTraps.h"
 #include "tests/support/ScanMaps.h"
 #include "tests/support/StorageError.h"
 
@@ -18,8 +17,6 @@
 
 namespace asperity {
 namespace {
-
-ASPERITY_TRAP_FLOATING_POINT();
 
 HeightMap noisyMap() {
     HeightMap map = flatMap({.columns = 50, .rows = 40, .sizeX = 100.0_nm, .sizeY = 120.0_nm});

@@ -5,6 +5,7 @@
 #include "core/surface/fit/BSplineFit.h"
 #include "core/surface/nurbs/NurbsShapes.h"
 #include "core/surface/synthetic/SyntheticSurface.h"
+#include "tests/core/surface/TestTip.h"
 
 #include <gtest/gtest.h>
 
@@ -14,7 +15,7 @@
 namespace asperity {
 namespace {
 
-constexpr double kTipRadius = 15.0_nm;
+using test::kTipRadius;
 
 /// Two slopes of 45 degrees that meet along y at x = 0, z = 0.
 NurbsSurface groove() {

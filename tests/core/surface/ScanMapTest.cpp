@@ -4,7 +4,7 @@
 #include "core/surface/fit/BSplineFit.h"
 #include "core/surface/leveling/Leveling.h"
 #include "core/surface/synthetic/SyntheticSurface.h"
-#include "tests/support/FloatingPointTraps.h"
+#include "tests/support/DoubleLimits.h"
 #include "tests/support/ScanMaps.h"
 
 #include <gtest/gtest.h>
@@ -15,9 +15,7 @@
 namespace asperity {
 namespace {
 
-ASPERITY_TRAP_FLOATING_POINT();
-
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+using test::kNan;
 
 /// Hills of 8 nm from top to bottom on a slope of 0.1, 3 um above zero, with a hole.
 HeightMap highSlope() {

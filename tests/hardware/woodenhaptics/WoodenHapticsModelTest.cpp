@@ -13,7 +13,7 @@ namespace {
 
 const std::vector<Vector3> kPoses = {
     {0.0, 0.0, 0.5 * std::numbers::pi}, {0.4, 0.3, 1.2}, {-0.7, -0.5, 2.1}, {1.9, 0.9, 0.2}};
-const Vector3 kForce(0.7, -1.1, 0.4);  // [N]
+const Vector3 kHandleForce(0.7, -1.1, 0.4);  // [N]
 
 /// Derivatives of the handle's position by each of the joints' angles, one a column.
 Matrix3 numericalJacobian(const Vector3& angles) {
@@ -58,8 +58,8 @@ TEST(WoodenHapticsModel, ThePositionIsWhereTheLawOfCosinesPutsTheHandle) {
 
 TEST(WoodenHapticsModel, TorqueIsTheTransposedJacobianTimesTheForce) {
     for (const Vector3& angles : kPoses) {
-        const Vector3 expected = numericalJacobian(angles).transpose() * kForce;
-        EXPECT_LT((jointTorques(shippedDevice(), angles, kForce) - expected).norm(),
+        const Vector3 expected = numericalJacobian(angles).transpose() * kHandleForce;
+        EXPECT_LT((jointTorques(shippedDevice(), angles, kHandleForce) - expected).norm(),
                   1e-8 * expected.norm());
     }
 }
@@ -71,7 +71,7 @@ TEST(WoodenHapticsModel, WhatTheMotorsGiveTheDeviceTakes) {
     const EncoderCounts counts = {500, -900, 4100};
     const Vector3 speeds(0.31, -0.17, 0.23);  // of the motors [turn/s]
     const Vector3 currents =
-        motorCurrents(device, jointTorques(device, jointAngles(device, counts), kForce));
+        motorCurrents(device, jointTorques(device, jointAngles(device, counts), kHandleForce));
     const double electric =
         device.motorConstant * currents.dot(2.0 * std::numbers::pi * speeds);  // [W]
 
@@ -83,15 +83,15 @@ TEST(WoodenHapticsModel, WhatTheMotorsGiveTheDeviceTakes) {
     const Vector3 velocity =
         (handlePosition(device, angles + motion) - handlePosition(device, angles - motion)) /
         (2.0 * kTime);
-    EXPECT_NEAR(electric, kForce.dot(velocity), 1e-8 * std::abs(electric));
+    EXPECT_NEAR(electric, kHandleForce.dot(velocity), 1e-8 * std::abs(electric));
 }
 
 TEST(WoodenHapticsModel, TheAmplifiersLimitKeepsTheDirectionOfTheForce) {
     const Vector3 angles = kPoses[1];
     const Vector3 free =
-        motorCurrents(shippedDevice(), jointTorques(shippedDevice(), angles, 0.1 * kForce));
+        motorCurrents(shippedDevice(), jointTorques(shippedDevice(), angles, 0.1 * kHandleForce));
     const Vector3 held =
-        motorCurrents(shippedDevice(), jointTorques(shippedDevice(), angles, 100.0 * kForce));
+        motorCurrents(shippedDevice(), jointTorques(shippedDevice(), angles, 100.0 * kHandleForce));
     EXPECT_LT(free.cwiseAbs().maxCoeff(), shippedDevice().maxCurrent);
     EXPECT_NEAR(held.cwiseAbs().maxCoeff(), shippedDevice().maxCurrent, 1e-12);
     EXPECT_TRUE(held.normalized().isApprox(free.normalized(), 1e-12));
@@ -108,7 +108,7 @@ TEST(WoodenHapticsModel, RightOfThePersonIsRightInTheLab) {
     EXPECT_EQ(inLabFrame(Vector3::UnitY()), Vector3::UnitX());
     EXPECT_EQ(inLabFrame(Vector3::UnitX()), Vector3(-Vector3::UnitY())) << "to the person";
     EXPECT_EQ(inLabFrame(Vector3::UnitZ()), Vector3::UnitZ());
-    EXPECT_EQ(inDeviceFrame(inLabFrame(kForce)), kForce);
+    EXPECT_EQ(inDeviceFrame(inLabFrame(kHandleForce)), kHandleForce);
 }
 
 }  // namespace

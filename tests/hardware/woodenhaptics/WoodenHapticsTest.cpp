@@ -15,7 +15,7 @@ namespace asperity::test {
 namespace {
 
 const Vector3 kHandle(0.04, -0.02, 0.03);  // [m]
-const Vector3 kForce(0.5, -0.3, 0.8);      // [N]
+const Vector3 kSentForce(0.5, -0.3, 0.8);  // [N]
 const Report kZeroCurrents(15, 0);
 
 HidDeviceInfo mbedInfo() {
@@ -74,8 +74,8 @@ protected:
     }
     void pushUntilItIsFelt() {
         ASSERT_TRUE(eventually([this] {
-            (void)tick(kForce);
-            return hid.written().back() == currentsFor(kHandle, kForce);
+            (void)tick(kSentForce);
+            return hid.written().back() == currentsFor(kHandle, kSentForce);
         }));
     }
 
@@ -93,7 +93,7 @@ TEST(WoodenHaptics, BeforeItIsCalibratedItIsNotConnectedAndPushesNothing) {
     for (int i = 0; i < 20; ++i) {
         hid.send({readingReport(kHandle)});
         EXPECT_FALSE(device.advance(1e-3).connected);
-        device.setForce(kForce);
+        device.setForce(kSentForce);
         std::this_thread::sleep_for(std::chrono::milliseconds(2));
     }
     for (const Report& message : hid.written()) {
@@ -131,7 +131,7 @@ TEST_F(WoodenHapticsDevice, OfManyReadingsTheNewestCounts) {
 }
 
 TEST_F(WoodenHapticsDevice, PushesAsTheArmStands) {
-    EXPECT_NE(currentsFor(kHandle, kForce), kZeroCurrents);
+    EXPECT_NE(currentsFor(kHandle, kSentForce), kZeroCurrents);
     pushUntilItIsFelt();
 }
 
@@ -159,7 +159,7 @@ TEST_F(WoodenHapticsDevice, ADeviceThatFallsSilentLetsGoAndTheDeviceGrowsOld) {
     pushUntilItIsFelt();
     EXPECT_TRUE(eventually([this] {
         const double age = device->advance(1e-3).age;
-        device->setForce(kForce);
+        device->setForce(kSentForce);
         return age > 40e-3 && hid.written().back() == kZeroCurrents;
     }));
     hid.send({readingReport(kHandle)});
@@ -171,12 +171,12 @@ TEST_F(WoodenHapticsDevice, ADeviceThatComesBackIsHeldByNoForceFromBefore) {
     pushUntilItIsFelt();
     hid.unplug();
     ASSERT_TRUE(eventually([this] { return !device->advance(1e-3).connected; }));
-    device->setForce(kForce);
+    device->setForce(kSentForce);
     const std::size_t before = hid.written().size();
     hid.plug(mbedInfo());
     ASSERT_TRUE(eventually([&] {
         hid.send({readingReport(kHandle)});
-        device->setForce(kForce);  // answers the reading from before
+        device->setForce(kSentForce);  // answers the reading from before
         return hid.written().size() > before + 20;
     }));
     const std::vector<Report> all = hid.written();

@@ -4,6 +4,7 @@
 #include "core/deformation/ContactPatch.h"
 #include "tests/support/TestScenes.h"
 #include "tests/ui/view/ViewMoments.h"
+#include "tests/ui/view/WindowAround.h"
 #include "ui/view/ViewFrame.h"
 
 #include <gtest/gtest.h>
@@ -15,14 +16,9 @@ namespace asperity {
 
 namespace {
 
-constexpr int kSamples = 65;
+using test::windowAround;
 
-ScanWindow around(const Vector3& place, double reach) {
-    return {.left = place.x() - reach,
-            .right = place.x() + reach,
-            .bottom = place.y() - reach,
-            .top = place.y() + reach};
-}
+constexpr int kSamples = 65;
 
 class ContactShapeOnHills : public ::testing::TestWithParam<DeformationModel> {
 protected:
@@ -33,14 +29,12 @@ protected:
     }
 };
 
-}  // namespace
-
 TEST_P(ContactShapeOnHills, DeformsTheSurfaceAsPicturesAndFilesDo) {
     const Scene scene = sceneOf(GetParam());
     const test::ViewMoments moments = test::momentsOf(scene);
     for (const Snapshot& moment : {moments.deep, moments.neck}) {
         const TipState& state = moment.sample.output.model;
-        const ContactShape shape(scene, state, around(state.tip, 30.0_nm), kSamples);
+        const ContactShape shape(scene, state, windowAround(state.tip, 30.0_nm), kSamples);
         const PatchGrid grid{.halfWidth = 12.0_nm, .samples = 41};
         const SurfacePatch patch =
             drawnPatch(scene, ContactDeformation(scene, state, GetParam()), grid);
@@ -58,7 +52,7 @@ TEST(ContactShape, ShowsTheHalfSpaceWhereItStillHoldsAndElseTheClosedForm) {
     const TipState state = test::momentsOf(scene).neck.sample.output.model;
     const HalfSpaceAnswer answer = HalfSpaceModel().solve(scene, state);
     ASSERT_TRUE(answer.valid()) << nameOf(answer.verdict);
-    const ScanWindow area = around(state.tip, 30.0_nm);
+    const ScanWindow area = windowAround(state.tip, 30.0_nm);
     const ContactShape solved(scene, state, area, kSamples, &answer);
     const ContactShape closed(scene, state, area, kSamples);
     const PatchGrid grid{.halfWidth = 12.0_nm, .samples = 41};
@@ -86,7 +80,7 @@ INSTANTIATE_TEST_SUITE_P(EveryModel, ContactShapeOnHills,
 TEST(ContactShape, IsAtRestAlongItsBorder) {
     const Scene scene = test::hillyScene();
     const TipState state = test::momentsOf(scene).deep.sample.output.model;
-    const ContactShape shape(scene, state, around(state.tip, 20.0_nm), kSamples);
+    const ContactShape shape(scene, state, windowAround(state.tip, 20.0_nm), kSamples);
     const SurfacePatch& patch = shape.patch();
     for (int i = 0; i < kSamples; ++i) {
         for (const std::size_t index : {patch.index(0, i), patch.index(kSamples - 1, i),
@@ -133,7 +127,7 @@ TEST(ContactShape, FillsAScanSmallerThanTheView) {
 TEST(ContactShape, SamplesTheContactMostFinely) {
     const Scene scene = test::flatScene();
     const TipState state = test::momentsOf(scene).neck.sample.output.model;
-    const ContactShape shape(scene, state, around(state.tip, 30.0_nm), kSamples);
+    const ContactShape shape(scene, state, windowAround(state.tip, 30.0_nm), kSamples);
     const SurfacePatch& patch = shape.patch();
     int inContact = 0;
     for (int column = 0; column < kSamples; ++column) {
@@ -150,7 +144,7 @@ TEST(ContactShape, GivesTheTipItsShareOfTheDisplacement) {
     description.sample.material.elastic = description.tip.elastic;  // equals share alike
     const Scene scene = buildScene(description, test::flatMap());
     const TipState state = test::momentsOf(scene).deep.sample.output.model;
-    const ContactShape shape(scene, state, around(state.tip, 30.0_nm), kSamples);
+    const ContactShape shape(scene, state, windowAround(state.tip, 30.0_nm), kSamples);
     EXPECT_NEAR(shape.tipDisplacement(0.0), 0.5 * state.contact.indentation,
                 0.02 * state.contact.indentation);
     EXPECT_NEAR((shape.contact().closest - shape.contactPoint()).z(), shape.tipDisplacement(0.0),
@@ -160,7 +154,7 @@ TEST(ContactShape, GivesTheTipItsShareOfTheDisplacement) {
 TEST(ContactShape, GivesAStiffTipHardlyAny) {
     const Scene scene = test::flatScene();  // silicon on polystyrene
     const TipState state = test::momentsOf(scene).deep.sample.output.model;
-    const ContactShape shape(scene, state, around(state.tip, 30.0_nm), kSamples);
+    const ContactShape shape(scene, state, windowAround(state.tip, 30.0_nm), kSamples);
     EXPECT_GT(shape.tipDisplacement(0.0), 0.0);
     EXPECT_LT(shape.tipDisplacement(0.0), 0.03 * state.contact.indentation);
 }
@@ -175,4 +169,5 @@ TEST(ContactShape, OnlyFiniteStatesAreDrawable) {
     EXPECT_FALSE(isDrawable(state));
 }
 
+}  // namespace
 }  // namespace asperity

@@ -3,6 +3,7 @@
 #include "core/Units.h"
 #include "tests/support/TestScenes.h"
 #include "tests/ui/view/ViewMoments.h"
+#include "tests/ui/view/WindowAround.h"
 #include "ui/view/ContactShape.h"
 
 #include <gtest/gtest.h>
@@ -15,6 +16,8 @@ namespace asperity {
 
 namespace {
 
+using test::windowAround;
+
 /// So soft that the contact is wider than the tip.
 Scene rubberScene(std::optional<ContactLaw> law = ContactLaw::Split) {
     HeightMap map = test::flatMap();
@@ -25,13 +28,6 @@ Scene rubberScene(std::optional<ContactLaw> law = ContactLaw::Split) {
     description.sample.material.workOfAdhesion = 0.022;
     description.choices.law = law;
     return buildScene(description, map);
-}
-
-ScanWindow around(const Vector3& place, double reach) {
-    return {.left = place.x() - reach,
-            .right = place.x() + reach,
-            .bottom = place.y() - reach,
-            .top = place.y() + reach};
 }
 
 /// From the contact's axis, of a sample of the surface at rest [m].
@@ -122,7 +118,7 @@ TEST(ViewScale, ThePatchHoldsTheWideContactOfRubber) {
     for (const Snapshot& moment : {moments.deep, moments.neck}) {
         const TipState& state = moment.sample.output.model;
         const double reach = viewScale(scene).patch;
-        const ContactShape shape(scene, state, around(state.tip, reach), 65);
+        const ContactShape shape(scene, state, windowAround(state.tip, reach), 65);
         EXPECT_LT(farthestFromTip(shape), 0.5_nm + shape.tipDisplacement(0.0));
         // Where it goes over into rest, and in the corners, nothing stands out.
         EXPECT_LT(largestBeyond(shape, 0.65 * reach), 0.5 * shape.largestDisplacement());
@@ -137,7 +133,7 @@ TEST(ViewScale, APatchTooSmallForTheContactHasNoSpikes) {
         radius * radius / (2.0 * scene.belief.tipRadius()) - state.contact.indentation;
     double before = 0.0;
     for (const double room : {0.7, 1.0, 1.2, 1.4, 1.6}) {
-        const ContactShape shape(scene, state, around(state.tip, room * radius), 65);
+        const ContactShape shape(scene, state, windowAround(state.tip, room * radius), 65);
         const double largest = shape.largestDisplacement();
         EXPECT_GE(largest, before) << room;
         EXPECT_LE(largest, rim) << room;

@@ -2,6 +2,7 @@
 #include "core/contact/laws/HertzLaw.h"
 #include "core/contact/laws/JkrLaw.h"
 #include "tests/core/contact/laws/ContactCases.h"
+#include "tests/core/contact/laws/ExpectedState.h"
 
 #include <gtest/gtest.h>
 
@@ -13,10 +14,9 @@ namespace asperity {
 namespace {
 
 using test::expectClose;
+using test::kFoldTolerance;
+using test::kLawTolerance;
 using test::ReferenceTable;
-
-constexpr double kLawTolerance = 1e-12;
-constexpr double kFoldTolerance = 1e-7;
 
 /// Tip and sample whose Maugis units are all 1: R = 1 m, K = 1 Pa, pi w = 1 J/m^2.
 ContactPair unitPair() { return {1.0, 0.75, 1.0 / std::numbers::pi}; }

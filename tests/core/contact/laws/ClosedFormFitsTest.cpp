@@ -2,6 +2,7 @@
 
 #include "core/contact/maugis/MaugisDugdale.h"
 #include "tests/core/contact/laws/ContactCases.h"
+#include "tests/core/contact/laws/ExpectedState.h"
 
 #include <gtest/gtest.h>
 
@@ -13,9 +14,8 @@ namespace {
 
 using test::ClosedFormFits;
 using test::expectClose;
+using test::kLawTolerance;
 using test::ReferenceTable;
-
-constexpr double kLawTolerance = 1e-12;
 
 class ClosedFormFitsTable : public testing::Test {
 protected:

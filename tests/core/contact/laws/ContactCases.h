@@ -2,6 +2,7 @@
 
 #include "core/contact/Material.h"
 #include "core/contact/laws/ContactModel.h"
+#include "core/contact/maugis/MaugisCurve.h"
 #include "tests/support/ReferenceTable.h"
 
 #include <gtest/gtest.h>
@@ -72,6 +73,17 @@ inline rc::Gen<ContactPair> adhesivePair() {
 /// A lever from rigid to one that bends under its own weight [m/N].
 inline rc::Gen<double> anyCompliance() {
     return rc::gen::oneOf(rc::gen::just(0.0), logUniform(1e-6, 1e4));
+}
+
+/// Whether a state has only finite values, its coordinate aside.
+inline bool isFinite(const ContactState& state) {
+    return std::isfinite(state.force) && std::isfinite(state.indentation) &&
+           std::isfinite(state.contactRadius) && std::isfinite(state.cohesiveRadius) &&
+           std::isfinite(state.stiffness) && std::isfinite(state.energyLost);
+}
+
+inline double stiffnessOf(const MaugisPoint& point) {
+    return point.forceRate / point.indentationRate;
 }
 
 /// Which states are looked at.

@@ -10,8 +10,10 @@
 namespace asperity {
 namespace {
 
-/// An approach from well before snap-in to deep contact, dense around the folds.
-double anyApproach(const ContactModel& model, double compliance) {
+using test::isFinite;
+
+/// From a tip radius before pull-off to a tip radius beyond snap-in, dense around the folds.
+double approachWithinARadius(const ContactModel& model, double compliance) {
     const double pullOff = model.pullOffApproach(compliance);
     const double jumpIn = model.jumpInApproach(compliance);
     const double radius = model.pair().tipRadius;
@@ -28,12 +30,6 @@ double anyApproach(const ContactModel& model, double compliance) {
     }
 }
 
-bool isFinite(const ContactState& state) {
-    return std::isfinite(state.force) && std::isfinite(state.indentation) &&
-           std::isfinite(state.contactRadius) && std::isfinite(state.cohesiveRadius) &&
-           std::isfinite(state.energyLost);
-}
-
 /// Forces up to here cancel in an equilibrium [N].
 double forceScale(const ContactModel& model, const ContactState& state) {
     return std::abs(state.force) +
@@ -48,7 +44,7 @@ TEST(ContactModelProperty, IsFiniteAndInEquilibriumForAnyMaterialAndLever) {
         }
         const ContactModel model(ContactLaw::Split, pair);
         const double compliance = *test::anyCompliance();
-        const double approach = anyApproach(model, compliance);
+        const double approach = approachWithinARadius(model, compliance);
         for (const ContactBranch branch : {ContactBranch::Far, ContactBranch::Bonded}) {
             const ContactState state = model.equilibrium(approach, compliance, {branch});
             RC_ASSERT(state.solved());

@@ -6,12 +6,12 @@
 #include "core/contact/laws/LawChoice.h"
 #include "core/contact/laws/SplitLaw.h"
 #include "tests/core/contact/laws/ContactCases.h"
+#include "tests/support/DoubleLimits.h"
 
 #include <gtest/gtest.h>
 
 #include <array>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <string>
 
@@ -19,11 +19,10 @@ namespace asperity {
 namespace {
 
 using test::expectClose;
+using test::kInfinity;
+using test::kNan;
 using test::paperPair;
 using test::ReferenceTable;
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 ContactModel splitModel(const std::string& material) {
     return {ContactLaw::Split, paperPair(material)};
@@ -290,11 +289,11 @@ TEST(ContactModel, OpensByTheCohesiveRangeAtTheEndOfItsZone) {
 TEST(ContactModel, DoesNotSolveWhatIsNotFinite) {
     for (const ContactLaw law : {ContactLaw::Hertz, ContactLaw::Split}) {
         const ContactModel model(law, paperPair("PS"));
-        const std::array<std::array<double, 2>, 7> inputs{{{kNaN, 0.1},
+        const std::array<std::array<double, 2>, 7> inputs{{{kNan, 0.1},
                                                            {kInfinity, 0.1},
                                                            {-kInfinity, 0.1},
                                                            {2e3, 0.1},
-                                                           {0.0, kNaN},
+                                                           {0.0, kNan},
                                                            {0.0, kInfinity},
                                                            {0.0, -0.1}}};
         for (const auto& [approach, compliance] : inputs) {
@@ -308,7 +307,7 @@ TEST(ContactModel, DoesNotSolveWhatIsNotFinite) {
 }
 
 TEST(ContactModel, RefusesParametersOutsideTheirRange) {
-    for (const double bad : {kNaN, kInfinity, -kInfinity, -1.0}) {
+    for (const double bad : {kNan, kInfinity, -kInfinity, -1.0}) {
         EXPECT_THROW(ContactModel(ContactLaw::Split, {bad, 1e9, 0.1}), Error);
         EXPECT_THROW(ContactModel(ContactLaw::Split, {15_nm, bad, 0.1}), Error);
         EXPECT_THROW(ContactModel(ContactLaw::Hertz, {15_nm, 1e9, bad}), Error);

@@ -6,6 +6,7 @@
 #include "core/contact/laws/LawChoice.h"
 #include "core/contact/maugis/MaugisTable.h"
 #include "tests/core/contact/laws/ContactCases.h"
+#include "tests/support/DoubleLimits.h"
 
 #include <gtest/gtest.h>
 
@@ -17,24 +18,19 @@
 namespace asperity {
 namespace {
 
-using Limits = std::numeric_limits<double>;
+using test::isFinite;
+using test::kInfinity;
+using test::kNan;
 
-constexpr double kNaN = Limits::quiet_NaN();
-constexpr double kInfinity = Limits::infinity();
+using Limits = std::numeric_limits<double>;
 
 /// Everything a file or a command line may hold in place of a number.
 constexpr std::array kOddNumbers{
-    kNaN,   kInfinity, -kInfinity,    0.0,           -0.0,           -1.0,  Limits::denorm_min(),
+    kNan,   kInfinity, -kInfinity,    0.0,           -0.0,           -1.0,  Limits::denorm_min(),
     1e-310, 1e-300,    Limits::min(), Limits::max(), -Limits::max(), 1e300, 1e-30,
     1e30};
 
 constexpr std::array kSolvers{SolverSetting::Exact, SolverSetting::Newton, SolverSetting::Table};
-
-bool isFinite(const ContactState& state) {
-    return std::isfinite(state.force) && std::isfinite(state.indentation) &&
-           std::isfinite(state.contactRadius) && std::isfinite(state.cohesiveRadius) &&
-           std::isfinite(state.stiffness) && std::isfinite(state.energyLost);
-}
 
 /// Either a model that works, or one sentence that says why there is none.
 void expectModelOrSentence(ContactLaw law, const ContactPair& pair, const ContactOptions& options) {
@@ -117,7 +113,7 @@ TEST(ContactRefusal, AnEquilibriumOfOddNumbersIsSolvedOrSaysWhyNot) {
                 const ContactModel model(law, {15e-9, 1e9, 0.05}, options);
                 for (const double approach : kOddNumbers) {
                     for (const double compliance : kOddNumbers) {
-                        for (const double coordinate : {0.0, kNaN, 1e300, -1.0, 1e-310}) {
+                        for (const double coordinate : {0.0, kNan, 1e300, -1.0, 1e-310}) {
                             SCOPED_TRACE(approach);
                             SCOPED_TRACE(compliance);
                             const ContactState state = model.equilibrium(
@@ -161,7 +157,7 @@ TEST(ContactRefusal, AnOddTipRadiusCountsAsTheNearest) {
     for (const ContactLaw law : kValues<ContactLaw>) {
         SCOPED_TRACE(nameOf(law));
         const ContactModel model(law, {15e-9, 1e9, 0.05}, optionsFor(law));
-        EXPECT_EQ(model.withTipRadius(kNaN).pair().tipRadius, 15e-9);
+        EXPECT_EQ(model.withTipRadius(kNan).pair().tipRadius, 15e-9);
         for (const double odd : kOddNumbers) {
             SCOPED_TRACE(odd);
             const ContactModel curved = model.withTipRadius(odd);
@@ -181,7 +177,7 @@ TEST(ContactRefusal, ATipOnAnOddSurfaceDoesNotFit) {
             EXPECT_TRUE(!radius.tipFits || (radius.radius > 0.0 && std::isfinite(radius.radius)));
         }
     }
-    EXPECT_FALSE(effectiveRadius(15e-9, kNaN, 0.0).tipFits);
+    EXPECT_FALSE(effectiveRadius(15e-9, kNan, 0.0).tipFits);
     EXPECT_FALSE(effectiveRadius(kInfinity, 0.0, 0.0).tipFits);
     EXPECT_FALSE(effectiveRadius(15e-9, 0.0, -1.0 / 15e-9).tipFits);
 }
@@ -199,7 +195,7 @@ TEST(ContactRefusal, BodiesWithoutAModulusHaveNone) {
         }
     }
     EXPECT_EQ(reducedModulus({0.0, 0.3}, silicon), 0.0);
-    EXPECT_EQ(reducedModulus({kNaN, 0.3}, silicon), 0.0);
+    EXPECT_EQ(reducedModulus({kNan, 0.3}, silicon), 0.0);
     EXPECT_EQ(reducedModulus({1e9, 0.51}, silicon), 0.0);
     EXPECT_EQ(reducedModulus({kInfinity, 0.3}, {kInfinity, 0.3}), kInfinity);
     EXPECT_THROW(ContactModel(ContactLaw::Hertz, {15e-9, kInfinity, 0.0}), Error);
@@ -222,11 +218,11 @@ TEST(ContactRefusal, NoLawIsChosenForAnOddPair) {
 
 TEST(ContactRefusal, AForceCurveNeedsALeverAndAWay) {
     const ContactModel model(ContactLaw::Split, {15e-9, 1e9, 0.05});
-    for (const double bad : {kNaN, kInfinity, -kInfinity, -1.0, 2e6, Limits::max()}) {
+    for (const double bad : {kNan, kInfinity, -kInfinity, -1.0, 2e6, Limits::max()}) {
         EXPECT_THROW((void)curvePlan(model, bad), Error);
         EXPECT_THROW((void)forceCurve(model, bad, {-1e-8, 1e-8, 10}), Error);
     }
-    for (const double bad : {kNaN, kInfinity, -kInfinity, 2e3, -Limits::max()}) {
+    for (const double bad : {kNan, kInfinity, -kInfinity, 2e3, -Limits::max()}) {
         EXPECT_THROW((void)forceCurve(model, 0.1, {bad, 1e-8, 10}), Error);
         EXPECT_THROW((void)forceCurve(model, 0.1, {-1e-8, bad, 10}), Error);
     }
@@ -249,7 +245,7 @@ TEST(ContactRefusal, TheSurfaceDoesNotMoveAtAnOddRadius) {
                     SCOPED_TRACE(odd);
                     EXPECT_TRUE(std::isfinite(surfaceDisplacement(model, state, odd)));
                 }
-                EXPECT_EQ(surfaceDisplacement(model, state, kNaN), 0.0);
+                EXPECT_EQ(surfaceDisplacement(model, state, kNan), 0.0);
                 EXPECT_EQ(surfaceDisplacement(model, state, kInfinity), 0.0);
             }
         }
@@ -262,7 +258,7 @@ TEST(ContactRefusal, ATableOfOddNumbersIsRefusedOrLeavesThemToTheLaw) {
         EXPECT_THROW(MaugisTable({odd, odd, 10.0}), Error);
         EXPECT_THROW(MaugisTable({1.0, odd, 10.0}), Error);
     }
-    EXPECT_THROW(MaugisTable({1.0, 1.0, kNaN}), Error);
+    EXPECT_THROW(MaugisTable({1.0, 1.0, kNan}), Error);
     EXPECT_THROW(MaugisTable({1.0, 1.0, -1.0}), Error);
     EXPECT_THROW(MaugisTable({1.0, 1.0, kInfinity}), Error);
     const MaugisTable table({1.0, 1.0, 10.0});
@@ -275,8 +271,8 @@ TEST(ContactRefusal, ATableOfOddNumbersIsRefusedOrLeavesThemToTheLaw) {
             EXPECT_TRUE(!state || std::isfinite(state->force));
         }
     }
-    EXPECT_FALSE(table.stable(law, 0.5, kNaN, 0.5));
-    EXPECT_TRUE(table.stable(law, 0.5, 1.0, kNaN));
+    EXPECT_FALSE(table.stable(law, 0.5, kNan, 0.5));
+    EXPECT_TRUE(table.stable(law, 0.5, 1.0, kNan));
 }
 
 }  // namespace

@@ -13,6 +13,7 @@ namespace asperity::test {
 
 inline constexpr double kLawTolerance = 1e-12;
 inline constexpr double kFoldTolerance = 1e-7;
+inline constexpr double kLeverFoldTolerance = 1e-9;  ///< of a state at a fold on a lever
 
 /// Where a stable bonded state is asked for.
 struct BondedPlace {

@@ -26,7 +26,7 @@ const std::vector<double>& poissonRatios() {
     return ratios;
 }
 
-double relative(double value, double exact) { return std::abs((value / exact) - 1.0); }
+double relativeError(double value, double exact) { return std::abs((value / exact) - 1.0); }
 
 /// Force over Hertz' at the same indentation.
 double stiffening(const FilmPoint& point) {
@@ -42,9 +42,9 @@ TEST(FilmTable, EqualsTheReference) {
         const double chi = reference.number(row, "chi");
         const double ratio = reference.number(row, "a_over_t");
         const FilmPoint point = table->onSpring(chi * chi, 0.0);
-        EXPECT_LT(relative(point.ratio, ratio), 1e-9);
-        EXPECT_LT(relative(stiffening(point), reference.number(row, "force_factor")), 1e-9);
-        EXPECT_LT(relative(table->at(ratio).indentation, chi * chi), 1e-9);
+        EXPECT_LT(relativeError(point.ratio, ratio), 1e-9);
+        EXPECT_LT(relativeError(stiffening(point), reference.number(row, "force_factor")), 1e-9);
+        EXPECT_LT(relativeError(table->at(ratio).indentation, chi * chi), 1e-9);
     }
 }
 
@@ -62,11 +62,12 @@ TEST(FilmTable, IsNeverOffByMoreThanItsBound) {
             const FilmRatios exact = equation.solve(ratio);
             const FilmPoint point = table.at(ratio);
             const double cube = ratio * ratio * ratio;
-            EXPECT_LT(relative(point.indentation, ratio * ratio * exact.indentation),
+            EXPECT_LT(relativeError(point.indentation, ratio * ratio * exact.indentation),
                       table.errorBound());
-            EXPECT_LT(relative(point.force, kHertz * cube * exact.force), table.errorBound());
-            EXPECT_LT(relative(point.stiffness, 2.0 * ratio * exact.stiffness), table.errorBound());
-            EXPECT_LT(relative(point.energy, 8.0 / 15.0 * cube * ratio * ratio * exact.energy),
+            EXPECT_LT(relativeError(point.force, kHertz * cube * exact.force), table.errorBound());
+            EXPECT_LT(relativeError(point.stiffness, 2.0 * ratio * exact.stiffness),
+                      table.errorBound());
+            EXPECT_LT(relativeError(point.energy, 8.0 / 15.0 * cube * ratio * ratio * exact.energy),
                       table.errorBound());
         }
     }
@@ -156,9 +157,9 @@ TEST(FilmTable, EqualsASolutionForThePressureItself) {
         const auto table = sharedFilmTable({.poissonRatio = nu});
         const FilmPoint point = table->at(ratio);
         const double square = ratio * ratio;
-        EXPECT_LT(relative(point.indentation, square * direct.indentation()), 1e-4);
-        EXPECT_LT(relative(point.force, kHertz * square * ratio * direct.force()), 1e-4);
-        EXPECT_LT(relative(table->pressure(ratio, 1.0), direct.pressure()), 1e-3);
+        EXPECT_LT(relativeError(point.indentation, square * direct.indentation()), 1e-4);
+        EXPECT_LT(relativeError(point.force, kHertz * square * ratio * direct.force()), 1e-4);
+        EXPECT_LT(relativeError(table->pressure(ratio, 1.0), direct.pressure()), 1e-3);
         EXPECT_NEAR(table->displacement(ratio, 1.5 * ratio), square * direct.displacement(1.5),
                     1e-4 * point.indentation);
     }
@@ -180,9 +181,9 @@ TEST(FilmTable, StiffensToFirstOrderAsTheLiteratureHasIt) {
 TEST(FilmTable, OfATipThatIsFarSofterIsAHalfSpace) {
     const FilmTable table({.poissonRatio = 0.5, .share = 0.0});
     for (const double ratio : {0.1, 1.0, 7.0, 100.0}) {
-        EXPECT_LT(relative(stiffening(table.at(ratio)), 1.0), 1e-9);
-        EXPECT_LT(relative(table.at(ratio).indentation, ratio * ratio), 1e-9);
-        EXPECT_LT(relative(table.pressure(ratio, 0.6), 1.2), 1e-9);
+        EXPECT_LT(relativeError(stiffening(table.at(ratio)), 1.0), 1e-9);
+        EXPECT_LT(relativeError(table.at(ratio).indentation, ratio * ratio), 1e-9);
+        EXPECT_LT(relativeError(table.pressure(ratio, 0.6), 1.2), 1e-9);
     }
     EXPECT_EQ(table.halfSpaceLimit(), std::numeric_limits<double>::infinity());
 }
@@ -197,7 +198,7 @@ TEST(FilmTable, TendsToColumnsUnderAWideTip) {
         EXPECT_LT(off, 0.55 * before);
         before = off;
     }
-    EXPECT_LT(relative(table->at(7.0).indentation, 0.5 * 49.0), 0.06);
+    EXPECT_LT(relativeError(table->at(7.0).indentation, 0.5 * 49.0), 0.06);
 }
 
 /// Force over indentation of a step, and what the stiffness and the energy say of it.
@@ -207,9 +208,9 @@ void expectConsistent(const FilmTable& table, double ratio) {
     const FilmPoint below = table.at(ratio - step);
     const FilmPoint above = table.at(ratio + step);
     const double way = above.indentation - below.indentation;
-    EXPECT_LT(relative(way / (2.0 * step), here.indentationRate), 1e-8);
-    EXPECT_LT(relative((above.force - below.force) / way, here.stiffness), 1e-8);
-    EXPECT_LT(relative((above.energy - below.energy) / way, here.force), 1e-8);
+    EXPECT_LT(relativeError(way / (2.0 * step), here.indentationRate), 1e-8);
+    EXPECT_LT(relativeError((above.force - below.force) / way, here.stiffness), 1e-8);
+    EXPECT_LT(relativeError((above.energy - below.energy) / way, here.force), 1e-8);
 }
 
 TEST(FilmTable, HasTheStiffnessAndTheEnergyOfItsForce) {
@@ -230,12 +231,12 @@ TEST(FilmTable, GoesOnWithoutAStepBeyondItsEnd) {
         const double end = FilmTable::largestRatio();
         const FilmPoint before = table->at(end * (1.0 - 1e-12));
         const FilmPoint after = table->at(end * (1.0 + 1e-12));
-        EXPECT_LT(relative(after.indentation, before.indentation), 1e-10);
-        EXPECT_LT(relative(after.force, before.force), 1e-10);
-        EXPECT_LT(relative(after.stiffness, before.stiffness), 1e-7);
-        EXPECT_LT(relative(after.energy, before.energy), 1e-10);
-        EXPECT_LT(relative(table->pressure(end * (1.0 + 1e-12), 0.5),
-                           table->pressure(end * (1.0 - 1e-12), 0.5)),
+        EXPECT_LT(relativeError(after.indentation, before.indentation), 1e-10);
+        EXPECT_LT(relativeError(after.force, before.force), 1e-10);
+        EXPECT_LT(relativeError(after.stiffness, before.stiffness), 1e-7);
+        EXPECT_LT(relativeError(after.energy, before.energy), 1e-10);
+        EXPECT_LT(relativeError(table->pressure(end * (1.0 + 1e-12), 0.5),
+                                table->pressure(end * (1.0 - 1e-12), 0.5)),
                   1e-9);
     }
 }
@@ -268,7 +269,8 @@ TEST(FilmTable, BalancesAnySpring) {
             for (const double compliance : {0.0, 1e-30, 1e-3, 1.0, 1e9, 1e21}) {
                 SCOPED_TRACE(value);
                 const FilmPoint point = table->onSpring(value, compliance);
-                EXPECT_LT(relative(point.indentation + (compliance * point.force), value), 1e-13);
+                EXPECT_LT(relativeError(point.indentation + (compliance * point.force), value),
+                          1e-13);
                 EXPECT_TRUE(std::isfinite(point.energy) && std::isfinite(point.stiffness));
             }
         }
@@ -285,7 +287,7 @@ TEST(FilmTable, BalancesWhereItsCellsMeet) {
             for (int i = -40; i <= 40; ++i) {
                 const double asked = value * (1.0 + (i * 5e-12));
                 const FilmPoint point = table->onSpring(asked, 0.0);
-                EXPECT_LT(relative(point.indentation, asked), 1e-14);
+                EXPECT_LT(relativeError(point.indentation, asked), 1e-14);
                 EXPECT_GT(point.force, before);
                 before = point.force;
             }
@@ -313,7 +315,7 @@ TEST(FilmTable, PressesWithItsForce) {
                 [&](double height) { return height * table->pressure(ratio, height); }, 0.0, 1.0);
             const double hertz =
                 ratio == 0.0 ? 1.0 : table->at(ratio).force / (kHertz * std::pow(ratio, 3.0));
-            EXPECT_LT(relative(1.5 * sum, hertz), 1e-8);
+            EXPECT_LT(relativeError(1.5 * sum, hertz), 1e-8);
             EXPECT_GT(table->pressure(ratio, 0.1), 0.0);
         }
     }

@@ -12,11 +12,9 @@ namespace asperity {
 namespace {
 
 using test::expectClose;
+using test::kLeverFoldTolerance;
 using test::paperPair;
 using test::ReferenceTable;
-
-/// Folds of springs.
-constexpr double kFoldStateTolerance = 1e-9;
 
 ContactModel maugisModel(const ReferenceTable& table, std::size_t row) {
     return {ContactLaw::Maugis, paperPair(table.text(row, "material"))};
@@ -67,7 +65,7 @@ TEST_F(MaugisOnALeverCritical, PullsOffAtTheReferenceState) {
                                     .indentation = cell(row, "off_delta_m"),
                                     .contactRadius = cell(row, "off_a_m"),
                                     .cohesiveRadius = cell(row, "off_c_m")};
-        test::expectState(last, expected, {.tolerance = kFoldStateTolerance},
+        test::expectState(last, expected, {.tolerance = kLeverFoldTolerance},
                           maugisUnits(model.pair()));
         EXPECT_EQ(last.contactRadius > 0.0, table.text(row, "off_kind") == "contact");
         expectClose(model.pullOffApproach(compliance), cell(row, "off_xb_m"), test::kLawTolerance);

@@ -1,5 +1,6 @@
 #include "core/contact/maugis/MaugisDugdale.h"
 #include "tests/core/contact/laws/ContactCases.h"
+#include "tests/core/contact/laws/ExpectedState.h"
 
 #include <gtest/gtest.h>
 
@@ -12,9 +13,10 @@ namespace asperity {
 namespace {
 
 using test::expectClose;
+using test::kLawTolerance;
 using test::ReferenceTable;
+using test::stiffnessOf;
 
-constexpr double kLawTolerance = 1e-12;
 constexpr double kRoundings = 4.0 * std::numeric_limits<double>::epsilon();
 
 /// The state of a row by the radius that tells it, stable or not.
@@ -22,8 +24,6 @@ MaugisPoint pointAt(const MaugisDugdale& law, double contactRadius, double cohes
     return contactRadius > 0.0 ? law.atContactRadius(contactRadius)
                                : law.curve().noncontact(cohesiveRadius);
 }
-
-double stiffnessOf(const MaugisPoint& point) { return point.forceRate / point.indentationRate; }
 
 /// c / a; infinite without contact.
 double ratioOf(const MaugisPoint& point) { return 1.0 / std::cos(point.angle); }

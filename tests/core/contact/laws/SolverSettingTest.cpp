@@ -2,6 +2,7 @@
 #include "core/contact/maugis/MaugisTable.h"
 #include "core/contact/maugis/MaugisUnits.h"
 #include "tests/core/contact/laws/AnyContact.h"
+#include "tests/support/DoubleLimits.h"
 
 #include <gtest/gtest.h>
 
@@ -13,15 +14,14 @@ namespace asperity {
 namespace {
 
 using test::AnyContact;
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+using test::kInfinity;
+using test::kNan;
 
 /// Whatever a memory may hold: a coordinate of this curve, of another, or garbage.
 double anyCoordinate() {
     return *rc::gen::oneOf(
         test::logUniform(1e-3, 1e3), test::logUniform(1e-150, 1e150),
-        rc::gen::element(0.0, -0.0, -1.0, kNaN, kInfinity, -kInfinity, 5e-324, 1.7e308, -1.7e308));
+        rc::gen::element(0.0, -0.0, -1.0, kNan, kInfinity, -kInfinity, 5e-324, 1.7e308, -1.7e308));
 }
 
 AnyContact anyCohesiveContact() {

@@ -41,7 +41,7 @@ rc::Gen<AnySphere> anySphere() {
 }
 
 /// From before snap-in to 10 tip radii deep, dense around the fold.
-double anyApproach(double fold, double radius) {
+double anySphereApproach(double fold, double radius) {
     const double where = *test::fraction();
     switch (*rc::gen::inRange(0, 5)) {
     case 0:
@@ -83,7 +83,7 @@ void expectEquilibria(const Law& law, const AnySphere& sphere) {
     const LawPoint fold = law.fold(sphere.compliance);
     RC_ASSERT(isFinite(fold));
     const double end = fold.indentation + (sphere.compliance * fold.force);
-    const double approach = anyApproach(end, sphere.pair.tipRadius);
+    const double approach = anySphereApproach(end, sphere.pair.tipRadius);
     const auto state = law.stable(approach, sphere.compliance);
     if (!state) {
         RC_ASSERT(approach <= end + (1e-13 * sizeOf(sphere, fold, approach)));

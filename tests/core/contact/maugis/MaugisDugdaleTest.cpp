@@ -2,12 +2,12 @@
 
 #include "core/contact/maugis/MaugisUnits.h"
 #include "tests/core/contact/laws/ContactCases.h"
+#include "tests/support/DoubleLimits.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <ostream>
 
 namespace asperity {
@@ -20,9 +20,10 @@ void showValue(const MaugisControl& control, std::ostream& stream) {
 namespace {
 
 using test::expectClose;
+using test::kEpsilon;
+using test::kInfinity;
+using test::kNan;
 using test::ReferenceTable;
-
-constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 
 /// What four roundings of the held value do to the state: the row's condition number in units.
 struct Sensitivity {
@@ -177,8 +178,6 @@ TEST(MaugisDugdale, FindsNothingBelowTheFold) {
 
 /// Any double, most of them of no use as a coordinate.
 rc::Gen<double> anyStart() {
-    constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-    constexpr double kInfinity = std::numeric_limits<double>::infinity();
     return rc::gen::oneOf(test::logUniform(1e-150, 1e150), test::logUniform(1e-3, 1e3),
                           rc::gen::element(0.0, -1.0, kNan, kInfinity, -kInfinity, 1e-308, 1e308));
 }

@@ -15,6 +15,8 @@
 namespace asperity {
 namespace {
 
+using test::stiffnessOf;
+
 constexpr double kMax = 100.0;
 constexpr double kRadiusSpan = 2.15;  // of lambda for a tenth to ten times the effective radius
 constexpr double kBound = 2e-9;
@@ -37,15 +39,15 @@ const std::vector<MaugisTable>& paperTables() {
     return tables;
 }
 
-double relative(double value, double exact) {
+double scaledError(double value, double exact) {
     return std::abs(value - exact) / std::max(std::abs(exact), 1.0);
 }
 
 double worstError(const MaugisState& state, const MaugisPoint& exact) {
-    return std::max({relative(state.force, exact.force),
-                     relative(state.indentation, exact.indentation),
-                     relative(state.contactRadius, exact.contactRadius),
-                     relative(state.cohesiveRadius, exact.cohesiveRadius)});
+    return std::max({scaledError(state.force, exact.force),
+                     scaledError(state.indentation, exact.indentation),
+                     scaledError(state.contactRadius, exact.contactRadius),
+                     scaledError(state.cohesiveRadius, exact.cohesiveRadius)});
 }
 
 TEST(MaugisTable, IsAsAccurateAsWantedForThePapersMaterials) {
@@ -68,8 +70,6 @@ double anyIndentation(const MaugisDugdale& law) {
     return law.lowestContact().indentation + (root * root);
 }
 
-double stiffnessOf(const MaugisPoint& point) { return point.forceRate / point.indentationRate; }
-
 /// What four roundings of the indentation do to the exact state: close to a fold that is more than
 /// the bound.
 double conditionAt(const MaugisDugdale& law, double indentation) {
@@ -78,10 +78,10 @@ double conditionAt(const MaugisDugdale& law, double indentation) {
     const auto control = MaugisControl::displacement();
     const MaugisPoint low = law.stable(control, indentation - nudge).value_or(law.lowestContact());
     const MaugisPoint high = *law.stable(control, indentation + nudge);
-    return std::max({relative(high.force, low.force),
-                     relative(high.contactRadius, low.contactRadius),
-                     relative(high.cohesiveRadius, low.cohesiveRadius),
-                     relative(stiffnessOf(high), stiffnessOf(low))});
+    return std::max({scaledError(high.force, low.force),
+                     scaledError(high.contactRadius, low.contactRadius),
+                     scaledError(high.cohesiveRadius, low.cohesiveRadius),
+                     scaledError(stiffnessOf(high), stiffnessOf(low))});
 }
 
 TEST(MaugisTable, IsNeverOffByMoreThanItsBound) {
@@ -96,7 +96,7 @@ TEST(MaugisTable, IsNeverOffByMoreThanItsBound) {
         const double limit = std::max(table.errorBound(), conditionAt(law, indentation));
         RC_ASSERT(state.has_value());
         RC_ASSERT(worstError(*state, *exact) <= limit);
-        RC_ASSERT(relative(state->stiffness, stiffnessOf(*exact)) <= limit);
+        RC_ASSERT(scaledError(state->stiffness, stiffnessOf(*exact)) <= limit);
     });
 }
 

@@ -10,11 +10,11 @@
 namespace asperity {
 namespace {
 
-constexpr double kStill = 0.05e-3;  // [m]
-constexpr double kShakes = 0.5e-3;  // [m]
-constexpr double kRadius = 50e-3;   // of the workspace [m]
-constexpr double kReach = 60e-3;    // where the arm would like to be [m]
-constexpr double kTimeStep = 1e-3;  // [s]
+constexpr double kStillAtEdge = 0.05e-3;  // [m]
+constexpr double kShakesAtEdge = 0.5e-3;  // [m]
+constexpr double kRadius = 50e-3;         // of the workspace [m]
+constexpr double kReach = 60e-3;          // where the arm would like to be [m]
+constexpr double kTimeStep = 1e-3;        // [s]
 
 /// How far the handle goes to and fro at the edge, two seconds after it was thrown there [m].
 double motionAtEdge(const Workspace& workspace, double delay) {
@@ -39,7 +39,7 @@ TEST(HeldAtEdge, ALightGripStaysAtRest) {
         const double motion = motionAtEdge(workspace, delay);
         std::cout << delay * 1e3 << " ms: " << workspace.stiffness << " N/m, moves " << motion * 1e3
                   << " mm\n";
-        EXPECT_LT(motion, kStill) << delay;
+        EXPECT_LT(motion, kStillAtEdge) << delay;
     }
 }
 
@@ -47,7 +47,7 @@ TEST(HeldAtEdge, AStifferSpringThanTheGripDampsShakes) {
     Workspace workspace = workspaceOf(kRadius, 5.5_ms);
     workspace.stiffness = 400.0;
     workspace.forceLimit = 10.0;
-    EXPECT_GT(motionAtEdge(workspace, 5.0_ms), kShakes);
+    EXPECT_GT(motionAtEdge(workspace, 5.0_ms), kShakesAtEdge);
 }
 
 }  // namespace

@@ -1,8 +1,10 @@
 #include "tests/core/haptics/bench/HeldTip.h"
 
 #include "core/Units.h"
+#include "core/haptics/coupling/CouplingDesign.h"
 #include "core/io/scene/SceneFile.h"
 #include "core/scene/SceneTruth.h"
+#include "tests/core/haptics/TestDevice.h"
 #include "tests/support/Places.h"
 #include "tests/support/TestScenes.h"
 
@@ -60,6 +62,10 @@ Scene hapticScene(const std::string& material, const HeightMap& map, double tick
     description.settings.positionGain = 1.0_nm / 1e-3;
     description.settings.forceGain = magnified / 10.0_nN;
     return buildScene(description, map);
+}
+
+CouplingGains designed(const Scene& scene, double delay) {
+    return designCoupling(kPhantom, {.timeStep = scene.timeStep(), .delay = delay});
 }
 
 HeldTip holdTip(const Scene& scene, const Hold& hold, const PortWatch& watch) {

@@ -13,6 +13,9 @@ namespace asperity::test {
 [[nodiscard]] Scene hapticScene(const std::string& material, const HeightMap& map,
                                 double tickRate = 1000.0, double magnified = 1.0);
 
+/// The coupling designed for a Phantom class device that is late by `delay` [s].
+[[nodiscard]] CouplingGains designed(const Scene& scene, double delay);
+
 /// One operator at one device.
 struct Hold {
     BenchSetup bench;

@@ -1,6 +1,7 @@
 #include "core/haptics/bench/SimulatedDevice.h"
 
 #include "core/Units.h"
+#include "tests/core/haptics/TestDevice.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +10,8 @@
 namespace asperity {
 namespace {
 
-constexpr double kTick = 1.0_ms;
+using test::kTick;
+
 constexpr double kResolution = kPhantomClass.resolution;
 
 /// Lets so much time pass. @return where the handle is then

@@ -1,4 +1,5 @@
 #include "core/haptics/coupling/CouplingDesign.h"
+#include "tests/core/haptics/TestDevice.h"
 #include "tests/core/haptics/bench/HeldTip.h"
 #include "tests/support/TestScenes.h"
 
@@ -9,8 +10,7 @@
 namespace asperity {
 namespace {
 
-constexpr DeviceSpecification kPhantom{
-    .maxStiffness = 800.0, .maxDamping = 8.0, .effectiveMass = 0.075};
+using test::kPhantom;
 
 /// At rest the device force is the sample's force on the tip times the force gain, though base, tip
 /// and device are held by three springs in a row.

@@ -1,6 +1,7 @@
 #include "core/Units.h"
 #include "core/haptics/coupling/CouplingDesign.h"
 #include "core/haptics/coupling/PassivityObserver.h"
+#include "tests/core/haptics/TestDevice.h"
 #include "tests/core/haptics/bench/HeldTip.h"
 #include "tests/support/TestScenes.h"
 
@@ -12,10 +13,10 @@
 namespace asperity {
 namespace {
 
+using test::kPhantom;
+
 constexpr double kDelay = 5.0_ms;
 constexpr CouplingGains kTooStiff{.stiffness = 600.0, .damping = 1.5, .proxyDamping = 3.0};
-constexpr DeviceSpecification kPhantom{
-    .maxStiffness = 800.0, .maxDamping = 8.0, .effectiveMass = 0.075};
 
 struct Supervision {
     double leastEnergy = 0.0;  ///< [J]

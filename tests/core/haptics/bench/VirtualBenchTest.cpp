@@ -1,6 +1,7 @@
 #include "core/haptics/bench/VirtualBench.h"
 
 #include "core/Units.h"
+#include "tests/core/haptics/TestDevice.h"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +11,8 @@
 namespace asperity {
 namespace {
 
-constexpr double kTick = 1.0_ms;
+using test::kTick;
+
 constexpr HandlePhysics kIdeal{
     .mass = 0.1, .coulombFriction = 0.0, .viscousFriction = 0.0, .resolution = 0.0};
 

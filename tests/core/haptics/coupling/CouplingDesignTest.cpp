@@ -2,6 +2,7 @@
 
 #include "core/Error.h"
 #include "core/Units.h"
+#include "tests/core/haptics/TestDevice.h"
 
 #include <gtest/gtest.h>
 
@@ -15,8 +16,7 @@
 namespace asperity {
 namespace {
 
-constexpr DeviceSpecification kPhantom{
-    .maxStiffness = 800.0, .maxDamping = 8.0, .effectiveMass = 0.075};
+using test::kPhantom;
 
 std::string refusal(const DeviceSpecification& device, const LoopTiming& timing) {
     try {

@@ -3,6 +3,7 @@
 #include "core/Units.h"
 #include "core/scene/BelievedModel.h"
 #include "core/words/ScaleWords.h"
+#include "tests/core/haptics/TestDevice.h"
 #include "tests/support/TestScenes.h"
 
 #include <gtest/gtest.h>
@@ -13,9 +14,9 @@
 namespace asperity {
 namespace {
 
+using test::kPhantom;
+
 constexpr DeviceSpecification kMouse{};
-constexpr DeviceSpecification kPhantom{
-    .maxForce = 8.5, .maxStiffness = 800.0, .maxDamping = 8.0, .effectiveMass = 0.075};
 
 Scene sceneOf(const std::function<void(SceneDescription&)>& change) {
     SceneDescription scene = test::plainScene();

@@ -1,5 +1,7 @@
 #include "core/haptics/coupling/PassivityObserver.h"
 
+#include "tests/core/haptics/TestDevice.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -9,8 +11,9 @@
 namespace asperity {
 namespace {
 
+using test::kTick;
+
 constexpr double kStiffness = 300.0;  // [N/m]
-constexpr double kTick = 1e-3;        // [s]
 constexpr double kPeriod = 0.1;       // of the device's motion [s]
 
 /// The least energy seen while a device moves by 5 mm to and fro for a second against a spring and

@@ -1,6 +1,7 @@
 #include "core/haptics/coupling/VirtualCoupling.h"
 
 #include "core/Units.h"
+#include "tests/core/haptics/TestDevice.h"
 
 #include <gtest/gtest.h>
 
@@ -9,8 +10,9 @@
 namespace asperity {
 namespace {
 
+using test::kTick;
+
 constexpr CouplingGains kGains{.stiffness = 300.0, .damping = 2.0, .proxyDamping = 3.0};
-constexpr double kTick = 1e-3;  // [s]
 
 /// A device that starts at 0, with its proxy.
 class CoupledDevice {

@@ -1,21 +1,21 @@
 #include "tests/core/haptics/governor/GuardedBench.h"
+#include "tests/support/DoubleLimits.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <limits>
 #include <string>
 
 namespace asperity {
 namespace {
 
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr double kSoon = 5e-3;     // [s]
 constexpr double kPressing = 0.1;  // force of a device that presses, at least [N]
 constexpr double kEngaged = 1.2;   // after so long the force acts fully [s]
 
 using Samples = std::vector<TickSample>;
 using test::GuardedBench;
+using test::kNan;
 
 bool isOff(const TickSample& sample) { return sample.output.deviceForce == Vector3::Zero(); }
 

@@ -1,23 +1,25 @@
 #include "core/haptics/governor/ForceGovernor.h"
 
+#include "tests/core/haptics/TestDevice.h"
+#include "tests/support/DoubleLimits.h"
+
 #include <gtest/gtest.h>
 
-#include <limits>
 #include <random>
 
 namespace asperity {
 namespace {
 
-constexpr double kStep = 1e-3;
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+using test::kInfinity;
+using test::kNan;
+using test::kTick;
 
 /// A device of 5 N that streams, under the default limits, of which 3 N is the least.
 TickInput motors() {
     TickInput input;
     input.device.maxForce = 5.0;
     input.device.streams = true;
-    input.timeStep = kStep;
+    input.timeStep = kTick;
     return input;
 }
 
@@ -99,7 +101,7 @@ TEST(ForceGovernor, ComesOnLinearlyInItsTimeAndNeverAboveWhatIsWanted) {
         for (int i = 1; i <= 1000.0 * time + 1; ++i) {
             const double wanted = i == 1 ? 0.1 : 2.0;
             const GovernedForce governed = governForce(input, wanting(wanted), memory);
-            ASSERT_NEAR(governed.force.z(), std::min(1.0, i * kStep / time) * wanted, 1e-9);
+            ASSERT_NEAR(governed.force.z(), std::min(1.0, i * kTick / time) * wanted, 1e-9);
             ASSERT_LE(governed.force.z(), wanted);
             memory = governed.memory;
         }
@@ -148,7 +150,7 @@ TEST(ForceGovernor, AReleasedDeadManSwitchTakesTheForceAndIsNoFault) {
     EXPECT_EQ(released.fault, Fault::None);
     input.device.buttons = 0x80000000U;
     const GovernedForce again = governForce(input, wanting(0.2), released.memory);
-    EXPECT_NEAR(again.force.z(), 0.2 * kStep, 1e-12) << "held again, it comes on";
+    EXPECT_NEAR(again.force.z(), 0.2 * kTick, 1e-12) << "held again, it comes on";
 }
 
 TEST(ForceGovernor, SilenceFadesTheForceAndThenIsAFault) {
@@ -175,7 +177,7 @@ TEST(ForceGovernor, AfterAMomentOfSilenceTheForceComesOnFromWhereItFadedTo) {
     EXPECT_NEAR(faded.share, 0.8, 1e-12);
     input.device.age = 0.0;
     const GovernedForce after = governForce(input, wanting(2.0), faded);
-    EXPECT_NEAR(after.memory.share, 0.8 + kStep, 1e-12);
+    EXPECT_NEAR(after.memory.share, 0.8 + kTick, 1e-12);
     EXPECT_EQ(after.state, ForceState::Engaging);
 }
 

@@ -14,7 +14,7 @@ constexpr double kDeep = -5e-3;  // [m]
 /// The middle of the test map, in the device's frame.
 Vector3 above(double height) { return {64e-3, 64e-3, height}; }
 
-Scene coupledScene() {
+Scene coupledPolystyrene() {
     SceneDescription description = plainScene();
     description.settings.positionGain = 1.0_nm / 1e-3;
     description.settings.forceGain = 1.0 / 10.0_nN;
@@ -24,7 +24,7 @@ Scene coupledScene() {
 
 }  // namespace
 
-GuardedBench::GuardedBench() : GuardedBench(coupledScene(), above(kHigh)) {}
+GuardedBench::GuardedBench() : GuardedBench(coupledPolystyrene(), above(kHigh)) {}
 
 GuardedBench::GuardedBench(const Scene& scene, const Vector3& start)
     : scene_(scene)

@@ -42,16 +42,16 @@ private:
     TickMemory memory_;
 };
 
-constexpr double kStep = 0.1_nm;
+constexpr double kDrawStep = 0.1_nm;
 
 TEST(SolverFault, IsLatchedAfterFiftyMillisecondsWithoutAnEquilibrium) {
     Drawn tip;
     tip.draw(0.0, 10);
-    const TickOutput failing = tip.draw(kStep, 49);
+    const TickOutput failing = tip.draw(kDrawStep, 49);
     EXPECT_TRUE(failing.flags.has(Validity::FrictionLock));
     EXPECT_EQ(failing.fault, Fault::None);
     EXPECT_EQ(failing.deviceForce, Vector3::Zero());
-    EXPECT_EQ(tip.draw(kStep, 1).fault, Fault::SolverFailed);
+    EXPECT_EQ(tip.draw(kDrawStep, 1).fault, Fault::SolverFailed);
     const TickOutput solved = tip.draw(0.0, 100);
     EXPECT_FALSE(solved.flags.has(Validity::FrictionLock));
     EXPECT_EQ(solved.fault, Fault::SolverFailed) << "only a person takes it back";
@@ -63,7 +63,7 @@ TEST(SolverFault, IsNotATransient) {
     Drawn tip;
     tip.draw(0.0, 10);
     for (int i = 0; i < 5; ++i) {
-        EXPECT_EQ(tip.draw(kStep, 40).fault, Fault::None);
+        EXPECT_EQ(tip.draw(kDrawStep, 40).fault, Fault::None);
         EXPECT_EQ(tip.draw(0.0, 1).fault, Fault::None);
     }
 }
@@ -72,14 +72,14 @@ TEST(SolverFault, IsNotAStallOfTheLoop) {
     Drawn tip;
     tip.draw(0.0, 10);
     tip.input.timeStep = 0.5;
-    EXPECT_EQ(tip.draw(kStep, 1).fault, Fault::None);
+    EXPECT_EQ(tip.draw(kDrawStep, 1).fault, Fault::None);
 }
 
 TEST(SolverFault, DoesNotStopADeviceThatOnlySenses) {
     Drawn tip;
     tip.input.device.maxForce = 0.0;
     tip.draw(0.0, 10);
-    const TickOutput failing = tip.draw(kStep, 200);
+    const TickOutput failing = tip.draw(kDrawStep, 200);
     EXPECT_TRUE(failing.flags.has(Validity::FrictionLock));
     EXPECT_EQ(failing.fault, Fault::None);
     EXPECT_EQ(failing.deviceForce, Vector3::Zero());

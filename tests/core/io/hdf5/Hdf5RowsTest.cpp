@@ -15,7 +15,7 @@ namespace {
 
 using testing::HasSubstr;
 
-constexpr int kRows = 20'000;  // more than a block
+constexpr int kManyRows = 20'000;  // more than a block
 
 class Hdf5Rows : public testing::Test {
 protected:
@@ -59,14 +59,14 @@ protected:
 };
 
 TEST_F(Hdf5Rows, ReadBackWhatWasWritten) {
-    write(kRows);
+    write(kManyRows);
     const Hdf5Input input(file);
     asperity::Hdf5Rows rows(input, "log");
     ASSERT_EQ(rows.columns().size(), 4U);
     EXPECT_EQ(rows.columns()[0].name, "z_m") << "columns keep their order";
     EXPECT_EQ(rows.columns()[3].name, "a_m");
     EXPECT_EQ(rows.comments(), (std::vector<std::string>{"one", "two, too"}));
-    for (int row = 0; row < kRows; ++row) {
+    for (int row = 0; row < kManyRows; ++row) {
         ASSERT_TRUE(rows.next());
         ASSERT_EQ(rows.number(0), row / 3.0);
         ASSERT_EQ(rows.number(1), static_cast<double>(static_cast<float>(1.0 / (row + 1.0))));

@@ -18,7 +18,7 @@ using testing::Contains;
 using testing::HasSubstr;
 using testing::Not;
 
-constexpr GivenScale kSize{.sizeX = 8e-6, .sizeY = 4e-6};
+constexpr GivenScale kGivenSize{.sizeX = 8e-6, .sizeY = 4e-6};
 constexpr GivenScale kHeight{.heightPerValue = 2.5e-10};
 constexpr GivenScale kBoth{.sizeX = 8e-6, .sizeY = 4e-6, .heightPerValue = 2.5e-10};
 
@@ -94,7 +94,7 @@ TEST(ApplyScale, NothingGivenChangesNothing) {
 TEST(ApplyScale, ASizeStandsInPlaceOfThatOfTheFileAndSaysSo) {
     const ScratchFolder folder;
     const auto path = folder.write("known.gwy", gwyFile(gwyImage(0, "Height", "m")));
-    const ScanChannel channel = channelWith(path, kSize);
+    const ScanChannel channel = channelWith(path, kGivenSize);
     EXPECT_DOUBLE_EQ(channel.map.pitchX, 4e-6);
     EXPECT_DOUBLE_EQ(channel.map.heights.front(), 1.0);
     EXPECT_THAT(channel.notes, Contains(HasSubstr("that of the file is 4 nm x 9 nm")));

@@ -85,8 +85,6 @@ protected:
     BoundedRead worst;  ///< the most of each
 };
 
-}  // namespace
-
 TEST_P(DamageBounds, HoldWhereverItIsCutOff) {
     for (int i = 0; i < damages(); ++i) {
         const std::size_t length = place();
@@ -109,4 +107,5 @@ TEST_P(DamageBounds, HoldWhicheverBitIsFlipped) {
 INSTANTIATE_TEST_SUITE_P(RealScans, DamageBounds, testing::ValuesIn(allScans()),
                          [](const auto& scan) { return testName(scan.param); });
 
+}  // namespace
 }  // namespace asperity::test

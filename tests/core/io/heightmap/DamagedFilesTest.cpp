@@ -84,8 +84,6 @@ std::vector<std::string> smallFiles() {
             wsxmFile({}),       digitalSurfFile({})};
 }
 
-}  // namespace
-
 TEST_P(DamagedFile, EveryTruncationIsRefusedByName) {
     const std::size_t needed = neededBytes(GetParam(), bytes);
     for (const std::size_t length : cuts(bytes)) {
@@ -142,4 +140,5 @@ TEST(DamagedFile, EveryTruncationOfSmallFilesIsRefused) {
     }
 }
 
+}  // namespace
 }  // namespace asperity::test

@@ -39,8 +39,8 @@ struct ExrTestFile {
     std::map<std::string, double> numbers;
     std::map<std::string, std::string> texts;
 };
-constexpr int kColumns = 5;
-constexpr int kRows = 3;
+constexpr int kExrColumns = 5;
+constexpr int kExrRows = 3;
 constexpr double kHole = 7.0;  ///< pixel that is NaN
 
 /// Pixel of a channel: a number that half floats hold.
@@ -55,7 +55,7 @@ void writePixels(Output& output, const Imf::FrameBuffer& frame);
 template <>
 void writePixels(Imf::OutputFile& output, const Imf::FrameBuffer& frame) {
     output.setFrameBuffer(frame);
-    output.writePixels(kRows);
+    output.writePixels(kExrRows);
 }
 template <>
 void writePixels(Imf::TiledOutputFile& output, const Imf::FrameBuffer& frame) {
@@ -63,7 +63,7 @@ void writePixels(Imf::TiledOutputFile& output, const Imf::FrameBuffer& frame) {
     output.writeTiles(0, output.numXTiles() - 1, 0, output.numYTiles() - 1);
 }
 
-Imf::Header headerOf(const ExrTestFile& file) {
+Imf::Header exrHeader(const ExrTestFile& file) {
     const Imath::Box2i window({-2, 7}, {2, 9});
     Imf::Header header(window, window);
     header.compression() = file.compression;
@@ -87,9 +87,9 @@ template <typename Sample>
 std::string writeExr(const ExrTestFile& file) {
     std::vector<std::vector<Sample>> planes(file.channels.size());
     Imf::FrameBuffer frame;
-    const Imf::Header header = headerOf(file);
+    const Imf::Header header = exrHeader(file);
     for (std::size_t i = 0; i < planes.size(); ++i) {
-        for (int pixel = 0; pixel < kColumns * kRows; ++pixel) {
+        for (int pixel = 0; pixel < kExrColumns * kExrRows; ++pixel) {
             const float sample = sampleOf(i, pixel);
             if constexpr (std::is_same_v<Sample, unsigned>) {
                 planes[i].push_back(std::isnan(sample) ? 0U : static_cast<unsigned>(2 * sample));
@@ -119,16 +119,16 @@ std::string exrFile(const ExrTestFile& file) {
     return file.type == Imf::UINT ? writeExr<unsigned>(file) : writeExr<float>(file);
 }
 
-HeightMapFile readBytes(const std::string& bytes) { return readHeightMapBytes(bytes, "small.exr"); }
-ScanChannel onlyChannel(const ExrTestFile& file) { return readBytes(exrFile(file)).channels.at(0); }
-std::string refusal(const std::string& bytes) {
-    return refusalOf([&] { (void)readBytes(bytes); });
+HeightMapFile readAsExr(const std::string& bytes) { return readHeightMapBytes(bytes, "small.exr"); }
+ScanChannel exrChannel(const ExrTestFile& file) { return readAsExr(exrFile(file)).channels.at(0); }
+std::string refusalOfExr(const std::string& bytes) {
+    return refusalOf([&] { (void)readAsExr(bytes); });
 }
 
 void expectSamples(const HeightMap& map, double factor) {
-    ASSERT_EQ(map.columns, kColumns);
-    ASSERT_EQ(map.rows, kRows);
-    for (int pixel = 0; pixel < kColumns * kRows; ++pixel) {
+    ASSERT_EQ(map.columns, kExrColumns);
+    ASSERT_EQ(map.rows, kExrRows);
+    for (int pixel = 0; pixel < kExrColumns * kExrRows; ++pixel) {
         const double height = map.heights[static_cast<std::size_t>(pixel)];
         const double expected = static_cast<double>(sampleOf(0, pixel)) * factor;
         EXPECT_TRUE(height == expected || (std::isnan(height) && std::isnan(expected))) << pixel;
@@ -143,18 +143,18 @@ TEST(ExrReader, ReadsFloatsAndHalfFloatsInEveryOrder) {
         for (const Imf::Compression compression :
              {Imf::NO_COMPRESSION, Imf::RLE_COMPRESSION, Imf::ZIPS_COMPRESSION,
               Imf::ZIP_COMPRESSION, Imf::PIZ_COMPRESSION}) {
-            expectSamples(onlyChannel({.type = type, .compression = compression}).map, 1.0);
+            expectSamples(exrChannel({.type = type, .compression = compression}).map, 1.0);
         }
-        expectSamples(onlyChannel({.type = type, .order = Imf::DECREASING_Y}).map, 1.0);
-        expectSamples(onlyChannel({.type = type, .isTiled = true}).map, 1.0);
+        expectSamples(exrChannel({.type = type, .order = Imf::DECREASING_Y}).map, 1.0);
+        expectSamples(exrChannel({.type = type, .isTiled = true}).map, 1.0);
     }
 }
 
 TEST(ExrReader, GwyddionsAttributesAreTheScale) {
-    const ScanChannel channel = onlyChannel(
-        {.type = Imf::HALF,
-         .numbers = {{"Gwy::XReal", 5.0}, {"Gwy::YReal", 6.0}, {"Gwy::ZScale", 1e-9}},
-         .texts = {{"Gwy::XYUnit", "um"}, {"Gwy::ZUnit", "m"}, {"Gwy::Title", "Höhe"}}});
+    const ScanChannel channel =
+        exrChannel({.type = Imf::HALF,
+                    .numbers = {{"Gwy::XReal", 5.0}, {"Gwy::YReal", 6.0}, {"Gwy::ZScale", 1e-9}},
+                    .texts = {{"Gwy::XYUnit", "um"}, {"Gwy::ZUnit", "m"}, {"Gwy::Title", "Höhe"}}});
     EXPECT_EQ(channel.name, "Höhe");
     EXPECT_EQ(channel.unit, "m");
     EXPECT_DOUBLE_EQ(channel.map.pitchX, 1e-6);
@@ -164,24 +164,24 @@ TEST(ExrReader, GwyddionsAttributesAreTheScale) {
 }
 
 TEST(ExrReader, HalfFloatsOfMetersAreCalledCoarse) {
-    const ScanChannel channel = onlyChannel({.type = Imf::HALF, .texts = {{"Gwy::ZUnit", "m"}}});
+    const ScanChannel channel = exrChannel({.type = Imf::HALF, .texts = {{"Gwy::ZUnit", "m"}}});
     EXPECT_THAT(channel.notes, Contains(HasSubstr("too coarse")));
 }
 
 TEST(ExrReader, CountsHaveTheirEnds) {
-    const ScanChannel plain = onlyChannel({.type = Imf::UINT});
+    const ScanChannel plain = exrChannel({.type = Imf::UINT});
     EXPECT_EQ(plain.map.at(1, 0), 5.0);
     EXPECT_EQ(plain.unit, "");
     const ScanChannel scaled =
-        onlyChannel({.type = Imf::UINT,
-                     .numbers = {{"Gwy::ZMin", 1.0}, {"Gwy::ZMax", 4294967296.0}},
-                     .texts = {{"Gwy::ZUnit", "nm"}}});
+        exrChannel({.type = Imf::UINT,
+                    .numbers = {{"Gwy::ZMin", 1.0}, {"Gwy::ZMax", 4294967296.0}},
+                    .texts = {{"Gwy::ZUnit", "nm"}}});
     EXPECT_NEAR(scaled.map.at(1, 0), 6e-9, 1e-17);
 }
 
 TEST(ExrReader, EveryChannelOfNumbersIsOne) {
     const HeightMapFile file =
-        readBytes(exrFile({.channels = {"A", "Y", "phase"}, .texts = {{"Gwy::ZUnit", "m"}}}));
+        readAsExr(exrFile({.channels = {"A", "Y", "phase"}, .texts = {{"Gwy::ZUnit", "m"}}}));
     ASSERT_EQ(file.channels.size(), 2U);
     EXPECT_EQ(file.channels[0].name, "Y");
     EXPECT_EQ(file.channels[0].unit, "m");
@@ -191,15 +191,15 @@ TEST(ExrReader, EveryChannelOfNumbersIsOne) {
 }
 
 TEST(ExrReader, PicturesAreRefusedInWords) {
-    EXPECT_THAT(refusal(exrFile({.channels = {"B", "G", "R"}})), HasSubstr("a color picture"));
-    EXPECT_EQ(readBytes(exrFile({.channels = {"B", "G", "R", "Z"}})).channels.at(0).name, "Z");
+    EXPECT_THAT(refusalOfExr(exrFile({.channels = {"B", "G", "R"}})), HasSubstr("a color picture"));
+    EXPECT_EQ(readAsExr(exrFile({.channels = {"B", "G", "R", "Z"}})).channels.at(0).name, "Z");
 }
 
 TEST(ExrReader, EveryTruncationIsRefused) {
     const std::string bytes =
         exrFile({.numbers = {{"Gwy::XReal", 5.0}}, .texts = {{"Gwy::Title", "Height"}}});
     for (std::size_t length = 0; length < bytes.size(); ++length) {
-        EXPECT_THROW((void)readBytes(bytes.substr(0, length)), InputError) << length;
+        EXPECT_THROW((void)readAsExr(bytes.substr(0, length)), InputError) << length;
     }
 }
 
@@ -210,7 +210,7 @@ TEST(ExrReader, EveryBitMayFlip) {
             std::string damaged = bytes;
             damaged[place / 8] = static_cast<char>(damaged[place / 8] ^ (1 << (place % 8)));
             try {
-                (void)readBytes(damaged);
+                (void)readAsExr(damaged);
             } catch (const InputError&) {
             }
         }
@@ -221,18 +221,18 @@ TEST(ExrReader, RefusesMorePixelsThanTheFileCanHold) {
     std::string bytes = exrFile({});
     const std::size_t window = bytes.find("dataWindow") + 11 + 6 + 4;
     bytes.replace(window + 8, 8, std::string("\xF0\x7F\0\0\xF0\x7F\0\0", 8));
-    EXPECT_THAT(refusal(bytes), HasSubstr("cannot hold"));
+    EXPECT_THAT(refusalOfExr(bytes), HasSubstr("cannot hold"));
     bytes.replace(window + 8, 8, std::string("\xFF\xFF\xFF\x7F\xFF\xFF\xFF\x7F", 8));
-    EXPECT_THAT(refusal(bytes), HasSubstr("pixels"));
+    EXPECT_THAT(refusalOfExr(bytes), HasSubstr("pixels"));
 }
 
 TEST(ExrReader, RefusesAnAttributeThatTheLibraryWouldReadAtAnotherLength) {
     std::string bytes = exrFile({.texts = {{"Gwy::Title", "Height"}}});
     bytes.replace(bytes.find("string", bytes.find("Gwy::Title")), 6, "double");
-    EXPECT_THAT(refusal(bytes), HasSubstr("'Gwy::Title' is not as long as a double"));
+    EXPECT_THAT(refusalOfExr(bytes), HasSubstr("'Gwy::Title' is not as long as a double"));
     std::string channels = exrFile({});
     channels[channels.find("chlist") + 7] ^= 1;  // its size
-    EXPECT_THAT(refusal(channels), HasSubstr("not as long as a chlist"));
+    EXPECT_THAT(refusalOfExr(channels), HasSubstr("not as long as a chlist"));
 }
 
 /// Each would carry a copy of all texts.

@@ -14,7 +14,7 @@ namespace {
 using testing::HasSubstr;
 using testing::Not;
 
-std::string refusal(const std::string& bytes) {
+std::string refusalOfCurves(const std::string& bytes) {
     return refusalOf([&] { (void)readHeightMapBytes(bytes, "curve.dat"); });
 }
 
@@ -33,14 +33,15 @@ TEST(ForceCurveFiles, AreNamedByTheirProgram) {
         {"PS-PPT/v1\n", "Park"},
     };
     for (const auto& file : files) {
-        EXPECT_THAT(refusal(file.bytes), AllOf(HasSubstr("curve.dat: "), HasSubstr("force curves"),
-                                               HasSubstr(file.program)))
+        EXPECT_THAT(
+            refusalOfCurves(file.bytes),
+            AllOf(HasSubstr("curve.dat: "), HasSubstr("force curves"), HasSubstr(file.program)))
             << file.bytes;
     }
 }
 
 TEST(ForceCurveFiles, AreNotAmongTheFormatsThatCanBeRead) {
-    EXPECT_THAT(refusal("nothing known"), Not(HasSubstr("force curves")));
+    EXPECT_THAT(refusalOfCurves("nothing known"), Not(HasSubstr("force curves")));
 }
 
 }  // namespace asperity::test

@@ -113,8 +113,6 @@ protected:
     double worst = 0.0;
 };
 
-}  // namespace
-
 TEST_P(GroundTruth, EveryChannelHasItsStatisticsAndPixels) {
     const ReferenceTable table(sharedData("afm/CHANNELS.csv"));
     std::size_t channels = 0;
@@ -196,4 +194,5 @@ TEST(RealScans, TraceAndRetraceOfCl0AreTheSameSurfaceAsItsGwyAndGsf) {
     }
 }
 
+}  // namespace
 }  // namespace asperity::test

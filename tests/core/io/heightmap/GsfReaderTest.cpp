@@ -16,7 +16,7 @@ namespace {
 using testing::HasSubstr;
 
 constexpr const char* kMagic = "Gwyddion Simple Field 1.0\n";
-constexpr const char* kSize = "XRes = 3\nYRes = 2\nXReal = 30e-9\nYReal = 40e-9\n";
+constexpr const char* kSizeFields = "XRes = 3\nYRes = 2\nXReal = 30e-9\nYReal = 40e-9\n";
 constexpr const char* kMeters = "XYUnits = m\nZUnits = m\n";
 
 std::string gsfFile(const std::string& fields, const std::vector<float>& values,
@@ -31,16 +31,17 @@ std::string gsfFile(const std::string& fields, const std::vector<float>& values,
 
 const std::vector<float> kValues = {1, 2, 3, 4, 5, 6};
 
-HeightMapFile read(const std::string& bytes) { return readHeightMapBytes(bytes, "scan.gsf"); }
+HeightMapFile readAsGsf(const std::string& bytes) { return readHeightMapBytes(bytes, "scan.gsf"); }
 
-std::string refusal(const std::string& bytes) {
-    return refusalOf([&] { (void)read(bytes); });
+std::string refusalOfGsf(const std::string& bytes) {
+    return refusalOf([&] { (void)readAsGsf(bytes); });
 }
 
 }  // namespace
 
 TEST(GsfReader, RowsComeFromTheTop) {
-    const ScanChannel channel = read(gsfFile(std::string(kSize) + kMeters, kValues)).channels.at(0);
+    const ScanChannel channel =
+        readAsGsf(gsfFile(std::string(kSizeFields) + kMeters, kValues)).channels.at(0);
     EXPECT_EQ(channel.map.at(0, 2), 3.0);
     EXPECT_EQ(channel.map.at(1, 0), 4.0);
     EXPECT_DOUBLE_EQ(channel.map.pitchX, 10e-9);
@@ -50,16 +51,16 @@ TEST(GsfReader, RowsComeFromTheTop) {
 
 TEST(GsfReader, HeaderOfAnyLengthIsPaddedByOneToFourNulBytes) {
     for (const char* title : {"a", "ab", "abc", "abcd"}) {
-        const auto fields = std::string(kSize) + kMeters + "Title = " + title + "\n";
-        const ScanChannel channel = read(gsfFile(fields, kValues)).channels.at(0);
+        const auto fields = std::string(kSizeFields) + kMeters + "Title = " + title + "\n";
+        const ScanChannel channel = readAsGsf(gsfFile(fields, kValues)).channels.at(0);
         EXPECT_EQ(channel.name, title);
         EXPECT_EQ(channel.map.at(1, 2), 6.0);
     }
 }
 
 TEST(GsfReader, OtherFieldsAreMetadata) {
-    const auto fields = std::string(kSize) + kMeters + "XOffset=-1e-6\n  Author  =  A = B \n";
-    const ScanChannel channel = read(gsfFile(fields, kValues)).channels.at(0);
+    const auto fields = std::string(kSizeFields) + kMeters + "XOffset=-1e-6\n  Author  =  A = B \n";
+    const ScanChannel channel = readAsGsf(gsfFile(fields, kValues)).channels.at(0);
     EXPECT_EQ(channel.metadata, (std::map<std::string, std::string>{{"Author", "A = B"}}));
     EXPECT_DOUBLE_EQ(channel.originX, -1e-6);
 }
@@ -67,48 +68,53 @@ TEST(GsfReader, OtherFieldsAreMetadata) {
 TEST(GsfReader, NanIsInvalid) {
     const float nan = std::numeric_limits<float>::quiet_NaN();
     const HeightMap map =
-        read(gsfFile(std::string(kSize) + kMeters, {1, nan, 3, 4, 5, 6})).channels.at(0).map;
+        readAsGsf(gsfFile(std::string(kSizeFields) + kMeters, {1, nan, 3, 4, 5, 6}))
+            .channels.at(0)
+            .map;
     EXPECT_FALSE(map.isValid(0, 1));
     EXPECT_TRUE(map.isValid(0, 0));
 }
 
 TEST(GsfReader, MissingLateralUnitIsTakenAsMetersAndSaid) {
-    const HeightMapFile file = read(gsfFile(std::string(kSize) + "ZUnits = m\n", kValues));
+    const HeightMapFile file =
+        readAsGsf(gsfFile(std::string(kSizeFields) + "ZUnits = m\n", kValues));
     EXPECT_TRUE(file.channels.at(0).hasSize());
     EXPECT_THAT(file.channels.at(0).notes.at(0), HasSubstr("meters are assumed"));
 }
 
 TEST(GsfReader, MissingSizeOrHeightUnitIsNotGuessed) {
-    const HeightMapFile noSize = read(gsfFile("XRes=3\nYRes=2\nZUnits=m\n", kValues));
+    const HeightMapFile noSize = readAsGsf(gsfFile("XRes=3\nYRes=2\nZUnits=m\n", kValues));
     EXPECT_THROW((void)heightChannel(noSize, "scan.gsf", ""), InputError);
-    const HeightMapFile noUnit = read(gsfFile(kSize, kValues));
+    const HeightMapFile noUnit = readAsGsf(gsfFile(kSizeFields, kValues));
     EXPECT_THROW((void)heightChannel(noUnit, "scan.gsf", ""), InputError);
 }
 
 TEST(GsfReader, RefusesDamage) {
-    const std::string good = gsfFile(std::string(kSize) + kMeters, kValues);
-    EXPECT_THAT(refusal(good + "x"), HasSubstr("found 25"));
-    EXPECT_THAT(refusal(good.substr(0, good.size() - 1)), HasSubstr("found 23"));
-    EXPECT_THAT(refusal(gsfFile("XRes = 3\n", kValues)), HasSubstr("YRes"));
-    EXPECT_THAT(refusal(gsfFile("XRes = 3.5\nYRes = 2\n", kValues)), HasSubstr("XRes"));
-    EXPECT_THAT(refusal(gsfFile("XRes = 0\nYRes = 2\n", {})), HasSubstr("0 x 2"));
-    EXPECT_THAT(refusal(gsfFile("XRes = 4294967296\nYRes = 4294967296\n", {})), HasSubstr("65536"));
-    EXPECT_THAT(refusal(gsfFile(std::string(kSize) + "XOffset = left\n", kValues)),
+    const std::string good = gsfFile(std::string(kSizeFields) + kMeters, kValues);
+    EXPECT_THAT(refusalOfGsf(good + "x"), HasSubstr("found 25"));
+    EXPECT_THAT(refusalOfGsf(good.substr(0, good.size() - 1)), HasSubstr("found 23"));
+    EXPECT_THAT(refusalOfGsf(gsfFile("XRes = 3\n", kValues)), HasSubstr("YRes"));
+    EXPECT_THAT(refusalOfGsf(gsfFile("XRes = 3.5\nYRes = 2\n", kValues)), HasSubstr("XRes"));
+    EXPECT_THAT(refusalOfGsf(gsfFile("XRes = 0\nYRes = 2\n", {})), HasSubstr("0 x 2"));
+    EXPECT_THAT(refusalOfGsf(gsfFile("XRes = 4294967296\nYRes = 4294967296\n", {})),
+                HasSubstr("65536"));
+    EXPECT_THAT(refusalOfGsf(gsfFile(std::string(kSizeFields) + "XOffset = left\n", kValues)),
                 HasSubstr("XOffset"));
-    EXPECT_THAT(refusal(gsfFile(std::string(kSize) + "no equals sign\n", kValues)),
+    EXPECT_THAT(refusalOfGsf(gsfFile(std::string(kSizeFields) + "no equals sign\n", kValues)),
                 HasSubstr("line 6"));
-    EXPECT_THAT(refusal(kMagic), HasSubstr("truncated"));
-    EXPECT_THAT(refusal(gsfFile(kSize, kValues, "Gwyddion Simple Field 1.0\r\n")),
+    EXPECT_THAT(refusalOfGsf(kMagic), HasSubstr("truncated"));
+    EXPECT_THAT(refusalOfGsf(gsfFile(kSizeFields, kValues, "Gwyddion Simple Field 1.0\r\n")),
                 HasSubstr("text mode"));
-    EXPECT_THAT(refusal(gsfFile(kSize, kValues, "Gwyddion Simple Field 2.0\n")), HasSubstr("1.0"));
+    EXPECT_THAT(refusalOfGsf(gsfFile(kSizeFields, kValues, "Gwyddion Simple Field 2.0\n")),
+                HasSubstr("1.0"));
 }
 
 TEST(GsfReader, RefusesPaddingThatIsNotNul) {
-    std::string bytes = gsfFile(std::string(kSize) + kMeters + "Title = ab\n", kValues);
+    std::string bytes = gsfFile(std::string(kSizeFields) + kMeters + "Title = ab\n", kValues);
     const std::size_t end = bytes.find('\0');
     ASSERT_NE((end + 1) % 4, 0U) << "the header must leave more than one byte of padding";
     bytes[end + 1] = 'x';
-    EXPECT_THAT(refusal(bytes), HasSubstr("NUL"));
+    EXPECT_THAT(refusalOfGsf(bytes), HasSubstr("NUL"));
 }
 
 }  // namespace asperity::test

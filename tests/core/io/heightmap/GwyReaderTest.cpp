@@ -2,6 +2,7 @@
 #include "core/io/heightmap/HeightMapFormat.h"
 #include "core/io/heightmap/ScanFile.h"
 #include "tests/core/io/heightmap/SyntheticScans.h"
+#include "tests/support/DoubleLimits.h"
 #include "tests/support/Refusal.h"
 #include "tests/support/ScratchFolder.h"
 
@@ -9,7 +10,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 
 namespace asperity::test {
 
@@ -19,10 +19,10 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-HeightMapFile read(const std::string& bytes) { return readHeightMapBytes(bytes, "scan.gwy"); }
+HeightMapFile readAsGwy(const std::string& bytes) { return readHeightMapBytes(bytes, "scan.gwy"); }
 
-std::string refusal(const std::string& bytes) {
-    return refusalOf([&] { (void)read(bytes); });
+std::string refusalOfGwy(const std::string& bytes) {
+    return refusalOf([&] { (void)readAsGwy(bytes); });
 }
 
 std::string field(const std::string& components) {
@@ -37,7 +37,7 @@ std::string sizeOf(std::int32_t columns, std::int32_t rows) {
 
 TEST(GwyReader, RowsComeFromTheTopAndColumnsFromTheLeft) {
     const HeightMap map =
-        read(gwyFile(gwyComponent("/0/data", smallGwyField()))).channels.at(0).map;
+        readAsGwy(gwyFile(gwyComponent("/0/data", smallGwyField()))).channels.at(0).map;
     EXPECT_EQ(map.columns, 2);
     EXPECT_EQ(map.rows, 3);
     EXPECT_DOUBLE_EQ(map.pitchX, 2e-9);
@@ -47,10 +47,10 @@ TEST(GwyReader, RowsComeFromTheTopAndColumnsFromTheLeft) {
 }
 
 TEST(GwyReader, ImagesAreNumberedFromAnywhereWithGapsInAnyOrder) {
-    const HeightMapFile file =
-        read(gwyFile(gwyText("/12/data/title", "late") + gwyComponent("/12/data", smallGwyField()) +
-                     gwyComponent("/3/data", smallGwyField()) + gwyText("/3/data/title", "early") +
-                     gwyText("/7/data/title", "a title alone is no image")));
+    const HeightMapFile file = readAsGwy(
+        gwyFile(gwyText("/12/data/title", "late") + gwyComponent("/12/data", smallGwyField()) +
+                gwyComponent("/3/data", smallGwyField()) + gwyText("/3/data/title", "early") +
+                gwyText("/7/data/title", "a title alone is no image")));
     ASSERT_EQ(file.channels.size(), 2U);
     EXPECT_EQ(file.channels[0].name, "early");
     EXPECT_EQ(file.channels[1].name, "late");
@@ -59,8 +59,8 @@ TEST(GwyReader, ImagesAreNumberedFromAnywhereWithGapsInAnyOrder) {
 TEST(GwyReader, MaskedPixelsAreInvalid) {
     const std::string mask =
         gwyObjectBytes("GwyDataField", sizeOf(2, 3) + gwyNumbers("data", {0, 1, 0, 0, 0.5, -1}));
-    const HeightMapFile file =
-        read(gwyFile(gwyComponent("/0/mask", mask) + gwyComponent("/0/data", smallGwyField())));
+    const HeightMapFile file = readAsGwy(
+        gwyFile(gwyComponent("/0/mask", mask) + gwyComponent("/0/data", smallGwyField())));
     const HeightMap& map = file.channels.at(0).map;
     EXPECT_EQ(map.invalid, (PixelMask{0, 1, 0, 0, 1, 0}));
     EXPECT_TRUE(std::isnan(map.at(0, 1)));
@@ -86,9 +86,8 @@ TEST(GwyReader, AMaskIsNotedOnItsOwnImageAlone) {
 }
 
 TEST(GwyReader, NanAndInfinityAreInvalid) {
-    constexpr double kInfinity = std::numeric_limits<double>::infinity();
     const HeightMap map =
-        read(field(sizeOf(3, 1) + gwyNumbers("data", {std::nan(""), 1, kInfinity})))
+        readAsGwy(field(sizeOf(3, 1) + gwyNumbers("data", {std::nan(""), 1, kInfinity})))
             .channels.at(0)
             .map;
     EXPECT_EQ(map.invalid, (PixelMask{1, 0, 1}));
@@ -103,8 +102,8 @@ TEST(GwyReader, SkipsWhatItDoesNotKnow) {
     const std::string strings =
         std::string("tags") + '\0' + "S" + std::string("\2\0\0\0", 4) + std::string("a\0b\0", 4);
     const HeightMapFile file =
-        read(gwyFile(nested + strings + gwyComponent("/0/data", smallGwyField()) +
-                     gwyInteger("/0/base/range-type", 2)));
+        readAsGwy(gwyFile(nested + strings + gwyComponent("/0/data", smallGwyField()) +
+                          gwyInteger("/0/base/range-type", 2)));
     EXPECT_EQ(file.channels.size(), 1U);
 }
 
@@ -115,7 +114,7 @@ TEST(GwyReader, KeepsMetadataOffsetsAndUnits) {
                             gwyUnit("si_unit_z", "N/m") + gwyNumbers("data", {7}));
     const std::string meta = gwyObjectBytes("GwyContainer", gwyText("Probe", "silicon \xB5"));
     const ScanChannel channel =
-        read(gwyFile(gwyComponent("/1/data", image) + gwyComponent("/1/meta", meta)))
+        readAsGwy(gwyFile(gwyComponent("/1/data", image) + gwyComponent("/1/meta", meta)))
             .channels.at(0);
     EXPECT_EQ(channel.unit, "N/m");
     EXPECT_DOUBLE_EQ(channel.originX, -5e-6);
@@ -125,43 +124,47 @@ TEST(GwyReader, KeepsMetadataOffsetsAndUnits) {
 
 TEST(GwyReader, UnknownSizeIsNotOneMeter) {
     for (const double size : {0.0, -1.0, std::nan("")}) {
-        const HeightMapFile file = read(field(sizeOf(1, 1) + gwyNumber("xreal", size) +
-                                              gwyUnit("si_unit_z", "m") + gwyNumbers("data", {1})));
+        const HeightMapFile file =
+            readAsGwy(field(sizeOf(1, 1) + gwyNumber("xreal", size) + gwyUnit("si_unit_z", "m") +
+                            gwyNumbers("data", {1})));
         EXPECT_EQ(file.channels.at(0).map.pitchX, 0.0);
         EXPECT_THROW((void)heightChannel(file, "scan.gwy", ""), InputError);
     }
 }
 
 TEST(GwyReader, RefusesDamagedStructures) {
-    EXPECT_THAT(refusal("GWYO"), HasSubstr("Gwyddion 1"));
-    EXPECT_THAT(refusal("GWYP"), HasSubstr("byte 4"));
-    EXPECT_THAT(refusal("GWYP" + gwyObjectBytes("GwyDataField", "")), HasSubstr("GwyContainer"));
-    EXPECT_THAT(refusal(gwyFile("")), HasSubstr("no image"));
-    EXPECT_THAT(refusal(gwyFile(std::string("key\0z1", 6))), HasSubstr("unknown type"));
-    EXPECT_THAT(refusal(gwyFile(std::string("key\0Z\1\0\0\0", 9))), HasSubstr("unknown type"));
-    EXPECT_THAT(refusal(gwyFile(std::string("key\0D\xFF\xFF\xFF\xFF", 9))), HasSubstr("array"));
-    EXPECT_THAT(refusal(gwyFile(std::string("key\0o", 5) + std::string("C\0\xFF\0\0\0", 6))),
+    EXPECT_THAT(refusalOfGwy("GWYO"), HasSubstr("Gwyddion 1"));
+    EXPECT_THAT(refusalOfGwy("GWYP"), HasSubstr("byte 4"));
+    EXPECT_THAT(refusalOfGwy("GWYP" + gwyObjectBytes("GwyDataField", "")),
+                HasSubstr("GwyContainer"));
+    EXPECT_THAT(refusalOfGwy(gwyFile("")), HasSubstr("no image"));
+    EXPECT_THAT(refusalOfGwy(gwyFile(std::string("key\0z1", 6))), HasSubstr("unknown type"));
+    EXPECT_THAT(refusalOfGwy(gwyFile(std::string("key\0Z\1\0\0\0", 9))), HasSubstr("unknown type"));
+    EXPECT_THAT(refusalOfGwy(gwyFile(std::string("key\0D\xFF\xFF\xFF\xFF", 9))),
+                HasSubstr("array"));
+    EXPECT_THAT(refusalOfGwy(gwyFile(std::string("key\0o", 5) + std::string("C\0\xFF\0\0\0", 6))),
                 HasSubstr("expected 255 bytes"));
-    EXPECT_THAT(refusal(gwyFile(gwyText("/0/data", "text"))), HasSubstr("expected 'o'"));
+    EXPECT_THAT(refusalOfGwy(gwyFile(gwyText("/0/data", "text"))), HasSubstr("expected 'o'"));
 }
 
 TEST(GwyReader, RefusesFieldsThatDoNotFitTogether) {
     const std::string one = gwyNumbers("data", {1});
-    EXPECT_THAT(refusal(field(sizeOf(2, 1) + one)), HasSubstr("2 x 1 pixels are promised"));
-    EXPECT_THAT(refusal(field(sizeOf(0, 1) + one)), HasSubstr("0 x 1 pixels"));
-    EXPECT_THAT(refusal(field(sizeOf(-1, -1) + one)), HasSubstr("-1 x -1 pixels"));
-    EXPECT_THAT(refusal(field(sizeOf(70000, 70000) + one)), HasSubstr("65536"));
-    EXPECT_THAT(refusal(field(sizeOf(65536, 65536) + one)), HasSubstr("promised"));
-    EXPECT_THAT(refusal(field(gwyNumber("xres", 1.0) + one)), HasSubstr("expected 'i'"));
+    EXPECT_THAT(refusalOfGwy(field(sizeOf(2, 1) + one)), HasSubstr("2 x 1 pixels are promised"));
+    EXPECT_THAT(refusalOfGwy(field(sizeOf(0, 1) + one)), HasSubstr("0 x 1 pixels"));
+    EXPECT_THAT(refusalOfGwy(field(sizeOf(-1, -1) + one)), HasSubstr("-1 x -1 pixels"));
+    EXPECT_THAT(refusalOfGwy(field(sizeOf(70000, 70000) + one)), HasSubstr("65536"));
+    EXPECT_THAT(refusalOfGwy(field(sizeOf(65536, 65536) + one)), HasSubstr("promised"));
+    EXPECT_THAT(refusalOfGwy(field(gwyNumber("xres", 1.0) + one)), HasSubstr("expected 'i'"));
     const std::string mask =
         gwyObjectBytes("GwyDataField", sizeOf(3, 2) + gwyNumbers("data", {0, 0, 0, 0, 0, 0}));
-    EXPECT_THAT(
-        refusal(gwyFile(gwyComponent("/0/mask", mask) + gwyComponent("/0/data", smallGwyField()))),
-        HasSubstr("mask"));
+    EXPECT_THAT(refusalOfGwy(gwyFile(gwyComponent("/0/mask", mask) +
+                                     gwyComponent("/0/data", smallGwyField()))),
+                HasSubstr("mask"));
 }
 
 TEST(GwyReader, TrailingBytesAreIgnoredAndNoted) {
-    const HeightMapFile file = read(gwyFile(gwyComponent("/0/data", smallGwyField())) + "tail");
+    const HeightMapFile file =
+        readAsGwy(gwyFile(gwyComponent("/0/data", smallGwyField())) + "tail");
     EXPECT_THAT(file.notes.at(0), HasSubstr("4 bytes"));
 }
 

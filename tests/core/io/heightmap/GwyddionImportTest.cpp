@@ -70,12 +70,12 @@ public:
     }
 };
 
-HeightMapFile read(const Gwyddion& gwyddion, const std::string& content = kContent) {
+HeightMapFile readByGwyddion(const Gwyddion& gwyddion, const std::string& content = kContent) {
     return readHeightMapBytes(content, "some folder/scan.xyz", gwyddion);
 }
 
-std::string refusal(const Gwyddion& gwyddion, const std::string& content = kContent) {
-    return refusalOf([&] { (void)read(gwyddion, content); });
+std::string refusalOfImport(const Gwyddion& gwyddion, const std::string& content = kContent) {
+    return refusalOf([&] { (void)readByGwyddion(gwyddion, content); });
 }
 
 std::string smallGwy() { return gwyFile(gwyComponent("/0/data", smallGwyField())); }
@@ -98,7 +98,7 @@ constexpr const char* kNrrdMeters =
 
 TEST(GwyddionImport, ReadsWhatGwyddionConverts) {
     const ConvertingGwyddion fake(smallGwy());
-    const HeightMapFile file = read(fake.program());
+    const HeightMapFile file = readByGwyddion(fake.program());
     EXPECT_EQ(file.format, "Some data (.xyz), through Gwyddion 9.87");
     ASSERT_EQ(file.channels.size(), 1U);
     EXPECT_EQ(file.channels[0].map.at(2, 0), 5e-9);
@@ -109,8 +109,8 @@ TEST(GwyddionImport, ReadsWhatGwyddionConverts) {
 
 TEST(GwyddionImport, NativeFormatsGoFirst) {
     const FakeGwyddion fake("touch \"$(dirname \"$0\")/asked\"", "exit 1");
-    EXPECT_EQ(read(fake.program(), smallGwy()).format, "Gwyddion .gwy");
-    EXPECT_THAT(refusal(fake.program(), "GWYP damaged"), Not(IsEmpty()));
+    EXPECT_EQ(readByGwyddion(fake.program(), smallGwy()).format, "Gwyddion .gwy");
+    EXPECT_THAT(refusalOfImport(fake.program(), "GWYP damaged"), Not(IsEmpty()));
     EXPECT_FALSE(std::filesystem::exists(fake.folder().file("asked")));
 }
 
@@ -123,25 +123,25 @@ TEST(GwyddionImport, HeightsAreReadWhenTheFolderIsGone) {
 }
 
 TEST(GwyddionImport, WithoutTheProgramTheMessageNamesThePackage) {
-    EXPECT_THAT(refusal({}),
+    EXPECT_THAT(refusalOfImport({}),
                 AllOf(StartsWith("some folder/scan.xyz: byte 0: this is no height map"),
                       HasSubstr("the Debian package gwyddion")));
 }
 
 TEST(GwyddionImport, NamesFormatsThatAreKnownButNotRead) {
-    EXPECT_THAT(refusal({}, "\x89HDF\r\n\x1A\n"), HasSubstr("this is an HDF5 file"));
-    EXPECT_THAT(refusal({}, "\x01\xB0\x93\xFF"), HasSubstr("this is an NT-MDT file"));
-    EXPECT_THAT(refusal({}, "ISO/TC 201 SPM data transfer format\r\n"),
+    EXPECT_THAT(refusalOfImport({}, "\x89HDF\r\n\x1A\n"), HasSubstr("this is an HDF5 file"));
+    EXPECT_THAT(refusalOfImport({}, "\x01\xB0\x93\xFF"), HasSubstr("this is an NT-MDT file"));
+    EXPECT_THAT(refusalOfImport({}, "ISO/TC 201 SPM data transfer format\r\n"),
                 HasSubstr("this is an ISO 28600 file"));
     const FakeGwyddion fake("echo \"$2: Unknown\"; exit 1", "exit 1");
-    EXPECT_THAT(refusal(fake.program(), "\x89HDF\r\n\x1A\n"),
+    EXPECT_THAT(refusalOfImport(fake.program(), "\x89HDF\r\n\x1A\n"),
                 AllOf(HasSubstr("this is an HDF5 file"), HasSubstr("Gwyddion does not recognize")));
 }
 
 /// With Gwyddion they would be read as well as without: not at all.
 TEST(GwyddionImport, PicturesAreRefusedAsSuchWithAndWithoutTheProgram) {
     for (const char* picture : {"\xFF\xD8\xFF\xE0 JFIF", "GIF89a", "%PDF-1.4\n"}) {
-        EXPECT_THAT(refusal({}, picture),
+        EXPECT_THAT(refusalOfImport({}, picture),
                     AllOf(HasSubstr("byte 0: this is a picture"), HasSubstr("no heights"),
                           Not(HasSubstr("package"))));
     }
@@ -149,50 +149,51 @@ TEST(GwyddionImport, PicturesAreRefusedAsSuchWithAndWithoutTheProgram) {
 
 TEST(GwyddionImport, RefusesWhatGwyddionDoesNotKnowOrGuesses) {
     const FakeGwyddion unknown("echo \"$2: Unknown\"; exit 1", "exit 1");
-    EXPECT_THAT(refusal(unknown.program()), HasSubstr("Gwyddion does not recognize it"));
+    EXPECT_THAT(refusalOfImport(unknown.program()), HasSubstr("Gwyddion does not recognize it"));
     const FakeGwyddion silent("exit 1", "exit 1");
-    EXPECT_THAT(refusal(silent.program()), HasSubstr("Gwyddion does not recognize it"));
+    EXPECT_THAT(refusalOfImport(silent.program()), HasSubstr("Gwyddion does not recognize it"));
     const FakeGwyddion guess("echo \"$2: Thermo Fisher SPC files [spcfile, 49]\"", "exit 1");
-    EXPECT_THAT(refusal(guess.program()),
+    EXPECT_THAT(refusalOfImport(guess.program()),
                 AllOf(HasSubstr("Gwyddion only guesses"), HasSubstr("Thermo Fisher SPC files"),
                       HasSubstr("49 of 100")));
     const FakeGwyddion picture("echo \"$2: Windows or OS2 Bitmap (.bmp) [bmp, 70]\"", "exit 1");
-    EXPECT_THAT(refusal(picture.program()), HasSubstr("this is a picture"));
+    EXPECT_THAT(refusalOfImport(picture.program()), HasSubstr("this is a picture"));
 }
 
 TEST(GwyddionImport, QuotesWhyGwyddionFails) {
     const FakeGwyddion fails(kIdentified,
                              "echo warning; echo \"$2: Data are compressed.\"; exit 1");
-    EXPECT_THAT(refusal(fails.program()), AllOf(HasSubstr("module somefile"),
-                                                HasSubstr("cannot read it: Data are compressed.")));
+    EXPECT_THAT(
+        refusalOfImport(fails.program()),
+        AllOf(HasSubstr("module somefile"), HasSubstr("cannot read it: Data are compressed.")));
     const FakeGwyddion crashes(kIdentified, "kill -SEGV $$");
-    EXPECT_THAT(refusal(crashes.program()), HasSubstr("it crashed"));
+    EXPECT_THAT(refusalOfImport(crashes.program()), HasSubstr("it crashed"));
     const FakeGwyddion forgets(kIdentified, "exit 0");
-    EXPECT_THAT(refusal(forgets.program()), HasSubstr("cannot read it"));
+    EXPECT_THAT(refusalOfImport(forgets.program()), HasSubstr("cannot read it"));
 }
 
 TEST(GwyddionImport, EndsAProgramThatHangsOrPrintsWithoutEnd) {
     const FakeGwyddion hangs(kIdentified, "sleep 100");
     const auto begin = std::chrono::steady_clock::now();
-    EXPECT_THAT(refusal(hangs.program(300ms)), HasSubstr("did not end within 0.3 s"));
+    EXPECT_THAT(refusalOfImport(hangs.program(300ms)), HasSubstr("did not end within 0.3 s"));
     EXPECT_LT(std::chrono::steady_clock::now() - begin, 10s);
     const FakeGwyddion talks("yes", "exit 1");
-    EXPECT_THAT(refusal(talks.program()), HasSubstr("printed messages without end"));
+    EXPECT_THAT(refusalOfImport(talks.program()), HasSubstr("printed messages without end"));
     EXPECT_TRUE(hangs.leftNothing());
     EXPECT_TRUE(talks.leftNothing());
 }
 
 TEST(GwyddionImport, RefusesAGwyThatIsNone) {
-    EXPECT_THAT(refusal(ConvertingGwyddion("text").program()), HasSubstr("no .gwy file"));
-    EXPECT_THAT(refusal(ConvertingGwyddion("").program()),
+    EXPECT_THAT(refusalOfImport(ConvertingGwyddion("text").program()), HasSubstr("no .gwy file"));
+    EXPECT_THAT(refusalOfImport(ConvertingGwyddion("").program()),
                 AllOf(StartsWith("some folder/scan.xyz: "), HasSubstr("empty")));
-    EXPECT_THAT(refusal(ConvertingGwyddion(smallGwy().substr(0, 100)).program()),
+    EXPECT_THAT(refusalOfImport(ConvertingGwyddion(smallGwy().substr(0, 100)).program()),
                 AllOf(StartsWith("some folder/scan.xyz: as Gwyddion converts it: byte "),
                       HasSubstr("truncated")));
-    EXPECT_THAT(refusal(ConvertingGwyddion(gwyFile("")).program()), HasSubstr("no image"));
-    EXPECT_THAT(refusal(FakeGwyddion(kIdentified, "mkdir \"$out\"").program()),
+    EXPECT_THAT(refusalOfImport(ConvertingGwyddion(gwyFile("")).program()), HasSubstr("no image"));
+    EXPECT_THAT(refusalOfImport(FakeGwyddion(kIdentified, "mkdir \"$out\"").program()),
                 HasSubstr("this is a folder"));
-    EXPECT_THAT(refusal(FakeGwyddion(kIdentified, "mkfifo \"$out\"").program()),
+    EXPECT_THAT(refusalOfImport(FakeGwyddion(kIdentified, "mkfifo \"$out\"").program()),
                 HasSubstr("not a regular file"));
 }
 
@@ -212,7 +213,7 @@ TEST(GwyddionImport, ASizeOfOneIsWhatGwyddionInvents) {
                             gwyNumber("yreal", 1.0) + gwyUnit("si_unit_xy", "m") +
                             gwyUnit("si_unit_z", "m") + gwyNumbers("data", {1e-9, 2e-9}));
     const HeightMapFile file =
-        read(ConvertingGwyddion(gwyFile(gwyComponent("/0/data", image))).program());
+        readByGwyddion(ConvertingGwyddion(gwyFile(gwyComponent("/0/data", image))).program());
     EXPECT_FALSE(file.channels.at(0).hasSize());
     EXPECT_THAT(file.channels.at(0).notes.at(0), HasSubstr("taken as unknown"));
 }
@@ -225,7 +226,7 @@ TEST(GwyddionImport, AnInventedSizeIsKnownWhateverTheNumberOfPixels) {
                                            gwyUnit("si_unit_xy", "m") + gwyUnit("si_unit_z", "m") +
                                            gwyNumbers("data", std::vector<double>(49, 1e-9)));
     const HeightMapFile file =
-        read(ConvertingGwyddion(gwyFile(gwyComponent("/0/data", image))).program());
+        readByGwyddion(ConvertingGwyddion(gwyFile(gwyComponent("/0/data", image))).program());
     EXPECT_FALSE(file.channels.at(0).hasSize());
     for (const Provenance& entry : file.channels.at(0).provenance) {
         EXPECT_NE(entry.what, "lateral size");
@@ -261,7 +262,7 @@ TEST(GwyddionIdentification, IsReadFromTheLineOfTheFile) {
 
 TEST(GwyddionImport, TheInstalledProgramReadsNrrd) {
     ASPERITY_NEEDS_GWYDDION();
-    const HeightMapFile file = read(installedGwyddion(), nrrd(kNrrdMeters));
+    const HeightMapFile file = readByGwyddion(installedGwyddion(), nrrd(kNrrdMeters));
     EXPECT_THAT(file.format, AllOf(HasSubstr("NRRD"), HasSubstr("through Gwyddion 2.")));
     EXPECT_THAT(file.provenance.back().value, HasSubstr("its module nrrdfile"));
     const ScanChannel& channel = heightChannel(file, "scan.xyz", "");
@@ -274,11 +275,11 @@ TEST(GwyddionImport, TheInstalledProgramReadsNrrd) {
 
 TEST(GwyddionImport, TheInstalledProgramRefusesInWords) {
     ASPERITY_NEEDS_GWYDDION();
-    EXPECT_THAT(refusal(installedGwyddion()), HasSubstr("Gwyddion does not recognize it"));
-    EXPECT_THAT(refusal(installedGwyddion(), nrrd(kNrrdMeters).substr(0, 200)),
+    EXPECT_THAT(refusalOfImport(installedGwyddion()), HasSubstr("Gwyddion does not recognize it"));
+    EXPECT_THAT(refusalOfImport(installedGwyddion(), nrrd(kNrrdMeters).substr(0, 200)),
                 AllOf(HasSubstr("module nrrdfile"), HasSubstr("cannot read it: ")));
     const std::string gray = "P5\n8 8\n255\n" + std::string(64, 'x');
-    EXPECT_THAT(refusal(installedGwyddion(), gray), HasSubstr("this is a picture"));
+    EXPECT_THAT(refusalOfImport(installedGwyddion(), gray), HasSubstr("this is a picture"));
 }
 
 }  // namespace asperity::test

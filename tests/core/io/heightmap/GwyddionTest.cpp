@@ -91,8 +91,6 @@ std::vector<std::string> scansOfGwyddion() {
 
 class Gwyddion : public testing::TestWithParam<std::string> {};
 
-}  // namespace
-
 TEST_P(Gwyddion, ReadsTheSamePixels) {
     ASPERITY_NEEDS_SHARED_DATA();
     if (!haveGwyddion()) {
@@ -246,4 +244,5 @@ TEST(Gwyddion, ReadsAllImagesThatWeWriteIntoOneFile) {
     EXPECT_EQ(worstDeviation(voltages, theirs.channels[1].map), 0.0);
 }
 
+}  // namespace
 }  // namespace asperity::test

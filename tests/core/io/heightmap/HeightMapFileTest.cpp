@@ -18,7 +18,7 @@ using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-std::string refusal(const std::filesystem::path& path) {
+std::string refusalOfPath(const std::filesystem::path& path) {
     return refusalOf([&] { (void)readHeightMapFile(path); });
 }
 
@@ -51,16 +51,18 @@ TEST(HeightMapFile, DefaultChannelFollowsTheUsualDirectionOfTheVendor) {
 
 TEST(HeightMapFile, SaysWhyAPathCannotBeRead) {
     const ScratchFolder folder;
-    EXPECT_THAT(refusal(folder.file("none.gwy")), HasSubstr("none.gwy: there is no such file"));
-    EXPECT_THAT(refusal(folder.path()), HasSubstr("this is a folder"));
-    EXPECT_THAT(refusal(folder.write("empty.spm", "")), HasSubstr("empty.spm: the file is empty"));
-    EXPECT_THAT(refusal("/dev/null"), HasSubstr("not a regular file"));
+    EXPECT_THAT(refusalOfPath(folder.file("none.gwy")),
+                HasSubstr("none.gwy: there is no such file"));
+    EXPECT_THAT(refusalOfPath(folder.path()), HasSubstr("this is a folder"));
+    EXPECT_THAT(refusalOfPath(folder.write("empty.spm", "")),
+                HasSubstr("empty.spm: the file is empty"));
+    EXPECT_THAT(refusalOfPath("/dev/null"), HasSubstr("not a regular file"));
 }
 
 TEST(HeightMapFile, UnknownTypeNamesTheSupportedOnes) {
     const ScratchFolder folder;
     EXPECT_THAT(
-        refusal(folder.write("scan.gwy", "not a scan")),
+        refusalOfPath(folder.write("scan.gwy", "not a scan")),
         AllOf(HasSubstr("scan.gwy"), HasSubstr("NanoScope"), HasSubstr(".gwy"), HasSubstr(".gsf")));
 }
 

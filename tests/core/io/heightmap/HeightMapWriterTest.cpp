@@ -57,7 +57,7 @@ void expectSameFrame(const ScanChannel& channel, const HeightMap& map) {
     EXPECT_EQ(channel.map.invalid, map.invalid);
 }
 
-std::vector<HeightMap> maps() {
+std::vector<HeightMap> writtenMaps() {
     return {bumpyMap(7, 4), bumpyMap(1, 9), bumpyMap(9, 1), bumpyMap(1, 1),
             bumpyMapWithHoles(5, 3)};
 }
@@ -65,7 +65,7 @@ std::vector<HeightMap> maps() {
 }  // namespace
 
 TEST(HeightMapWriter, GwyKeepsEveryBit) {
-    for (const HeightMap& map : maps()) {
+    for (const HeightMap& map : writtenMaps()) {
         const ScanChannel channel = throughFile("map.gwy", map);
         expectSameFrame(channel, map);
         for (std::size_t i = 0; i < map.heights.size(); ++i) {
@@ -89,7 +89,7 @@ TEST(HeightMapWriter, GwyHoldsNoNan) {
 }
 
 TEST(HeightMapWriter, GsfRoundsToFloat) {
-    for (const HeightMap& map : maps()) {
+    for (const HeightMap& map : writtenMaps()) {
         const ScanChannel channel = throughFile("map.gsf", map);
         expectSameFrame(channel, map);
         expectFloatHeights(channel.map.heights, map);
@@ -97,7 +97,7 @@ TEST(HeightMapWriter, GsfRoundsToFloat) {
 }
 
 TEST(HeightMapWriter, ExrHoldsFloatMetersAndGwyddionsAttributes) {
-    for (const HeightMap& map : maps()) {
+    for (const HeightMap& map : writtenMaps()) {
         const ScratchFolder folder;
         writeHeightMap(folder.file("map.exr"), map, kMeta);
         const PlainImage image = readExr(folder.file("map.exr"));
@@ -113,7 +113,7 @@ TEST(HeightMapWriter, ExrHoldsFloatMetersAndGwyddionsAttributes) {
 }
 
 TEST(HeightMapWriter, TiffHoldsFloatMetersAndItsSize) {
-    for (const HeightMap& map : maps()) {
+    for (const HeightMap& map : writtenMaps()) {
         const ScratchFolder folder;
         writeHeightMap(folder.file("map.tiff"), map, kMeta);
         const PlainImage image = readTiff(folder.file("map.tiff"));
@@ -127,7 +127,7 @@ TEST(HeightMapWriter, TiffHoldsFloatMetersAndItsSize) {
 }
 
 TEST(HeightMapWriter, PicturesReadBackWithTheirScale) {
-    for (const HeightMap& map : maps()) {
+    for (const HeightMap& map : writtenMaps()) {
         for (const char* name : {"map.exr", "map.tiff"}) {
             SCOPED_TRACE(name);
             const ScanChannel channel = throughFile(name, map);
@@ -146,7 +146,7 @@ TEST(HeightMapWriter, PicturesReadBackWithTheirScale) {
 }
 
 TEST(HeightMapWriter, PngIsWithinHalfAStepOfItsScale) {
-    for (const HeightMap& map : maps()) {
+    for (const HeightMap& map : writtenMaps()) {
         const ScratchFolder folder;
         writeHeightMap(folder.file("map.png"), map, kMeta);
         const PlainImage image = readPng(folder.file("map.png"));
@@ -166,7 +166,7 @@ TEST(HeightMapWriter, PngIsWithinHalfAStepOfItsScale) {
 }
 
 TEST(HeightMapWriter, TextReadsBackToTheSameBits) {
-    for (const HeightMap& map : maps()) {
+    for (const HeightMap& map : writtenMaps()) {
         const ScratchFolder folder;
         writeHeightMap(folder.file("map.txt"), map, kMeta);
         std::istringstream text(contentOf(folder.file("map.txt")));

@@ -5,20 +5,18 @@
 #include "tests/core/io/heightmap/BumpyMap.h"
 #include "tests/core/io/heightmap/SyntheticScans.h"
 #include "tests/support/CanceledAfter.h"
+#include "tests/support/DoubleLimits.h"
 #include "tests/support/ScratchFolder.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <variant>
 
 namespace asperity::test {
 
 namespace {
-
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
 /// Both ways of reading a file give the same map, but for single precision.
 void expectSameMap(const std::filesystem::path& path) {

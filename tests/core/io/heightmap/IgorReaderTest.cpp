@@ -17,12 +17,14 @@ namespace {
 using testing::AllOf;
 using testing::HasSubstr;
 
-HeightMapFile readAll(const std::string& bytes) { return readHeightMapBytes(bytes, "wave.ibw"); }
+HeightMapFile readAsIgor(const std::string& bytes) { return readHeightMapBytes(bytes, "wave.ibw"); }
 
-ScanChannel readOne(const IgorWaveText& wave) { return readAll(igorFile(wave)).channels.at(0); }
+ScanChannel igorChannel(const IgorWaveText& wave) {
+    return readAsIgor(igorFile(wave)).channels.at(0);
+}
 
-std::string refusal(const std::string& bytes) {
-    return refusalOf([&] { (void)readAll(bytes); });
+std::string refusalOfIgor(const std::string& bytes) {
+    return refusalOf([&] { (void)readAsIgor(bytes); });
 }
 
 IgorWaveText asylumWave() {
@@ -41,7 +43,7 @@ IgorWaveText asylumWave() {
 }  // namespace
 
 TEST(IgorReader, FirstStoredRowIsTheBottomOfTheImage) {
-    const ScanChannel channel = readOne({});
+    const ScanChannel channel = igorChannel({});
     const HeightMap& map = channel.map;
     ASSERT_EQ(map.columns, 3);
     ASSERT_EQ(map.rows, 2);
@@ -71,7 +73,7 @@ TEST(IgorReader, ReadsEveryTypeInBothByteOrders) {
             wave.type = type.code;
             wave.stored = type.type;
             wave.numbers = {100, 2, 3, 4, 5, 120};
-            const HeightMap map = readOne(wave).map;
+            const HeightMap map = igorChannel(wave).map;
             EXPECT_DOUBLE_EQ(map.at(1, 0), 100.0);
             EXPECT_DOUBLE_EQ(map.at(0, 2), 120.0);
         }
@@ -79,7 +81,7 @@ TEST(IgorReader, ReadsEveryTypeInBothByteOrders) {
 }
 
 TEST(IgorReader, LayersTakeTheLabelAfterThatOfTheirDimension) {
-    const HeightMapFile file = readAll(igorFile(asylumWave()));
+    const HeightMapFile file = readAsIgor(igorFile(asylumWave()));
     ASSERT_EQ(file.channels.size(), 4U);
     EXPECT_EQ(file.channels[0].name, "HeightTrace");
     EXPECT_EQ(file.channels[0].direction, "forward");
@@ -89,31 +91,31 @@ TEST(IgorReader, LayersTakeTheLabelAfterThatOfTheirDimension) {
 }
 
 TEST(IgorReader, UnitsFollowTheNoteAndTheNamesNotTheWave) {
-    const HeightMapFile file = readAll(igorFile(asylumWave()));
+    const HeightMapFile file = readAsIgor(igorFile(asylumWave()));
     EXPECT_EQ(file.channels.at(0).unit, "m");
     EXPECT_EQ(file.channels.at(2).unit, "deg");
     EXPECT_EQ(file.channels.at(3).unit, "A");
     IgorWaveText wave = asylumWave();
     wave.layerLabels[4] = "AdhesionTrace";
-    EXPECT_EQ(readAll(igorFile(wave)).channels.at(3).unit, "");
+    EXPECT_EQ(readAsIgor(igorFile(wave)).channels.at(3).unit, "");
 }
 
 TEST(IgorReader, RetraceIsTheDefaultOfAnAsylumFile) {
-    EXPECT_EQ(readAll(igorFile(asylumWave())).defaultChannel, 1U);
+    EXPECT_EQ(readAsIgor(igorFile(asylumWave())).defaultChannel, 1U);
 }
 
 TEST(IgorReader, LayersWithoutLabelsAreNumbered) {
     IgorWaveText wave = asylumWave();
     wave.layerLabels = {"layers"};
     wave.footer.clear();
-    const HeightMapFile file = readAll(igorFile(wave));
+    const HeightMapFile file = readAsIgor(igorFile(wave));
     EXPECT_EQ(file.channels.at(0).name, "wave0 0");
     EXPECT_EQ(file.channels.at(3).name, "wave0 3");
     EXPECT_EQ(file.channels.at(3).unit, "m");
 }
 
 TEST(IgorReader, NoteBecomesMetadataWhoseFirstEntryCounts) {
-    const ScanChannel channel = readOne({});
+    const ScanChannel channel = igorChannel({});
     EXPECT_EQ(channel.metadata.at("ScanAngle"), "30\u00B0");
     EXPECT_EQ(channel.metadata.at("ScanSize"), "3e-09");
 }
@@ -122,7 +124,7 @@ TEST(IgorReader, WaveWithoutUnitsIsNoHeight) {
     IgorWaveText wave;
     wave.unit.clear();
     wave.dimensionUnit.clear();
-    const ScanChannel channel = readOne(wave);
+    const ScanChannel channel = igorChannel(wave);
     EXPECT_EQ(channel.unit, "");
     EXPECT_FALSE(channel.hasSize());
 }
@@ -130,7 +132,7 @@ TEST(IgorReader, WaveWithoutUnitsIsNoHeight) {
 TEST(IgorReader, NumbersThatAreNoneHoldNoData) {
     IgorWaveText wave;
     wave.numbers[4] = std::numeric_limits<double>::quiet_NaN();
-    const HeightMap map = readOne(wave).map;
+    const HeightMap map = igorChannel(wave).map;
     EXPECT_TRUE(std::isnan(map.at(0, 1)));
     EXPECT_TRUE(map.invalid[1]);
 }
@@ -138,7 +140,7 @@ TEST(IgorReader, NumbersThatAreNoneHoldNoData) {
 TEST(IgorReader, SizeThatIsNoneIsUnknown) {
     IgorWaveText wave;
     wave.steps[0] = std::numeric_limits<double>::quiet_NaN();
-    const ScanChannel channel = readOne(wave);
+    const ScanChannel channel = igorChannel(wave);
     EXPECT_FALSE(channel.hasSize());
     EXPECT_THAT(channel.notes, testing::Contains(HasSubstr("no lateral size")));
 }
@@ -147,10 +149,11 @@ TEST(IgorReader, ForceCurvesAreNamedAsSuch) {
     IgorWaveText wave;
     wave.counts = {2, 3, 0, 0};
     wave.columnLabels = {"", "Raw", "Defl", "ZSnsr"};
-    EXPECT_THAT(refusal(igorFile(wave)), HasSubstr("force curves (Raw, Defl, ZSnsr), no image"));
+    EXPECT_THAT(refusalOfIgor(igorFile(wave)),
+                HasSubstr("force curves (Raw, Defl, ZSnsr), no image"));
     wave.columnLabels.clear();
     wave.footer = "IsImage:0;IsForce:1; 0298 Force";
-    EXPECT_THAT(refusal(igorFile(wave)), HasSubstr("force curves"));
+    EXPECT_THAT(refusalOfIgor(igorFile(wave)), HasSubstr("force curves"));
 }
 
 TEST(IgorReader, RealForceCurvesAreNamedAsSuch) {
@@ -165,48 +168,48 @@ TEST(IgorReader, RealForceCurvesAreNamedAsSuch) {
 TEST(IgorReader, OneDimensionIsACurve) {
     IgorWaveText wave;
     wave.counts = {6, 0, 0, 0};
-    EXPECT_THAT(refusal(igorFile(wave)), HasSubstr("a curve, no image"));
+    EXPECT_THAT(refusalOfIgor(igorFile(wave)), HasSubstr("a curve, no image"));
     std::string old(126, '\0');
     old[0] = 2;
     old[2] = static_cast<char>(-2);
     old[3] = static_cast<char>(-1);
-    EXPECT_THAT(refusal(old), HasSubstr("version 2: a curve"));
+    EXPECT_THAT(refusalOfIgor(old), HasSubstr("version 2: a curve"));
 }
 
 TEST(IgorReader, TextsAndComplexNumbersAreRefused) {
     IgorWaveText wave;
     wave.type = 0;
-    EXPECT_THAT(refusal(igorFile(wave)), HasSubstr("texts"));
+    EXPECT_THAT(refusalOfIgor(igorFile(wave)), HasSubstr("texts"));
     wave.type = 3;
-    EXPECT_THAT(refusal(igorFile(wave)), HasSubstr("complex"));
+    EXPECT_THAT(refusalOfIgor(igorFile(wave)), HasSubstr("complex"));
     wave.type = 6;
-    EXPECT_THAT(refusal(igorFile(wave)), HasSubstr("code 6"));
+    EXPECT_THAT(refusalOfIgor(igorFile(wave)), HasSubstr("code 6"));
 }
 
 TEST(IgorReader, WrongChecksumIsDamage) {
     std::string bytes = igorFile({});
     bytes[100] = 'x';
-    EXPECT_THAT(refusal(bytes), AllOf(HasSubstr("wave.ibw: header"), HasSubstr("checksum")));
+    EXPECT_THAT(refusalOfIgor(bytes), AllOf(HasSubstr("wave.ibw: header"), HasSubstr("checksum")));
 }
 
 TEST(IgorReader, DimensionsMustBeThoseOfTheNumbers) {
     IgorWaveText wave;
     wave.numberOfNumbers = 5;
-    EXPECT_THAT(refusal(igorFile(wave)), HasSubstr("3 x 2 x 0 x 0"));
+    EXPECT_THAT(refusalOfIgor(igorFile(wave)), HasSubstr("3 x 2 x 0 x 0"));
     wave.numberOfNumbers = 6;
     wave.counts = {2000000000, 2000000000, 2000000000, 2000000000};
-    EXPECT_THAT(refusal(igorFile(wave)), HasSubstr("are not those of 6 numbers"));
+    EXPECT_THAT(refusalOfIgor(igorFile(wave)), HasSubstr("are not those of 6 numbers"));
     wave.counts = {-3, -2, 0, 0};
-    EXPECT_THAT(refusal(igorFile(wave)), HasSubstr("-3 x -2"));
+    EXPECT_THAT(refusalOfIgor(igorFile(wave)), HasSubstr("-3 x -2"));
 }
 
 TEST(IgorReader, FourDimensionsAndManyLayersAreRefused) {
     IgorWaveText wave;
     wave.counts = {1, 1, 3, 2};
-    EXPECT_THAT(refusal(igorFile(wave)), HasSubstr("3 x 2"));
+    EXPECT_THAT(refusalOfIgor(igorFile(wave)), HasSubstr("3 x 2"));
     wave.counts = {1, 1, 129, 0};
     wave.numbers.assign(129, 1.0);
-    EXPECT_THAT(refusal(igorFile(wave)), HasSubstr("at most 128 layers"));
+    EXPECT_THAT(refusalOfIgor(igorFile(wave)), HasSubstr("at most 128 layers"));
 }
 
 /// A wave of another program may hold heights, but steps in whatever it counts.
@@ -221,10 +224,10 @@ TEST(IgorReader, StepsWithoutAUnitAreNoMeters) {
 TEST(IgorReader, TrailingBytesAreNormalButNotACutAsylumFooter) {
     IgorWaveText plain;
     plain.footer = "anything";
-    EXPECT_NO_THROW((void)readOne(plain));
+    EXPECT_NO_THROW((void)igorChannel(plain));
     IgorWaveText asylum = asylumWave();
     asylum.footer = "previews IsImage:1;IsARDF:0; 05";
-    EXPECT_THAT(refusal(igorFile(asylum)), HasSubstr("MFP3D"));
+    EXPECT_THAT(refusalOfIgor(igorFile(asylum)), HasSubstr("MFP3D"));
 }
 
 }  // namespace asperity::test

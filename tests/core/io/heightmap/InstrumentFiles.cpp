@@ -39,7 +39,7 @@ std::uint16_t igorChecksum(const std::string& bytes, ByteOrder order) {
     return static_cast<std::uint16_t>(0x10000U - (sum & 0xFFFFU));
 }
 
-std::string joined(const std::vector<std::string>& labels) {
+std::string paddedLabels(const std::vector<std::string>& labels) {
     std::string text;
     for (const std::string& label : labels) {
         text += label + std::string(32 - label.size(), '\0');
@@ -85,8 +85,8 @@ std::string samples(SampleType type, ByteOrder order, const std::vector<double>&
 std::string igorFile(const IgorWaveText& wave) {
     const ByteOrder order = wave.order;
     const std::string data = samples(wave.stored, order, wave.numbers);
-    const std::string columns = joined(wave.columnLabels);
-    const std::string layers = joined(wave.layerLabels);
+    const std::string columns = paddedLabels(wave.columnLabels);
+    const std::string layers = paddedLabels(wave.layerLabels);
     const auto size = [](const std::string& text) {
         return static_cast<std::int32_t>(text.size());
     };

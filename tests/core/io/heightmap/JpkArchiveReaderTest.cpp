@@ -18,7 +18,7 @@ using testing::IsEmpty;
 using testing::Not;
 using testing::StartsWith;
 
-std::string refusal(const std::string& bytes) {
+std::string refusalOfJpkArchive(const std::string& bytes) {
     return refusalOf([&] { (void)readHeightMapBytes(bytes, "scan.zip"); });
 }
 
@@ -63,23 +63,24 @@ TEST(JpkArchiveReader, TheImageMayBeStoredOrCompressed) {
 }
 
 TEST(JpkArchiveReader, ForceCurvesAloneAreRefusedInWords) {
-    EXPECT_THAT(refusal(zipFile({{"header.properties", "type=force"},
-                                 {"segments/0/segment-header.properties", ""},
-                                 {"segments/0/channels/height.dat", "12"},
-                                 {"shared-data/header.properties", ""}})),
+    EXPECT_THAT(refusalOfJpkArchive(zipFile({{"header.properties", "type=force"},
+                                             {"segments/0/segment-header.properties", ""},
+                                             {"segments/0/channels/height.dat", "12"},
+                                             {"shared-data/header.properties", ""}})),
                 AllOf(StartsWith("scan.zip: "), HasSubstr("force curves alone")));
 }
 
 TEST(JpkArchiveReader, ADamagedImageIsNamedWithItsArchive) {
-    EXPECT_THAT(refusal(zipFile({{"header.properties", ""}, {"data-image.force", "MM"}})),
-                StartsWith("scan.zip: data-image.force: "));
-    EXPECT_THAT(refusal(zipFile({{"header.properties", ""}, {"data-image.force", ""}})),
+    EXPECT_THAT(
+        refusalOfJpkArchive(zipFile({{"header.properties", ""}, {"data-image.force", "MM"}})),
+        StartsWith("scan.zip: data-image.force: "));
+    EXPECT_THAT(refusalOfJpkArchive(zipFile({{"header.properties", ""}, {"data-image.force", ""}})),
                 StartsWith("scan.zip: data-image.force: "));
 }
 
 TEST(JpkArchiveReader, AnotherZipFileIsNone) {
     for (const char* entry : {"header.properties", "segments/a"}) {
-        EXPECT_THAT(refusal(zipFile({{entry, ""}})),
+        EXPECT_THAT(refusalOfJpkArchive(zipFile({{entry, ""}})),
                     HasSubstr("this is a zip archive of neither JPK nor X3P data"));
     }
 }

@@ -87,15 +87,15 @@ std::string jpkFile(const std::vector<JpkTestChannel>& channels, int reflect = 0
     return tiffFile(images, ByteOrder::Big);
 }
 
-HeightMapFile read(const std::string& bytes) { return readHeightMapBytes(bytes, "small.jpk"); }
-std::string refusal(const std::string& bytes) {
-    return refusalOf([&] { (void)read(bytes); });
+HeightMapFile readAsJpk(const std::string& bytes) { return readHeightMapBytes(bytes, "small.jpk"); }
+std::string refusalOfJpk(const std::string& bytes) {
+    return refusalOf([&] { (void)readAsJpk(bytes); });
 }
 
 }  // namespace
 
 TEST(JpkReader, TheDefaultSlotsOwnFactorsTurnCountsIntoHeights) {
-    const HeightMapFile file = read(jpkFile({{}}));
+    const HeightMapFile file = readAsJpk(jpkFile({{}}));
     EXPECT_EQ(file.format, "JPK image");
     const ScanChannel& channel = file.channels.at(0);
     EXPECT_EQ(channel.name, "Height (measured)");
@@ -111,22 +111,22 @@ TEST(JpkReader, TheDefaultSlotsOwnFactorsTurnCountsIntoHeights) {
     EXPECT_THAT(file.notes, Contains(HasSubstr("rotated")));
     JpkTestChannel volts;
     volts.defaultSlot = "volts";
-    EXPECT_EQ(read(jpkFile({volts})).channels[0].unit, "V");
-    EXPECT_DOUBLE_EQ(read(jpkFile({volts})).channels[0].map.at(2, 1), 2.0);
+    EXPECT_EQ(readAsJpk(jpkFile({volts})).channels[0].unit, "V");
+    EXPECT_DOUBLE_EQ(readAsJpk(jpkFile({volts})).channels[0].map.at(2, 1), 2.0);
 }
 
 TEST(JpkReader, RowsAreStoredFromTheBottomUnlessReflected) {
-    EXPECT_NEAR(read(jpkFile({{}}, 0)).channels[0].map.at(2, 0), 102e-9, 1e-20);
-    EXPECT_NEAR(read(jpkFile({{}}, 1)).channels[0].map.at(0, 0), 102e-9, 1e-20);
+    EXPECT_NEAR(readAsJpk(jpkFile({{}}, 0)).channels[0].map.at(2, 0), 102e-9, 1e-20);
+    EXPECT_NEAR(readAsJpk(jpkFile({{}}, 1)).channels[0].map.at(0, 0), 102e-9, 1e-20);
 }
 
 TEST(JpkReader, TheMarkerIsNoDataOnlyWithItsEncoder) {
-    const ScanChannel plain = read(jpkFile({{}})).channels.at(0);
+    const ScanChannel plain = readAsJpk(jpkFile({{}})).channels.at(0);
     EXPECT_TRUE(plain.map.invalid.empty());
     EXPECT_NEAR(plain.map.at(0, 1), kMarker * 2e-9 + 100e-9, 1e-12);
     JpkTestChannel channel;
     channel.slots[2].encoder = "SignedIntegerWithValidity";
-    const HeightMap map = read(jpkFile({channel})).channels.at(0).map;
+    const HeightMap map = readAsJpk(jpkFile({channel})).channels.at(0).map;
     EXPECT_TRUE(std::isnan(map.at(0, 1)));
     EXPECT_TRUE(map.invalid.at(1));
     EXPECT_NEAR(map.at(0, 0), 110e-9, 1e-20);
@@ -135,7 +135,7 @@ TEST(JpkReader, TheMarkerIsNoDataOnlyWithItsEncoder) {
 TEST(JpkReader, RepeatedNamesAreToldApart) {
     JpkTestChannel retrace;
     retrace.retrace = 1;
-    const HeightMapFile file = read(jpkFile({{}, retrace, {}, retrace}));
+    const HeightMapFile file = readAsJpk(jpkFile({{}, retrace, {}, retrace}));
     ASSERT_EQ(file.channels.size(), 4U);
     EXPECT_EQ(file.channels[0].name, "Height (measured)");
     EXPECT_EQ(file.channels[1].name, "Height (measured) (backward)");
@@ -148,7 +148,7 @@ TEST(JpkReader, WithoutSlotsValuesAreCounts) {
     JpkTestChannel channel;
     channel.slots.clear();
     channel.name.clear();
-    const ScanChannel read = test::read(jpkFile({channel})).channels.at(0);
+    const ScanChannel read = readAsJpk(jpkFile({channel})).channels.at(0);
     EXPECT_EQ(read.name, "measuredHeight");
     EXPECT_EQ(read.unit, "");
     EXPECT_THAT(read.notes, Contains(HasSubstr("they are counts")));
@@ -156,21 +156,21 @@ TEST(JpkReader, WithoutSlotsValuesAreCounts) {
 }
 
 TEST(JpkReader, AnUnknownSizeIsSaid) {
-    EXPECT_FALSE(read(jpkFile({{}}, 0, -1.0)).channels[0].hasSize());
-    EXPECT_FALSE(read(jpkFile({{}}, 0, std::nan(""))).channels[0].hasSize());
+    EXPECT_FALSE(readAsJpk(jpkFile({{}}, 0, -1.0)).channels[0].hasSize());
+    EXPECT_FALSE(readAsJpk(jpkFile({{}}, 0, std::nan(""))).channels[0].hasSize());
 }
 
 TEST(JpkReader, RefusesWhatItCannotScale) {
     JpkTestChannel channel;
     channel.defaultSlot = "lost";
-    EXPECT_THAT(refusal(jpkFile({channel})), HasSubstr("default slot 'lost'"));
+    EXPECT_THAT(refusalOfJpk(jpkFile({channel})), HasSubstr("default slot 'lost'"));
     channel = {};
     channel.slots[2].scaling = "CubicScaling";
-    EXPECT_THAT(refusal(jpkFile({channel})), HasSubstr("CubicScaling"));
+    EXPECT_THAT(refusalOfJpk(jpkFile({channel})), HasSubstr("CubicScaling"));
     channel = {};
     channel.slots[2].multiplier = std::nan("");
-    EXPECT_THAT(refusal(jpkFile({channel})), HasSubstr("scale"));
-    EXPECT_THAT(refusal(jpkFile({})), HasSubstr("no channel"));
+    EXPECT_THAT(refusalOfJpk(jpkFile({channel})), HasSubstr("scale"));
+    EXPECT_THAT(refusalOfJpk(jpkFile({})), HasSubstr("no channel"));
 }
 
 TEST(JpkReader, ReadsFromAnySourceOfBytes) {

@@ -14,33 +14,33 @@ namespace {
 using testing::AllOf;
 using testing::HasSubstr;
 
-ScanChannel readOne(const NanoscopeText& text,
-                    const std::vector<std::int32_t>& counts = {1, 2, 3, 4, 5, 6}) {
+ScanChannel nanoscopeChannel(const NanoscopeText& text,
+                             const std::vector<std::int32_t>& counts = {1, 2, 3, 4, 5, 6}) {
     return readHeightMapBytes(nanoscopeFile(text, counts), "scan.spm").channels.at(0);
 }
 
-std::string refusal(const NanoscopeText& text) {
-    return refusalOf([&] { (void)readOne(text); });
+std::string refusalOfNanoscope(const NanoscopeText& text) {
+    return refusalOf([&] { (void)nanoscopeChannel(text); });
 }
 
 /// 2 V of full scale in 65536 counts, 100 nm/V.
-constexpr double kCount = 2.0 / 65536.0 * 100e-9;
+constexpr double kMetersPerCount = 2.0 / 65536.0 * 100e-9;
 
 }  // namespace
 
 TEST(NanoscopeReader, FirstStoredRowIsTheBottomOfTheImage) {
-    const HeightMap map = readOne({}).map;
+    const HeightMap map = nanoscopeChannel({}).map;
     ASSERT_EQ(map.columns, 3);
     ASSERT_EQ(map.rows, 2);
-    EXPECT_DOUBLE_EQ(map.at(0, 0), 4 * kCount);
-    EXPECT_DOUBLE_EQ(map.at(0, 2), 6 * kCount);
-    EXPECT_DOUBLE_EQ(map.at(1, 0), 1 * kCount);
+    EXPECT_DOUBLE_EQ(map.at(0, 0), 4 * kMetersPerCount);
+    EXPECT_DOUBLE_EQ(map.at(0, 2), 6 * kMetersPerCount);
+    EXPECT_DOUBLE_EQ(map.at(1, 0), 1 * kMetersPerCount);
 }
 
 TEST(NanoscopeReader, HeightIsTheHardValueTimesTheSensitivityNotTheNumberInParentheses) {
     NanoscopeText text;
     text.zScale = "V [Sens. ZsensSens] (99999 V/LSB) 500.0 mV";
-    EXPECT_DOUBLE_EQ(readOne(text).map.at(1, 0), 0.5 / 65536.0 * 100e-9);
+    EXPECT_DOUBLE_EQ(nanoscopeChannel(text).map.at(1, 0), 0.5 / 65536.0 * 100e-9);
 }
 
 TEST(NanoscopeReader, DivisorFollowsBytesPerPixelEvenWhereSamplesAreWider) {
@@ -48,13 +48,14 @@ TEST(NanoscopeReader, DivisorFollowsBytesPerPixelEvenWhereSamplesAreWider) {
     text.version = "0x09700105";
     text.dataLength = "24";
     const auto counts = {100000, 2, 3, 4, 5, 6};
-    EXPECT_DOUBLE_EQ(readOne(text, counts).map.at(1, 0), 100000 * kCount);
+    EXPECT_DOUBLE_EQ(nanoscopeChannel(text, counts).map.at(1, 0), 100000 * kMetersPerCount);
     text.bytesPerPixel = "4";
-    EXPECT_DOUBLE_EQ(readOne(text, counts).map.at(1, 0), 100000 * kCount / 65536.0);
+    EXPECT_DOUBLE_EQ(nanoscopeChannel(text, counts).map.at(1, 0),
+                     100000 * kMetersPerCount / 65536.0);
 }
 
 TEST(NanoscopeReader, ChannelSaysWhatTheHeaderSays) {
-    const ScanChannel channel = readOne({});
+    const ScanChannel channel = nanoscopeChannel({});
     EXPECT_EQ(channel.name, "ZSensor");
     EXPECT_EQ(channel.unit, "m");
     EXPECT_EQ(channel.direction, "backward");
@@ -68,7 +69,7 @@ TEST(NanoscopeReader, SensitivityWithoutUnitKeepsTheHardUnit) {
     NanoscopeText text;
     text.scanList = "\\@Sens. Phase: V 2.000000 \r\n";
     text.zScale = "V [Sens. Phase] (0.005 \xBA/LSB) 360.0 \xBA";
-    const ScanChannel channel = readOne(text);
+    const ScanChannel channel = nanoscopeChannel(text);
     EXPECT_EQ(channel.unit, "deg");
     EXPECT_DOUBLE_EQ(channel.map.at(1, 0), 720.0 / 65536.0);
 }
@@ -77,7 +78,7 @@ TEST(NanoscopeReader, MillivoltsStayMillivolts) {
     NanoscopeText text;
     text.scanList = "\\@Sens. Amplitude: V 1.000000 \r\n";
     text.zScale = "V [Sens. Amplitude] (0.045 mV/LSB) 3000.0 mV";
-    const ScanChannel channel = readOne(text);
+    const ScanChannel channel = nanoscopeChannel(text);
     EXPECT_EQ(channel.unit, "mV");
     EXPECT_DOUBLE_EQ(channel.map.at(1, 0), 3000.0 / 65536.0);
 }
@@ -85,27 +86,27 @@ TEST(NanoscopeReader, MillivoltsStayMillivolts) {
 TEST(NanoscopeReader, UnknownSoftScaleIsNeverAHeight) {
     NanoscopeText text;
     text.zScale = "V [Sens. Lost] (0.1 V/LSB) 2.0 V";
-    EXPECT_EQ(readOne(text).unit, "V");
+    EXPECT_EQ(nanoscopeChannel(text).unit, "V");
 }
 
 TEST(NanoscopeReader, MissingSoftScaleKeepsTheHardUnit) {
     NanoscopeText text;
     text.zScale = "V (0.1 nm/LSB) 65536.0 nm";
-    EXPECT_EQ(readOne(text).unit, "m");
-    EXPECT_DOUBLE_EQ(readOne(text).map.at(1, 0), 1e-9);
+    EXPECT_EQ(nanoscopeChannel(text).unit, "m");
+    EXPECT_DOUBLE_EQ(nanoscopeChannel(text).map.at(1, 0), 1e-9);
 }
 
 TEST(NanoscopeReader, SamplesCannotStartInsideTheHeader) {
     NanoscopeText text;
     text.dataOffset = "100";
-    EXPECT_THROW((void)readOne(text), InputError);
+    EXPECT_THROW((void)nanoscopeChannel(text), InputError);
 }
 
 TEST(NanoscopeReader, ParenthesesMayNest) {
     NanoscopeText text;
     text.scanList = "\\@Sens. Log: V 1.000000 log(Pa)/log(Arb)\r\n";
     text.zScale = "V [Sens. Log] (0.0004 log(Arb)/LSB) 2.0 log(Arb)";
-    EXPECT_EQ(readOne(text).unit, "log(Pa)");
+    EXPECT_EQ(nanoscopeChannel(text).unit, "log(Pa)");
 }
 
 TEST(NanoscopeReader, KeysDifferInCaseBetweenVersions) {
@@ -119,17 +120,17 @@ TEST(NanoscopeReader, KeysDifferInCaseBetweenVersions) {
 TEST(NanoscopeReader, MicrometersMayBeATildeOrALatinMicroSign) {
     NanoscopeText text;
     text.scanSize = "30 20 ~m";
-    EXPECT_DOUBLE_EQ(readOne(text).map.sizeY(), 20e-6);
+    EXPECT_DOUBLE_EQ(nanoscopeChannel(text).map.sizeY(), 20e-6);
     text.scanSize = "30 20 \xB5m";
-    EXPECT_DOUBLE_EQ(readOne(text).map.sizeY(), 20e-6);
+    EXPECT_DOUBLE_EQ(nanoscopeChannel(text).map.sizeY(), 20e-6);
 }
 
 TEST(NanoscopeReader, SingleScanSizeFollowsTheAspectRatio) {
     NanoscopeText text;
     text.scanSize = "30 nm";
-    EXPECT_DOUBLE_EQ(readOne(text).map.sizeY(), 20e-9);
+    EXPECT_DOUBLE_EQ(nanoscopeChannel(text).map.sizeY(), 20e-9);
     text.aspectRatio = "1:1";
-    EXPECT_DOUBLE_EQ(readOne(text).map.sizeY(), 30e-9);
+    EXPECT_DOUBLE_EQ(nanoscopeChannel(text).map.sizeY(), 30e-9);
 }
 
 TEST(NanoscopeReader, StatedHeightOfTheScanWinsOverAnOddAspectRatio) {
@@ -161,14 +162,14 @@ TEST(NanoscopeReader, EarlierLevelingIsNoted) {
 TEST(NanoscopeReader, ZeroScanSizeIsUnknownNotOneMeter) {
     NanoscopeText text;
     text.scanSize = "0 0 nm";
-    EXPECT_FALSE(readOne(text).hasSize());
+    EXPECT_FALSE(nanoscopeChannel(text).hasSize());
 }
 
 TEST(NanoscopeReader, RefusesWhatDoesNotFitTogether) {
     const auto with = [](auto NanoscopeText::*field, const char* value) {
         NanoscopeText text;
         text.*field = value;
-        return refusal(text);
+        return refusalOfNanoscope(text);
     };
     EXPECT_THAT(with(&NanoscopeText::dataLength, "0"), HasSubstr("Data length"));
     EXPECT_THAT(with(&NanoscopeText::dataLength, "13"), HasSubstr("do not fit 3 x 2"));
@@ -192,7 +193,8 @@ TEST(NanoscopeReader, RefusesWhatDoesNotFitTogether) {
 TEST(NanoscopeReader, RefusalNamesFilePlaceAndExpectation) {
     NanoscopeText text;
     text.dataLength = "13";
-    EXPECT_THAT(refusal(text), AllOf(HasSubstr("scan.spm: "), HasSubstr("image list 1: ")));
+    EXPECT_THAT(refusalOfNanoscope(text),
+                AllOf(HasSubstr("scan.spm: "), HasSubstr("image list 1: ")));
 }
 
 TEST(NanoscopeReader, RefusesImagesThatShareBytes) {
@@ -233,7 +235,7 @@ TEST(NanoscopeReader, ImageOfAForceVolumeIsReadWithANote) {
     for (const std::string& file : {bytes, volume}) {
         const HeightMapFile read = readHeightMapBytes(file, "volume.000");
         ASSERT_EQ(read.channels.size(), 1U);
-        EXPECT_DOUBLE_EQ(read.channels[0].map.at(0, 0), 4 * kCount);
+        EXPECT_DOUBLE_EQ(read.channels[0].map.at(0, 0), 4 * kMetersPerCount);
         EXPECT_THAT(read.notes, testing::Contains(HasSubstr("force curves")));
     }
 }

@@ -14,12 +14,12 @@ using testing::AllOf;
 using testing::Contains;
 using testing::HasSubstr;
 
-HeightMapFile readAll(const std::vector<NanosurfChannel>& channels) {
+HeightMapFile readAsNanosurf(const std::vector<NanosurfChannel>& channels) {
     return readHeightMapBytes(nanosurfFile(channels), "scan.nid");
 }
 
-std::string refusal(const std::vector<NanosurfChannel>& channels) {
-    return refusalOf([&] { (void)readAll(channels); });
+std::string refusalOfNanosurf(const std::vector<NanosurfChannel>& channels) {
+    return refusalOf([&] { (void)readAsNanosurf(channels); });
 }
 
 NanosurfChannel curves() {
@@ -34,7 +34,7 @@ NanosurfChannel curves() {
 }  // namespace
 
 TEST(NanosurfReader, HeightsSpanTheRangeOfTheCounts) {
-    const HeightMap map = readAll({{}}).channels.at(0).map;
+    const HeightMap map = readAsNanosurf({{}}).channels.at(0).map;
     EXPECT_DOUBLE_EQ(map.at(1, 0), -1e-6);
     EXPECT_DOUBLE_EQ(map.at(1, 1), 0.0);
     EXPECT_DOUBLE_EQ(map.at(0, 2), -1e-6 + 2e-6 * 65535 / 65536);
@@ -43,7 +43,7 @@ TEST(NanosurfReader, HeightsSpanTheRangeOfTheCounts) {
 TEST(NanosurfReader, BackwardImageIsNotMirrored) {
     NanosurfChannel backward;
     backward.frame = "Scan backward";
-    const HeightMapFile file = readAll({{}, backward});
+    const HeightMapFile file = readAsNanosurf({{}, backward});
     ASSERT_EQ(file.channels.size(), 2U);
     EXPECT_EQ(file.channels[0].name, "Topography forward");
     EXPECT_EQ(file.channels[1].name, "Topography backward");
@@ -52,7 +52,7 @@ TEST(NanosurfReader, BackwardImageIsNotMirrored) {
 }
 
 TEST(NanosurfReader, ChannelSaysWhatTheHeaderSays) {
-    const ScanChannel channel = readAll({{}}).channels.at(0);
+    const ScanChannel channel = readAsNanosurf({{}}).channels.at(0);
     EXPECT_EQ(channel.unit, "m");
     EXPECT_DOUBLE_EQ(channel.map.sizeX(), 30e-9);
     EXPECT_DOUBLE_EQ(channel.map.sizeY(), 20e-9);
@@ -68,18 +68,19 @@ TEST(NanosurfReader, SamplesHave8Or16Or32Bits) {
     wide.bits = "32";
     wide.stored = SampleType::Int32;
     wide.numbers = {-2147483648.0, 0, 0, 0, 0, 0};
-    const HeightMapFile file = readAll({narrow, wide});
+    const HeightMapFile file = readAsNanosurf({narrow, wide});
     EXPECT_DOUBLE_EQ(file.channels.at(0).map.at(1, 0), -1e-6);
     EXPECT_DOUBLE_EQ(file.channels.at(1).map.at(1, 0), -1e-6);
     EXPECT_DOUBLE_EQ(file.channels.at(1).map.at(1, 1), 0.0);
     narrow.bits = "24";
-    EXPECT_THAT(refusal({narrow}), HasSubstr("SaveBits: expected 8, 16 or 32, found '24'"));
+    EXPECT_THAT(refusalOfNanosurf({narrow}),
+                HasSubstr("SaveBits: expected 8, 16 or 32, found '24'"));
 }
 
 TEST(NanosurfReader, CurvesAreSkippedAndCounted) {
     NanosurfChannel image;
     image.numbers = {1, 2, 3, 4, 5, 6};
-    const HeightMapFile file = readAll({curves(), image});
+    const HeightMapFile file = readAsNanosurf({curves(), image});
     ASSERT_EQ(file.channels.size(), 1U);
     EXPECT_DOUBLE_EQ(file.channels[0].map.at(0, 2), -1e-6 + 2e-6 * (32768 + 6) / 65536);
     EXPECT_THAT(file.notes,
@@ -87,13 +88,14 @@ TEST(NanosurfReader, CurvesAreSkippedAndCounted) {
 }
 
 TEST(NanosurfReader, FileOfCurvesOnlyIsNamedAsSuch) {
-    EXPECT_THAT(refusal({curves()}), AllOf(HasSubstr("scan.nid"), HasSubstr("force curves"),
-                                           HasSubstr("'Spec forward' (4)")));
+    EXPECT_THAT(
+        refusalOfNanosurf({curves()}),
+        AllOf(HasSubstr("scan.nid"), HasSubstr("force curves"), HasSubstr("'Spec forward' (4)")));
     NanosurfChannel line = curves();
     line.frame = "Scan forward";
     line.lines = "1";
     line.points = "8";
-    EXPECT_THAT(refusal({line}), HasSubstr("no image"));
+    EXPECT_THAT(refusalOfNanosurf({line}), HasSubstr("no image"));
 }
 
 TEST(NanosurfReader, LongCurvesAreNoLargeImage) {
@@ -101,35 +103,37 @@ TEST(NanosurfReader, LongCurvesAreNoLargeImage) {
     spectrum.points = "100000";
     spectrum.lines = "1";
     spectrum.numbers.assign(100000, 1.0);
-    EXPECT_EQ(readAll({spectrum, {}}).channels.size(), 1U);
+    EXPECT_EQ(readAsNanosurf({spectrum, {}}).channels.size(), 1U);
     spectrum.points = "16777216";
     spectrum.lines = "16777216";
-    EXPECT_THAT(refusal({spectrum, {}}), HasSubstr("truncated"));
+    EXPECT_THAT(refusalOfNanosurf({spectrum, {}}), HasSubstr("truncated"));
     spectrum.lines = "-1";
-    EXPECT_THAT(refusal({spectrum, {}}), HasSubstr("Points, Lines"));
+    EXPECT_THAT(refusalOfNanosurf({spectrum, {}}), HasSubstr("Points, Lines"));
 }
 
 TEST(NanosurfReader, SizeOfZeroIsUnknown) {
     NanosurfChannel channel;
     channel.sizeX = "0";
-    EXPECT_FALSE(readAll({channel}).channels.at(0).hasSize());
+    EXPECT_FALSE(readAsNanosurf({channel}).channels.at(0).hasSize());
 }
 
 TEST(NanosurfReader, RefusesWhatDoesNotFit) {
     NanosurfChannel channel;
     channel.range = "inf";
-    EXPECT_THAT(refusal({channel}), HasSubstr("[DataSet-0:1] Dim2Min, Dim2Range"));
+    EXPECT_THAT(refusalOfNanosurf({channel}), HasSubstr("[DataSet-0:1] Dim2Min, Dim2Range"));
     channel = {};
     channel.order = "Motorola";
-    EXPECT_THAT(refusal({channel}), HasSubstr("SaveOrder: expected Intel, found 'Motorola'"));
+    EXPECT_THAT(refusalOfNanosurf({channel}),
+                HasSubstr("SaveOrder: expected Intel, found 'Motorola'"));
     channel = {};
     channel.points = "4";
-    EXPECT_THAT(refusal({channel}), HasSubstr("truncated"));
+    EXPECT_THAT(refusalOfNanosurf({channel}), HasSubstr("truncated"));
     channel.points = "0";
-    EXPECT_THAT(refusal({channel}), HasSubstr("0 x 2 pixels"));
+    EXPECT_THAT(refusalOfNanosurf({channel}), HasSubstr("0 x 2 pixels"));
     channel.points = "many";
-    EXPECT_THAT(refusal({channel}), HasSubstr("Points: expected a whole number, found 'many'"));
-    EXPECT_THAT(refusal({}), HasSubstr("lists no image"));
+    EXPECT_THAT(refusalOfNanosurf({channel}),
+                HasSubstr("Points: expected a whole number, found 'many'"));
+    EXPECT_THAT(refusalOfNanosurf({}), HasSubstr("lists no image"));
 }
 
 TEST(NanosurfReader, HeaderThatALineEndDamagedIsNamedAsSuch) {

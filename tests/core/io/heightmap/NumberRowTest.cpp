@@ -1,10 +1,11 @@
 #include "core/io/heightmap/NumberRow.h"
 
+#include "tests/support/DoubleLimits.h"
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 
 namespace asperity::test {
 
@@ -19,8 +20,6 @@ NumberRow rowOf(std::string_view line) {
     EXPECT_EQ(row.wrong, "") << line;
     return row;
 }
-
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 }  // namespace
 
@@ -44,7 +43,7 @@ TEST(NumberRow, WordsForNoDataAreNaN) {
     for (const char* word : {"NaN", "nan", "BAD", "Bad", "***", "----", "1.#QNAN", "-1.#IND", "--",
                              "N/A", "-nan(ind)"}) {
         EXPECT_THAT(rowOf("1 " + std::string(word) + " 3").numbers,
-                    ElementsAre(1.0, NanSensitiveDoubleEq(kNaN), 3.0))
+                    ElementsAre(1.0, NanSensitiveDoubleEq(kNan), 3.0))
             << word;
     }
 }
@@ -52,17 +51,17 @@ TEST(NumberRow, WordsForNoDataAreNaN) {
 TEST(NumberRow, EmptyCellsHoldNoDataAndTheLastOneIsTold) {
     const NumberRow row = rowOf("1;;3;");
     EXPECT_THAT(row.numbers,
-                ElementsAre(1.0, NanSensitiveDoubleEq(kNaN), 3.0, NanSensitiveDoubleEq(kNaN)));
+                ElementsAre(1.0, NanSensitiveDoubleEq(kNan), 3.0, NanSensitiveDoubleEq(kNan)));
     EXPECT_TRUE(row.endsEmpty);
     EXPECT_FALSE(rowOf("1;2").endsEmpty);
 }
 
 /// As a spreadsheet exports them: the values behind would move into wrong columns.
 TEST(NumberRow, EmptyCellsBetweenTabsHoldNoData) {
-    EXPECT_THAT(rowOf("1\t\t3,5").numbers, ElementsAre(1.0, NanSensitiveDoubleEq(kNaN), 3.5));
+    EXPECT_THAT(rowOf("1\t\t3,5").numbers, ElementsAre(1.0, NanSensitiveDoubleEq(kNan), 3.5));
     NumberRow row;
     readNumberRow("\t2\t3", numberStyleOf("1\t2\t3"), row);
-    EXPECT_THAT(row.numbers, ElementsAre(NanSensitiveDoubleEq(kNaN), 2.0, 3.0));
+    EXPECT_THAT(row.numbers, ElementsAre(NanSensitiveDoubleEq(kNan), 2.0, 3.0));
 }
 
 TEST(NumberRow, NumbersBelowTheSmallestAreZero) {

@@ -34,7 +34,7 @@ struct ParkTestFile {
 };
 
 template <typename Number>
-void put(std::string& header, std::size_t place, Number value) {
+void putInHeader(std::string& header, std::size_t place, Number value) {
     std::string bytes;
     appendLittleEndian(bytes, value);
     if (place + bytes.size() <= header.size()) {
@@ -42,29 +42,29 @@ void put(std::string& header, std::size_t place, Number value) {
     }
 }
 
-void put(std::string& header, std::size_t place, const std::u16string& text) {
+void putInHeader(std::string& header, std::size_t place, const std::u16string& text) {
     for (std::size_t i = 0; i < text.size(); ++i) {
-        put(header, place + 2 * i, static_cast<std::uint16_t>(text[i]));
+        putInHeader(header, place + 2 * i, static_cast<std::uint16_t>(text[i]));
     }
 }
 
-std::string headerOf(const ParkTestFile& file) {
+std::string parkHeader(const ParkTestFile& file) {
     std::string header(file.headerBytes, '\0');
-    put(header, 0, file.imageType);
-    put(header, 4, std::u16string(u"Z Höhe"));
-    put(header, 68, std::u16string(u"Tapping"));
-    put(header, 100, file.columns);
-    put(header, 104, file.rows);
-    put(header, 128, file.forward);
-    put(header, 136, file.swapped);
-    put(header, 140, 3.0);
-    put(header, 148, 4.0);
-    put(header, 156, -7.0);
-    put(header, 220, file.gain);
-    put(header, 228, file.scale);
-    put(header, 236, file.offset);
-    put(header, 244, file.unit);
-    put(header, 348, file.dataType);
+    putInHeader(header, 0, file.imageType);
+    putInHeader(header, 4, std::u16string(u"Z Höhe"));
+    putInHeader(header, 68, std::u16string(u"Tapping"));
+    putInHeader(header, 100, file.columns);
+    putInHeader(header, 104, file.rows);
+    putInHeader(header, 128, file.forward);
+    putInHeader(header, 136, file.swapped);
+    putInHeader(header, 140, 3.0);
+    putInHeader(header, 148, 4.0);
+    putInHeader(header, 156, -7.0);
+    putInHeader(header, 220, file.gain);
+    putInHeader(header, 228, file.scale);
+    putInHeader(header, 236, file.offset);
+    putInHeader(header, 244, file.unit);
+    putInHeader(header, 348, file.dataType);
     return header;
 }
 
@@ -74,7 +74,7 @@ std::string parkFile(const ParkTestFile& file) {
         file.version == 1 ? SampleType::Int16 : kTypes[std::min(file.dataType, 2)];
     const TiffTestField samples{
         .tag = 50434, .type = 1, .bytes = sampleBytes({1, 2, 3, 4, 5, 6}, type, ByteOrder::Little)};
-    const TiffTestField header{.tag = 50435, .type = 7, .bytes = headerOf(file)};
+    const TiffTestField header{.tag = 50435, .type = 7, .bytes = parkHeader(file)};
     return tiffFile(
         {{.type = SampleType::UInt8,
           .photometric = 3,
@@ -82,18 +82,18 @@ std::string parkFile(const ParkTestFile& file) {
                     samples, header, tiffText(50436, "as grown")}}});
 }
 
-HeightMapFile read(const ParkTestFile& file) {
+HeightMapFile readAsPark(const ParkTestFile& file) {
     return readHeightMapBytes(parkFile(file), "small.tiff");
 }
-ScanChannel onlyChannel(const ParkTestFile& file) { return read(file).channels.at(0); }
-std::string refusal(const ParkTestFile& file) {
-    return refusalOf([&] { (void)read(file); });
+ScanChannel parkChannel(const ParkTestFile& file) { return readAsPark(file).channels.at(0); }
+std::string refusalOfPark(const ParkTestFile& file) {
+    return refusalOf([&] { (void)readAsPark(file); });
 }
 
 }  // namespace
 
 TEST(ParkReader, ReadsTheHeaderAndTurnsTheImage) {
-    const HeightMapFile file = read({});
+    const HeightMapFile file = readAsPark({});
     EXPECT_EQ(file.format, "Park Systems TIFF");
     const ScanChannel& channel = file.channels.at(0);
     EXPECT_EQ(channel.name, "Z Höhe");
@@ -112,35 +112,35 @@ TEST(ParkReader, ReadsTheHeaderAndTurnsTheImage) {
 
 TEST(ParkReader, ReadsEveryTypeOfSamples) {
     for (const int type : {0, 1, 2}) {
-        EXPECT_NEAR(onlyChannel({.dataType = type}).map.at(0, 2), -26e-9, 1e-20) << type;
+        EXPECT_NEAR(parkChannel({.dataType = type}).map.at(0, 2), -26e-9, 1e-20) << type;
     }
     // Version 1 has a shorter header and 16-bit counts.
-    EXPECT_NEAR(onlyChannel({.version = 1, .headerBytes = 356}).map.at(0, 2), -26e-9, 1e-20);
-    EXPECT_THAT(refusal({.dataType = 3}), HasSubstr("type 3"));
+    EXPECT_NEAR(parkChannel({.version = 1, .headerBytes = 356}).map.at(0, 2), -26e-9, 1e-20);
+    EXPECT_THAT(refusalOfPark({.dataType = 3}), HasSubstr("type 3"));
 }
 
 TEST(ParkReader, ScaleOfZeroIsOneAndNoUnitMicrometers) {
-    const ScanChannel channel = onlyChannel({.scale = 0.0, .offset = 0.0, .unit = u""});
+    const ScanChannel channel = parkChannel({.scale = 0.0, .offset = 0.0, .unit = u""});
     EXPECT_EQ(channel.unit, "m");
     EXPECT_NEAR(channel.map.at(0, 2), -12e-6, 1e-18);
-    EXPECT_EQ(onlyChannel({.unit = u"V"}).unit, "V");
+    EXPECT_EQ(parkChannel({.unit = u"V"}).unit, "V");
 }
 
 TEST(ParkReader, DirectionAndExchangedAxesAreSaid) {
-    const ScanChannel channel = onlyChannel({.forward = 0, .swapped = 1});
+    const ScanChannel channel = parkChannel({.forward = 0, .swapped = 1});
     EXPECT_EQ(channel.direction, "backward");
     EXPECT_THAT(channel.notes, Contains(HasSubstr("x and y exchanged")));
 }
 
 TEST(ParkReader, RefusesWhatIsNoImageOrDoesNotFit) {
-    EXPECT_THAT(refusal({.imageType = 2}), HasSubstr("force curves"));
-    EXPECT_THAT(refusal({.imageType = 1}), HasSubstr("line profile"));
-    EXPECT_THAT(refusal({.headerBytes = 356}), HasSubstr("expected 580"));
-    EXPECT_THAT(refusal({.version = 3}), HasSubstr("version"));
-    EXPECT_THAT(refusal({.magic = 1}), HasSubstr("tags of a Park file"));
-    EXPECT_THAT(refusal({.columns = 4}), HasSubstr("expected 32 bytes"));
-    EXPECT_THAT(refusal({.rows = 0}), HasSubstr("pixels"));
-    EXPECT_THAT(refusal({.gain = 1e300}), HasSubstr("scale"));
+    EXPECT_THAT(refusalOfPark({.imageType = 2}), HasSubstr("force curves"));
+    EXPECT_THAT(refusalOfPark({.imageType = 1}), HasSubstr("line profile"));
+    EXPECT_THAT(refusalOfPark({.headerBytes = 356}), HasSubstr("expected 580"));
+    EXPECT_THAT(refusalOfPark({.version = 3}), HasSubstr("version"));
+    EXPECT_THAT(refusalOfPark({.magic = 1}), HasSubstr("tags of a Park file"));
+    EXPECT_THAT(refusalOfPark({.columns = 4}), HasSubstr("expected 32 bytes"));
+    EXPECT_THAT(refusalOfPark({.rows = 0}), HasSubstr("pixels"));
+    EXPECT_THAT(refusalOfPark({.gain = 1e300}), HasSubstr("scale"));
 }
 
 }  // namespace asperity::test

@@ -12,19 +12,19 @@ namespace {
 
 using testing::HasSubstr;
 
-HeightMapFile readAll(const PicoviewText& text, SampleType stored = SampleType::Int32,
-                      const std::vector<double>& numbers = {1, 2, 3, 4, 5, 6}) {
+HeightMapFile readAsPicoview(const PicoviewText& text, SampleType stored = SampleType::Int32,
+                             const std::vector<double>& numbers = {1, 2, 3, 4, 5, 6}) {
     return readHeightMapBytes(picoviewFile(text, stored, numbers), "scan.mi");
 }
 
-std::string refusal(const PicoviewText& text) {
-    return refusalOf([&] { (void)readAll(text); });
+std::string refusalOfPicoview(const PicoviewText& text) {
+    return refusalOf([&] { (void)readAsPicoview(text); });
 }
 
 }  // namespace
 
 TEST(PicoviewReader, FirstStoredRowIsTheBottomOfTheImage) {
-    const ScanChannel channel = readAll({}).channels.at(0);
+    const ScanChannel channel = readAsPicoview({}).channels.at(0);
     EXPECT_EQ(channel.name, "Topography");
     EXPECT_EQ(channel.unit, "m");
     EXPECT_EQ(channel.direction, "forward");
@@ -40,7 +40,7 @@ TEST(PicoviewReader, SamplesHave16BitsWhereTheHeaderNamesNoWidth) {
     PicoviewText text;
     for (const char* kind : {"BINARY", ""}) {
         text.data = kind;
-        EXPECT_DOUBLE_EQ(readAll(text, SampleType::Int16).channels.at(0).map.at(1, 0),
+        EXPECT_DOUBLE_EQ(readAsPicoview(text, SampleType::Int16).channels.at(0).map.at(1, 0),
                          2e-6 / 32768.0);
     }
 }
@@ -50,7 +50,7 @@ TEST(PicoviewReader, ImagesFollowEachOther) {
     text.image += "bufferLabel   Friction\nbufferRange   1.0e+001\nbufferUnit    V\n"
                   "trace         Retrace\n";
     const HeightMapFile file =
-        readAll(text, SampleType::Int32, {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12});
+        readAsPicoview(text, SampleType::Int32, {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12});
     ASSERT_EQ(file.channels.size(), 2U);
     EXPECT_EQ(file.channels[1].unit, "V");
     EXPECT_EQ(file.channels[1].direction, "backward");
@@ -60,7 +60,7 @@ TEST(PicoviewReader, ImagesFollowEachOther) {
 TEST(PicoviewReader, SizeThatIsNotGivenIsUnknown) {
     PicoviewText text;
     text.size.clear();
-    const ScanChannel channel = readAll(text).channels.at(0);
+    const ScanChannel channel = readAsPicoview(text).channels.at(0);
     EXPECT_FALSE(channel.hasSize());
     EXPECT_THAT(channel.notes, testing::Contains(HasSubstr("no lateral size")));
 }
@@ -68,7 +68,7 @@ TEST(PicoviewReader, SizeThatIsNotGivenIsUnknown) {
 TEST(PicoviewReader, ValuesWithoutARangeAreNumbers) {
     PicoviewText text;
     text.image = "bufferLabel   Topography\nbufferUnit    um\n";
-    const ScanChannel channel = readAll(text).channels.at(0);
+    const ScanChannel channel = readAsPicoview(text).channels.at(0);
     EXPECT_EQ(channel.unit, "");
     EXPECT_DOUBLE_EQ(channel.map.at(1, 0), 1.0);
 }
@@ -76,27 +76,28 @@ TEST(PicoviewReader, ValuesWithoutARangeAreNumbers) {
 TEST(PicoviewReader, CurvesAreNamedAsSuch) {
     PicoviewText text;
     text.firstLine = "fileType      Spectroscopy\n";
-    EXPECT_THAT(refusal(text),
+    EXPECT_THAT(refusalOfPicoview(text),
                 HasSubstr("scan.mi: this PicoView file holds force curves or spectra, no image"));
 }
 
 TEST(PicoviewReader, RefusesWhatDoesNotFit) {
     PicoviewText text;
     text.data = "ASCII";
-    EXPECT_THAT(refusal(text), HasSubstr("save it with binary data"));
+    EXPECT_THAT(refusalOfPicoview(text), HasSubstr("save it with binary data"));
     text.data = "BINARY_64";
-    EXPECT_THAT(refusal(text), HasSubstr("found 'BINARY_64'"));
+    EXPECT_THAT(refusalOfPicoview(text), HasSubstr("found 'BINARY_64'"));
     text = {};
     text.firstLine = "fileType      Image\r\n";
-    EXPECT_THAT(refusal(text), HasSubstr("damaged"));
+    EXPECT_THAT(refusalOfPicoview(text), HasSubstr("damaged"));
     text = {};
     text.image = "bufferLabel   Topography\nbufferRange   wide\n";
-    EXPECT_THAT(refusal(text), HasSubstr("image 1 bufferRange: expected a number, found 'wide'"));
+    EXPECT_THAT(refusalOfPicoview(text),
+                HasSubstr("image 1 bufferRange: expected a number, found 'wide'"));
     text.image.clear();
-    EXPECT_THAT(refusal(text), HasSubstr("lists no image"));
+    EXPECT_THAT(refusalOfPicoview(text), HasSubstr("lists no image"));
     text = {};
     text.image += "bufferLabel   Friction\n";
-    EXPECT_THAT(refusal(text), HasSubstr("image 'Friction': its data end at byte"));
+    EXPECT_THAT(refusalOfPicoview(text), HasSubstr("image 'Friction': its data end at byte"));
 }
 
 }  // namespace asperity::test

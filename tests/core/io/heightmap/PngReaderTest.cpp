@@ -27,11 +27,11 @@ struct PngTestFile {
     std::map<std::string, std::string> texts;
     bool textsBehind = false;  ///< the pixels
 };
-constexpr int kColumns = 4;
-constexpr int kRows = 3;
+constexpr int kPngColumns = 4;
+constexpr int kPngRows = 3;
 
 /// Samples of a row: 1000 per row and 1 per column.
-std::vector<png_byte> rowOf(const PngTestFile& file, int row) {
+std::vector<png_byte> pngRow(const PngTestFile& file, int row) {
     const bool hasAlpha = (file.color & PNG_COLOR_MASK_ALPHA) != 0;
     const int channels =
         ((file.color & PNG_COLOR_MASK_COLOR) != 0 && (file.color & PNG_COLOR_MASK_PALETTE) == 0
@@ -39,7 +39,7 @@ std::vector<png_byte> rowOf(const PngTestFile& file, int row) {
              : 1) +
         (hasAlpha ? 1 : 0);
     std::vector<png_byte> bytes;
-    for (int column = 0; column < kColumns; ++column) {
+    for (int column = 0; column < kPngColumns; ++column) {
         for (int channel = 0; channel < channels; ++channel) {
             const bool isAlpha = hasAlpha && channel == channels - 1;
             const int sample = isAlpha ? 7 : 1000 * row + column;
@@ -71,7 +71,7 @@ std::string pngFile(const PngTestFile& file) {
     png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, nullptr, nullptr);
     png_infop info = png_create_info_struct(png);
     png_init_io(png, stream);
-    png_set_IHDR(png, info, kColumns, kRows, file.bits, file.color, file.interlace,
+    png_set_IHDR(png, info, kPngColumns, kPngRows, file.bits, file.color, file.interlace,
                  PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
     const png_color palette[2] = {{0, 0, 0}, {255, 200, 0}};
     if (file.color == PNG_COLOR_TYPE_PALETTE) {
@@ -83,8 +83,8 @@ std::string pngFile(const PngTestFile& file) {
     png_write_info(png, info);
     std::vector<std::vector<png_byte>> rows;
     std::vector<png_bytep> places;
-    for (int row = 0; row < kRows; ++row) {
-        rows.push_back(rowOf(file, row));
+    for (int row = 0; row < kPngRows; ++row) {
+        rows.push_back(pngRow(file, row));
         places.push_back(rows.back().data());
     }
     png_write_image(png, places.data());
@@ -97,10 +97,10 @@ std::string pngFile(const PngTestFile& file) {
     return contentOf(folder.file("small.png"));
 }
 
-HeightMapFile readBytes(const std::string& bytes) { return readHeightMapBytes(bytes, "small.png"); }
-ScanChannel onlyChannel(const PngTestFile& file) { return readBytes(pngFile(file)).channels.at(0); }
-std::string refusal(const std::string& bytes) {
-    return refusalOf([&] { (void)readBytes(bytes); });
+HeightMapFile readAsPng(const std::string& bytes) { return readHeightMapBytes(bytes, "small.png"); }
+ScanChannel pngChannel(const PngTestFile& file) { return readAsPng(pngFile(file)).channels.at(0); }
+std::string refusalOfPng(const std::string& bytes) {
+    return refusalOf([&] { (void)readAsPng(bytes); });
 }
 
 const std::map<std::string, std::string> kTexts = {
@@ -112,7 +112,7 @@ const std::map<std::string, std::string> kTexts = {
 
 TEST(PngReader, GwyddionsTextsAreTheScale) {
     for (const bool behind : {false, true}) {
-        const ScanChannel channel = onlyChannel({.texts = kTexts, .textsBehind = behind});
+        const ScanChannel channel = pngChannel({.texts = kTexts, .textsBehind = behind});
         EXPECT_EQ(channel.name, "Höhe");
         EXPECT_EQ(channel.unit, "m");
         EXPECT_EQ(channel.metadata.at("Comment"), "as grown");
@@ -125,7 +125,7 @@ TEST(PngReader, GwyddionsTextsAreTheScale) {
 }
 
 TEST(PngReader, WithoutTextsValuesAreNumbersFromTheTop) {
-    const ScanChannel channel = onlyChannel({});
+    const ScanChannel channel = pngChannel({});
     EXPECT_EQ(channel.name, "gray");
     EXPECT_EQ(channel.unit, "");
     EXPECT_FALSE(channel.hasSize());
@@ -135,19 +135,19 @@ TEST(PngReader, WithoutTextsValuesAreNumbersFromTheTop) {
 }
 
 TEST(PngReader, InterlacedAndTransparentGrayIsTheSame) {
-    const std::vector<double> heights = onlyChannel({}).map.heights;
-    EXPECT_EQ(onlyChannel({.interlace = PNG_INTERLACE_ADAM7}).map.heights, heights);
-    const ScanChannel transparent = onlyChannel({.color = PNG_COLOR_TYPE_GRAY_ALPHA});
+    const std::vector<double> heights = pngChannel({}).map.heights;
+    EXPECT_EQ(pngChannel({.interlace = PNG_INTERLACE_ADAM7}).map.heights, heights);
+    const ScanChannel transparent = pngChannel({.color = PNG_COLOR_TYPE_GRAY_ALPHA});
     EXPECT_EQ(transparent.map.heights, heights);
     EXPECT_THAT(transparent.notes, Contains(HasSubstr("transparency")));
 }
 
 TEST(PngReader, PicturesAreRefusedInWords) {
-    EXPECT_THAT(refusal(pngFile({.bits = 8})), HasSubstr("a picture of 8-bit gray"));
-    EXPECT_THAT(refusal(pngFile({.bits = 8, .color = PNG_COLOR_TYPE_PALETTE})),
+    EXPECT_THAT(refusalOfPng(pngFile({.bits = 8})), HasSubstr("a picture of 8-bit gray"));
+    EXPECT_THAT(refusalOfPng(pngFile({.bits = 8, .color = PNG_COLOR_TYPE_PALETTE})),
                 HasSubstr("palette"));
-    EXPECT_THAT(refusal(pngFile({.color = PNG_COLOR_TYPE_RGB})), HasSubstr("a color picture"));
-    EXPECT_THAT(refusal(pngFile({.color = PNG_COLOR_TYPE_RGB_ALPHA})),
+    EXPECT_THAT(refusalOfPng(pngFile({.color = PNG_COLOR_TYPE_RGB})), HasSubstr("a color picture"));
+    EXPECT_THAT(refusalOfPng(pngFile({.color = PNG_COLOR_TYPE_RGB_ALPHA})),
                 HasSubstr("a color picture"));
 }
 
@@ -166,8 +166,9 @@ TEST(PngReader, PicturesAreRefusedWhateverScaleIsGiven) {
 }
 
 TEST(PngReader, AFalseNumberIsRefusedByItsKey) {
-    EXPECT_THAT(refusal(pngFile({.texts = {{"Gwy::YReal", "wide"}}})), HasSubstr("Gwy::YReal"));
-    EXPECT_THAT(refusal(pngFile({.texts = {{"Gwy::ZMin", "nan"}, {"Gwy::ZMax", "1"}}})),
+    EXPECT_THAT(refusalOfPng(pngFile({.texts = {{"Gwy::YReal", "wide"}}})),
+                HasSubstr("Gwy::YReal"));
+    EXPECT_THAT(refusalOfPng(pngFile({.texts = {{"Gwy::ZMin", "nan"}, {"Gwy::ZMax", "1"}}})),
                 HasSubstr("scale"));
 }
 
@@ -176,17 +177,17 @@ TEST(PngReader, EveryBitIsUnderAChecksum) {
     for (std::size_t place = 8; place < bytes.size(); ++place) {
         std::string damaged = bytes;
         damaged[place] = static_cast<char>(damaged[place] ^ 0x10);
-        EXPECT_THROW((void)readBytes(damaged), InputError) << place;
-        EXPECT_THROW((void)readBytes(bytes.substr(0, place)), InputError) << place;
+        EXPECT_THROW((void)readAsPng(damaged), InputError) << place;
+        EXPECT_THROW((void)readAsPng(bytes.substr(0, place)), InputError) << place;
     }
 }
 
 TEST(PngReader, RefusesMorePixelsThanItsDataCanHold) {
     std::string bytes = pngFile({});
     bytes.replace(16, 8, std::string("\0\0\x80\0\0\0\x80\0", 8));
-    EXPECT_THAT(refusal(bytes), HasSubstr("cannot hold 32768 x 32768"));
+    EXPECT_THAT(refusalOfPng(bytes), HasSubstr("cannot hold 32768 x 32768"));
     bytes.replace(16, 4, std::string("\0\1\0\1", 4));
-    EXPECT_THAT(refusal(bytes), HasSubstr("65537 x 32768 pixels"));
+    EXPECT_THAT(refusalOfPng(bytes), HasSubstr("65537 x 32768 pixels"));
 }
 
 }  // namespace asperity::test

@@ -18,8 +18,6 @@ protected:
     void SetUp() override { ASPERITY_NEEDS_SHARED_DATA(); }
 };
 
-}  // namespace
-
 TEST(RealScans, AreThoseOfTheManifestAndNoOthers) {
     ASPERITY_NEEDS_SHARED_DATA();
     const ReferenceTable manifest(sharedData("afm/MANIFEST.csv"));
@@ -44,4 +42,5 @@ TEST_P(Malformed, IsRefusedWithFilePlaceAndReason) {
 INSTANTIATE_TEST_SUITE_P(RealScans, Malformed, testing::ValuesIn(malformedScans()),
                          [](const auto& scan) { return testName(scan.param.file); });
 
+}  // namespace
 }  // namespace asperity::test

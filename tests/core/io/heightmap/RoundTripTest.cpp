@@ -17,9 +17,9 @@ namespace asperity::test {
 
 namespace {
 
-constexpr double kFloat = 6e-8;         // of a height: half a step of single precision
-constexpr double kCount = 0.5 / 65534;  // of the range: half a step of 16 bits
-constexpr double kRounding = 1e-15;     // of the largest height: of the arithmetic
+constexpr double kFloat = 6e-8;            // of a height: half a step of single precision
+constexpr double kHalfStep = 0.5 / 65534;  // of the range: half a step of 16 bits
+constexpr double kRounding = 1e-15;        // of the largest height: of the arithmetic
 
 /// What a format promises of its heights.
 struct Precision {
@@ -35,7 +35,7 @@ Precision precisionOf(const std::string& extension) {
                                                     {".exr", {.ofHeight = kFloat}},
                                                     {".tiff", {.ofHeight = kFloat}},
                                                     {".tif", {.ofHeight = kFloat}},
-                                                    {".png", {kRounding, kCount}}};
+                                                    {".png", {kRounding, kHalfStep}}};
     return known.at(extension);
 }
 
@@ -63,21 +63,21 @@ HeightMap flatMap() {
     return map;
 }
 
-HeightMap emptyMap() {
+HeightMap mapWithoutData() {
     HeightMap map = bumpyMap(3, 4);
     map.invalid.assign(12, 1);
     std::ranges::fill(map.heights, std::numeric_limits<double>::quiet_NaN());
     return map;
 }
 
-std::vector<HeightMap> maps() {
+std::vector<HeightMap> anyMaps() {
     return {bumpyMap(7, 4),          withHoles(bumpyMap(7, 4)),
             bumpyMap(1, 9),          withHoles(bumpyMap(1, 9)),
             bumpyMap(9, 1),          withHoles(bumpyMap(9, 1)),
             bumpyMap(2, 3),          withHoles(bumpyMap(3, 3)),
             bumpyMap(1, 1),          shallowMap(),
             withHoles(shallowMap()), flatMap(),
-            withHoles(flatMap()),    emptyMap()};
+            withHoles(flatMap()),    mapWithoutData()};
 }
 
 void expectHeights(const HeightMap& read, const HeightMap& written, const Precision& precision) {
@@ -122,11 +122,9 @@ protected:
     }
 };
 
-}  // namespace
-
 TEST_P(RoundTrip, KeepsHeightsMaskSizeAndOrigin) {
     const HeightMapMeta meta{.title = "Height", .originX = 1.25e-6, .originY = -2e-6};
-    for (const HeightMap& map : maps()) {
+    for (const HeightMap& map : anyMaps()) {
         SCOPED_TRACE(std::to_string(map.columns) + " x " + std::to_string(map.rows) +
                      (map.invalid.empty() ? "" : " with pixels without data"));
         const ScanChannel read = through(map, meta);
@@ -176,13 +174,13 @@ TEST_P(RoundTrip, KeepsMetadata) {
 
 TEST(RoundTripOfCounts, KeepsHeightsMaskSizeAndOrigin) {
     const HeightMapMeta meta{.title = "高さ", .originX = 1.25e-6, .originY = -2e-6};
-    for (const HeightMap& map : maps()) {
+    for (const HeightMap& map : anyMaps()) {
         const ScratchFolder folder;
         const std::filesystem::path path = folder.file("map.tif");
         writeHeightMap(path, rowsOf(map), meta, nullptr, kFormatsOfCounts);
         const ScanChannel read = readHeightMapFile(path, {}).channels.at(0);
         expectFrame(read, map, meta);
-        expectHeights(read.map, map, {kRounding, kCount});
+        expectHeights(read.map, map, {kRounding, kHalfStep});
     }
 }
 
@@ -206,4 +204,5 @@ TEST_P(RoundTrip, TakesAsMuchMetadataAsItCan) {
 INSTANTIATE_TEST_SUITE_P(Formats, RoundTrip, testing::ValuesIn(heightMapExtensions()),
                          [](const auto& extension) { return extension.param.substr(1); });
 
+}  // namespace
 }  // namespace asperity::test

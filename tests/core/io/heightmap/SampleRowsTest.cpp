@@ -13,11 +13,11 @@
 namespace asperity {
 namespace {
 
-constexpr ImageSize kSize{.columns = 3, .rows = 2};
+constexpr ImageSize kImageSize{.columns = 3, .rows = 2};
 
-std::vector<double> rowOf(const ReadRow& rows, int row) {
+std::vector<double> readRowOf(const ReadRow& rows, int row) {
     RowRoom room;
-    std::vector<double> numbers(kSize.columns);
+    std::vector<double> numbers(kImageSize.columns);
     rows(row, room, numbers.data());
     return numbers;
 }
@@ -45,12 +45,12 @@ void expectRead(SampleType type) {
     for (const ByteOrder order : {ByteOrder::Little, ByteOrder::Big}) {
         const std::string content = stored<Number>(order, numbers);
         const MemoryBytes bytes(content, "a file");
-        SampleLayout layout{.size = kSize, .type = type, .order = order, .place = 2};
+        SampleLayout layout{.size = kImageSize, .type = type, .order = order, .place = 2};
         EXPECT_EQ(sizeOf(type), sizeof(Number));
         EXPECT_EQ(layout.bytes(), 6 * sizeof(Number));
         EXPECT_NO_THROW(requireSamples(bytes, layout, "image"));
-        EXPECT_EQ(rowOf(rowsOf(bytes, layout), 0), (std::vector<double>{low, 0.0, 1.0}));
-        EXPECT_EQ(rowOf(rowsOf(bytes, layout), 1), (std::vector<double>{2.0, 100.0, high}));
+        EXPECT_EQ(readRowOf(rowsOf(bytes, layout), 0), (std::vector<double>{low, 0.0, 1.0}));
+        EXPECT_EQ(readRowOf(rowsOf(bytes, layout), 1), (std::vector<double>{2.0, 100.0, high}));
         layout.place = 3;
         EXPECT_THROW(requireSamples(bytes, layout, "image"), InputError);
     }
@@ -68,15 +68,15 @@ TEST(SampleRows, ReadsEveryTypeInBothByteOrders) {
 }
 
 const std::string kBytes = "\1\2\3\4\5\6";
-const SampleLayout kLayout{.size = kSize, .type = SampleType::Int8};
+const SampleLayout kLayout{.size = kImageSize, .type = SampleType::Int8};
 
 TEST(SampleRows, TurnsWhatIsStoredFromBelowOrFromTheRight) {
     const MemoryBytes bytes(kBytes, "a file");
     SampleLayout layout = kLayout;
     layout.bottomFirst = true;
-    EXPECT_EQ(rowOf(rowsOf(bytes, layout), 0), (std::vector<double>{4, 5, 6}));
+    EXPECT_EQ(readRowOf(rowsOf(bytes, layout), 0), (std::vector<double>{4, 5, 6}));
     layout.rightFirst = true;
-    EXPECT_EQ(rowOf(rowsOf(bytes, layout), 0), (std::vector<double>{6, 5, 4}));
+    EXPECT_EQ(readRowOf(rowsOf(bytes, layout), 0), (std::vector<double>{6, 5, 4}));
 }
 
 TEST(SampleRows, ADistantPlaceIsNoOverflow) {
@@ -97,19 +97,19 @@ TEST(SampleRows, DecodesOnceUnlessThatThrows) {
         },
         kLayout);
     EXPECT_EQ(decoded, 0);
-    EXPECT_THROW((void)rowOf(rows, 0), InputError);
-    EXPECT_EQ(rowOf(rows, 1), (std::vector<double>{4, 5, 6}));
-    EXPECT_EQ(rowOf(rows, 0), (std::vector<double>{1, 2, 3}));
+    EXPECT_THROW((void)readRowOf(rows, 0), InputError);
+    EXPECT_EQ(readRowOf(rows, 1), (std::vector<double>{4, 5, 6}));
+    EXPECT_EQ(readRowOf(rows, 0), (std::vector<double>{1, 2, 3}));
     EXPECT_EQ(decoded, 2);
 }
 
 TEST(SampleRows, LeavesOutWhatAMaskMarks) {
     const MemoryBytes bytes(kBytes, "a file");
     const ReadRow mask = [](int row, RowRoom&, double* numbers) {
-        std::fill_n(numbers, kSize.columns, 0.0);
+        std::fill_n(numbers, kImageSize.columns, 0.0);
         numbers[row] = 1.0;
     };
-    const std::vector<double> second = rowOf(masked(rowsOf(bytes, kLayout), 3, mask), 1);
+    const std::vector<double> second = readRowOf(masked(rowsOf(bytes, kLayout), 3, mask), 1);
     EXPECT_EQ(second[0], 4.0);
     EXPECT_TRUE(std::isnan(second[1]));
     EXPECT_EQ(second[2], 6.0);
@@ -119,7 +119,7 @@ TEST(SampleRows, ReplacesNumbers) {
     const MemoryBytes bytes(kBytes, "a file");
     const ReadRow rows =
         replaced(rowsOf(bytes, kLayout), 3, [](double number) { return 10.0 * number; });
-    EXPECT_EQ(rowOf(rows, 1), (std::vector<double>{40, 50, 60}));
+    EXPECT_EQ(readRowOf(rows, 1), (std::vector<double>{40, 50, 60}));
 }
 
 }  // namespace

@@ -110,8 +110,6 @@ protected:
                                                HasSubstr("changed while it was read"));
 };
 
-}  // namespace
-
 TEST_P(ChangingFile, ThatBecomesShorterIsRefused) { expectRefusals(shorten); }
 
 TEST_P(ChangingFile, ThatIsWrittenToIsRefused) { expectRefusals(writeInto); }
@@ -157,4 +155,5 @@ TEST(ScanFile, RowsAreThoseOfTheMap) {
     EXPECT_EQ(streamed.invalidPixels, 1U);
 }
 
+}  // namespace
 }  // namespace asperity::test

@@ -24,7 +24,7 @@ struct SameGrid {
         {rowsOf(forces), {.title = "pull_off_force", .unit = "N"}}};
 };
 
-const ScanChannel& channelOf(const HeightMapFile& file, const std::string& name) {
+const ScanChannel& channelNamed(const HeightMapFile& file, const std::string& name) {
     const auto found = std::ranges::find(file.channels, name, &ScanChannel::name);
     EXPECT_NE(found, file.channels.end()) << name;
     return *found;
@@ -32,8 +32,8 @@ const ScanChannel& channelOf(const HeightMapFile& file, const std::string& name)
 
 void expectSame(const HeightMapFile& file, const SameGrid& images, double tolerance) {
     ASSERT_EQ(file.channels.size(), 2U);
-    const ScanChannel& lengths = channelOf(file, "snap_in_distance");
-    const ScanChannel& forces = channelOf(file, "pull_off_force");
+    const ScanChannel& lengths = channelNamed(file, "snap_in_distance");
+    const ScanChannel& forces = channelNamed(file, "pull_off_force");
     EXPECT_EQ(lengths.unit, "m");
     EXPECT_EQ(forces.unit, "N");
     EXPECT_EQ(lengths.lateralUnit, "m");
@@ -70,7 +70,7 @@ TEST(SharedGridImages, OneAloneHasItsNameToo) {
     for (const char* name : {"map.vti", "map.exr"}) {
         const HeightMapFile file = readHeightMapFile(folder.file(name), {});
         ASSERT_EQ(file.channels.size(), 1U);
-        EXPECT_EQ(channelOf(file, "pull_off_force").unit, "N");
+        EXPECT_EQ(channelNamed(file, "pull_off_force").unit, "N");
     }
 }
 

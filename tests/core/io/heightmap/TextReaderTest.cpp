@@ -20,13 +20,13 @@ using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-ScanChannel readOne(std::string_view text) {
+ScanChannel textChannel(std::string_view text) {
     const HeightMapFile file = readHeightMapBytes(text, "map.txt");
     EXPECT_EQ(file.channels.size(), 1U);
     return file.channels.at(0);
 }
 
-std::string refusal(std::string_view text) {
+std::string refusalOfText(std::string_view text) {
     return refusalOf([&] { (void)readHeightMapBytes(text, "map.txt"); });
 }
 
@@ -80,7 +80,7 @@ TEST(TextReader, HeaderMayBeInAnyLanguage) {
          {"# Channel: Z\n# Width: 3 µm\n# Height: 2000 nm\n# Value units: nm\n",
           "# Kanal: Z\n# Breite: 3 \xB5m\n# H\xF6he: 2000 nm\n# Einheit: nm\n",
           "# A: Z\r\n# B: 3 um\r\n# C: 2000 nm\r\n# D: nm\r\n"}) {
-        const ScanChannel channel = readOne(std::string(header) + "1 2 3\n4 5 6\n");
+        const ScanChannel channel = textChannel(std::string(header) + "1 2 3\n4 5 6\n");
         EXPECT_EQ(channel.name, "Z");
         EXPECT_EQ(channel.unit, "m");
         EXPECT_DOUBLE_EQ(channel.map.sizeX(), 3e-6);
@@ -108,16 +108,16 @@ TEST(TextReader, HeaderMayHaveDecimalCommasButNoThousands) {
 TEST(TextReader, SaysHowTheNumbersAreToldApart) {
     using testing::Contains;
     using testing::Field;
-    const ScanChannel tabs = readOne("1,5\t2\t3\t4\n4\t5\t6,25\t7\n");
+    const ScanChannel tabs = textChannel("1,5\t2\t3\t4\n4\t5\t6,25\t7\n");
     EXPECT_THAT(tabs.provenance, Contains(Field(&Provenance::what, "decimal sign")));
-    const ScanChannel commas = readOne("1.5,2,3,4\n4,5,6.25,7\n");
+    const ScanChannel commas = textChannel("1.5,2,3,4\n4,5,6.25,7\n");
     EXPECT_THAT(commas.provenance, Contains(Field(&Provenance::what, "separator")));
     EXPECT_THAT(commas.provenance, Not(Contains(Field(&Provenance::what, "decimal sign"))));
 }
 
 /// As pandas.DataFrame.to_csv() writes a matrix.
 TEST(TextReader, NumbersOfRowsAndColumnsAreNoHeights) {
-    const ScanChannel channel = readOne(",0,1,2\n0,1.5,2.5,3.5\n1,4.5,5.5,6.5\n");
+    const ScanChannel channel = textChannel(",0,1,2\n0,1.5,2.5,3.5\n1,4.5,5.5,6.5\n");
     ASSERT_EQ(channel.map.columns, 3);
     ASSERT_EQ(channel.map.rows, 2);
     EXPECT_EQ(channel.map.heights, (std::vector<double>{1.5, 2.5, 3.5, 4.5, 5.5, 6.5}));
@@ -126,7 +126,7 @@ TEST(TextReader, NumbersOfRowsAndColumnsAreNoHeights) {
 
 TEST(TextReader, WhatMayBeANumberingOrAxesIsNamed) {
     using testing::Contains;
-    const auto notesOf = [](std::string_view text) { return readOne(text).notes; };
+    const auto notesOf = [](std::string_view text) { return textChannel(text).notes; };
     EXPECT_THAT(notesOf(",10,20,30\n0,1.5,2.5,3.5\n5,4.5,5.5,6.5\n"),
                 Contains(HasSubstr("if they are axes")));
     EXPECT_THAT(notesOf("0,1,2,3\n5.5,1.5,2.5,3.5\n4,4.5,5.5,6.5\n"),
@@ -135,14 +135,14 @@ TEST(TextReader, WhatMayBeANumberingOrAxesIsNamed) {
                 Contains(HasSubstr("first column counts")));
     for (const char* plain : {"5,1,2,3\n5.5,1.5,2.5,3.5\n4,4.5,5.5,6.5\n",
                               "nan,nan,nan,nan\nnan,1.5,2.5,3.5\nnan,4.5,5.5,6.5\n"}) {
-        EXPECT_EQ(readOne(plain).map.columns, 4);
+        EXPECT_EQ(textChannel(plain).map.columns, 4);
         EXPECT_THAT(notesOf(plain), Not(Contains(HasSubstr("first"))));
     }
 }
 
 TEST(TextReader, TwoLengthsAreASizeOnlyBeforeAUnit) {
     const auto sizeIsKnown = [](std::string_view header) {
-        return readOne(std::string(header) + "1 2 3 4\n4 5 6 7\n").hasSize();
+        return textChannel(std::string(header) + "1 2 3 4\n4 5 6 7\n").hasSize();
     };
     EXPECT_FALSE(sizeIsKnown("# Setpoint: 1 nm\n# Amplitude: 5 nm\n"));
     EXPECT_FALSE(sizeIsKnown("# Setpoint: 1 nm\n# Amplitude: 5 nm\n# Rate: 2 Hz\n"));
@@ -150,13 +150,13 @@ TEST(TextReader, TwoLengthsAreASizeOnlyBeforeAUnit) {
 }
 
 TEST(TextReader, OtherLengthsInCommentsAreNotTheSize) {
-    const ScanChannel channel = readOne("# Tip radius: 10 nm\n# Channel: Z\n# Width: 3 um\n"
-                                        "# Height: 2 um\n# Value units: m\n1 2 3\n4 5 6\n");
+    const ScanChannel channel = textChannel("# Tip radius: 10 nm\n# Channel: Z\n# Width: 3 um\n"
+                                            "# Height: 2 um\n# Value units: m\n1 2 3\n4 5 6\n");
     EXPECT_EQ(channel.name, "Z");
     EXPECT_DOUBLE_EQ(channel.map.sizeX(), 3e-6);
     EXPECT_EQ(channel.metadata.at("Tip radius"), "10 nm");
     const ScanChannel unclear =
-        readOne("# Tip: 10 nm\n# Largo: 3 um\n# Alto: 2 um\n1 2 3 4\n4 5 6 7\n");
+        textChannel("# Tip: 10 nm\n# Largo: 3 um\n# Alto: 2 um\n1 2 3 4\n4 5 6 7\n");
     EXPECT_FALSE(unclear.hasSize());
 }
 
@@ -179,47 +179,47 @@ TEST(TextReader, WhatTheTextWriterWritesComesBack) {
 
 TEST(TextReader, NarrowMapsOfKnownSizeAreMaps) {
     const std::string header = "# Width: 1 um\n# Height: 1 um\n# Value units: m\n";
-    EXPECT_EQ(readOne(header + "1e-9\n2e-9\n3e-9").map.rows, 3);
-    EXPECT_EQ(readOne(header + "1e-9 2e-9").map.columns, 2);
-    EXPECT_EQ(readOne(header + "1e-9").map.columns, 1);
+    EXPECT_EQ(textChannel(header + "1e-9\n2e-9\n3e-9").map.rows, 3);
+    EXPECT_EQ(textChannel(header + "1e-9 2e-9").map.columns, 2);
+    EXPECT_EQ(textChannel(header + "1e-9").map.columns, 1);
 }
 
 TEST(TextReader, HeightsAreTheNumbersTimesTheFactor) {
-    const ScanChannel channel = readOne("h=2 w=4\npixel size=2e-007 m\ndata unit=rad\n"
-                                        "height conversion factor (-> m)=3e-008\n"
-                                        "1 2 3 4\n5 6 7 8\n");
+    const ScanChannel channel = textChannel("h=2 w=4\npixel size=2e-007 m\ndata unit=rad\n"
+                                            "height conversion factor (-> m)=3e-008\n"
+                                            "1 2 3 4\n5 6 7 8\n");
     EXPECT_EQ(channel.unit, "m");
     EXPECT_DOUBLE_EQ(channel.map.at(1, 3), 8 * 3e-8);
     EXPECT_DOUBLE_EQ(channel.map.sizeX(), 8e-7);
     EXPECT_DOUBLE_EQ(channel.map.sizeY(), 4e-7);
-    EXPECT_EQ(readOne("h=1 w=4\ndata unit=rad\n1 2 3 4\n").unit, "rad");
+    EXPECT_EQ(textChannel("h=1 w=4\ndata unit=rad\n1 2 3 4\n").unit, "rad");
 }
 
 TEST(TextReader, PromisedNumbersMustBeThere) {
-    EXPECT_THAT(refusal("h=3 w=4\n1 2 3 4\n5 6 7 8\n"),
+    EXPECT_THAT(refusalOfText("h=3 w=4\n1 2 3 4\n5 6 7 8\n"),
                 AllOf(HasSubstr("4 x 3"), HasSubstr("4 x 2"), HasSubstr("truncated")));
-    EXPECT_THAT(refusal("h=none w=4\n1 2 3 4\n"), HasSubstr("line 1: 'h'"));
-    EXPECT_THAT(refusal("ncols 3\nnrows 2\n1 2 3 4\n5 6 7 8\n"), HasSubstr("3 x 2"));
+    EXPECT_THAT(refusalOfText("h=none w=4\n1 2 3 4\n"), HasSubstr("line 1: 'h'"));
+    EXPECT_THAT(refusalOfText("ncols 3\nnrows 2\n1 2 3 4\n5 6 7 8\n"), HasSubstr("3 x 2"));
 }
 
 TEST(TextReader, EsriGridsNameTheirMissingNumber) {
     const char* grid = "ncols 4\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize 50\n"
                        "NODATA_value -1\n1 2 -1 4\n5 6 7 8\n";
-    const ScanChannel channel = readOne(grid);
+    const ScanChannel channel = textChannel(grid);
     EXPECT_TRUE(channel.map.invalid.at(2));
     EXPECT_FALSE(channel.hasSize());
     EXPECT_EQ(channel.metadata.at("cellsize"), "50");
 }
 
 TEST(TextReader, MinusNineThousandMeansNoDataWhereNothingIsLower) {
-    const ScanChannel channel = readOne("1 2 -9999 4\n5 6 7 8\n");
+    const ScanChannel channel = textChannel("1 2 -9999 4\n5 6 7 8\n");
     EXPECT_TRUE(channel.map.invalid.at(2));
     EXPECT_THAT(channel.notes, testing::Contains(HasSubstr("-9999")));
-    EXPECT_TRUE(readOne("1 2 -9999 4\n5 -10000 7 8\n").map.invalid.empty());
+    EXPECT_TRUE(textChannel("1 2 -9999 4\n5 -10000 7 8\n").map.invalid.empty());
 }
 
 TEST(TextReader, BareMatricesHaveNoSizeAndNoUnit) {
-    const ScanChannel channel = readOne("1 2 3 4\n5 6 NaN 8\n");
+    const ScanChannel channel = textChannel("1 2 3 4\n5 6 NaN 8\n");
     EXPECT_EQ(channel.name, "matrix");
     EXPECT_EQ(channel.unit, "");
     EXPECT_FALSE(channel.hasSize());
@@ -227,11 +227,11 @@ TEST(TextReader, BareMatricesHaveNoSizeAndNoUnit) {
 }
 
 TEST(TextReader, GermanSpreadsheetsHaveDecimalCommas) {
-    const ScanChannel channel = readOne("1,5;2;3;4\r\n-5,25;6;;8\r\n");
+    const ScanChannel channel = textChannel("1,5;2;3;4\r\n-5,25;6;;8\r\n");
     EXPECT_EQ(channel.map.at(0, 0), 1.5);
     EXPECT_EQ(channel.map.at(1, 0), -5.25);
     EXPECT_TRUE(channel.map.invalid.at(6));
-    EXPECT_EQ(readOne("1,5;2;3;4;\n5;6;7;8;\n").map.columns, 4);
+    EXPECT_EQ(textChannel("1,5;2;3;4;\n5;6;7;8;\n").map.columns, 4);
 }
 
 TEST(TextReader, Utf16WithAByteOrderMarkIsText) {
@@ -239,27 +239,27 @@ TEST(TextReader, Utf16WithAByteOrderMarkIsText) {
     for (const char c : std::string("1 2 3 4\r\n5 6 7 8\r\n")) {
         bytes += {c, '\0'};
     }
-    EXPECT_EQ(readOne(bytes).map.at(1, 3), 8.0);
+    EXPECT_EQ(textChannel(bytes).map.at(1, 3), 8.0);
 }
 
 TEST(TextReader, SeveralImagesInOneFileAreRefusedAtTheSecond) {
-    EXPECT_THAT(refusal("# Channel: a\n1 2 3 4\n3 4 5 6\n\n# Channel: b\n5 6 7 8\n"),
+    EXPECT_THAT(refusalOfText("# Channel: a\n1 2 3 4\n3 4 5 6\n\n# Channel: b\n5 6 7 8\n"),
                 HasSubstr("line 6: numbers go on after a comment"));
     EXPECT_EQ(readHeightMapBytes("1 2 3 4\n3 4 5 6\n# end\n", "map.txt").channels.size(), 1U);
 }
 
 TEST(TextReader, RaggedLinesAreRefusedByNumber) {
-    EXPECT_THAT(refusal("# Channel: Z\n1 2 3 4\n\n5 6 7\n"),
+    EXPECT_THAT(refusalOfText("# Channel: Z\n1 2 3 4\n\n5 6 7\n"),
                 AllOf(HasSubstr("map.txt: line 4: "), HasSubstr("3 numbers"), HasSubstr("have 4")));
-    EXPECT_THAT(refusal("1 2 3 4\n5 6 seven 8\n"),
+    EXPECT_THAT(refusalOfText("1 2 3 4\n5 6 seven 8\n"),
                 AllOf(HasSubstr("line 2: "), HasSubstr("'seven'")));
 }
 
 TEST(TextReader, ProfilesAreNamed) {
-    EXPECT_THAT(refusal("1\n2\n3\n"), HasSubstr("one column of numbers is a profile"));
-    EXPECT_THAT(refusal("1 2\n2 3\n3 4\n"),
+    EXPECT_THAT(refusalOfText("1\n2\n3\n"), HasSubstr("one column of numbers is a profile"));
+    EXPECT_THAT(refusalOfText("1 2\n2 3\n3 4\n"),
                 AllOf(HasSubstr("two columns"), HasSubstr("force curve")));
-    EXPECT_THAT(refusal("1 2 3 4\n"), HasSubstr("one line of numbers is a profile"));
+    EXPECT_THAT(refusalOfText("1 2 3 4\n"), HasSubstr("one line of numbers is a profile"));
 }
 
 TEST(TextReader, OtherTextsAndBinaryFilesAreNotRecognized) {
@@ -283,7 +283,7 @@ TEST(TextReader, MalformedSamplesAreRefused) {
 }
 
 TEST(TextReader, WidthOfADifferentUnitThanTheHeightIsNoSize) {
-    const ScanChannel channel = readOne("# Width: 3 um\n# Height: 2 s\n1 2 3\n4 5 6\n");
+    const ScanChannel channel = textChannel("# Width: 3 um\n# Height: 2 s\n1 2 3\n4 5 6\n");
     EXPECT_FALSE(channel.hasSize());
     EXPECT_THAT(channel.notes, testing::Contains(HasSubstr("different units")));
 }

@@ -22,14 +22,16 @@ using testing::Contains;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-HeightMapFile read(const std::string& bytes) { return readHeightMapBytes(bytes, "small.tif"); }
-ScanChannel onlyChannel(const TiffTestImage& image) {
-    return read(tiffFile({image})).channels.at(0);
+HeightMapFile readAsTiff(const std::string& bytes) {
+    return readHeightMapBytes(bytes, "small.tif");
 }
-std::string refusal(const std::string& bytes) {
-    return refusalOf([&] { (void)read(bytes); });
+ScanChannel tiffChannel(const TiffTestImage& image) {
+    return readAsTiff(tiffFile({image})).channels.at(0);
 }
-std::string refusal(const TiffTestImage& image) { return refusal(tiffFile({image})); }
+std::string refusalOfTiff(const std::string& bytes) {
+    return refusalOf([&] { (void)readAsTiff(bytes); });
+}
+std::string refusalOfTiff(const TiffTestImage& image) { return refusalOfTiff(tiffFile({image})); }
 
 /// A TIFF of 37 x 21 pixels as the TIFF library writes it.
 struct PackedTiff {
@@ -39,8 +41,8 @@ struct PackedTiff {
     bool isFloat = true;
     const char* mode = "w";
 };
-constexpr int kColumns = 37;
-constexpr int kRows = 21;
+constexpr int kTiffColumns = 37;
+constexpr int kTiffRows = 21;
 
 double heightOf(int row, int column) { return 100.0 * row + column + 0.5; }
 
@@ -62,8 +64,8 @@ void writePixels(TIFF* tiff, bool isTiled) {
     if (isTiled) {
         TIFFSetField(tiff, TIFFTAG_TILEWIDTH, kTile);
         TIFFSetField(tiff, TIFFTAG_TILELENGTH, kTile);
-        for (int row = 0; row < kRows; row += kTile) {
-            for (int column = 0; column < kColumns; column += kTile) {
+        for (int row = 0; row < kTiffRows; row += kTile) {
+            for (int column = 0; column < kTiffColumns; column += kTile) {
                 std::vector<Sample> tile = samplesOf<Sample>(row, column, kTile, kTile);
                 TIFFWriteTile(tiff, tile.data(), static_cast<std::uint32_t>(column),
                               static_cast<std::uint32_t>(row), 0, 0);
@@ -72,8 +74,8 @@ void writePixels(TIFF* tiff, bool isTiled) {
         return;
     }
     TIFFSetField(tiff, TIFFTAG_ROWSPERSTRIP, kRowsPerStrip);
-    for (int row = 0; row < kRows; ++row) {
-        std::vector<Sample> line = samplesOf<Sample>(row, 0, 1, kColumns);
+    for (int row = 0; row < kTiffRows; ++row) {
+        std::vector<Sample> line = samplesOf<Sample>(row, 0, 1, kTiffColumns);
         TIFFWriteScanline(tiff, line.data(), static_cast<std::uint32_t>(row), 0);
     }
 }
@@ -82,8 +84,8 @@ std::string packedTiff(const PackedTiff& packed) {
     const ScratchFolder folder;
     const std::filesystem::path path = folder.file("packed.tif");
     TIFF* const tiff = TIFFOpen(path.c_str(), packed.mode);
-    TIFFSetField(tiff, TIFFTAG_IMAGEWIDTH, kColumns);
-    TIFFSetField(tiff, TIFFTAG_IMAGELENGTH, kRows);
+    TIFFSetField(tiff, TIFFTAG_IMAGEWIDTH, kTiffColumns);
+    TIFFSetField(tiff, TIFFTAG_IMAGELENGTH, kTiffRows);
     TIFFSetField(tiff, TIFFTAG_BITSPERSAMPLE, packed.isFloat ? 32 : 16);
     TIFFSetField(tiff, TIFFTAG_SAMPLESPERPIXEL, 1);
     TIFFSetField(tiff, TIFFTAG_SAMPLEFORMAT,
@@ -103,11 +105,11 @@ std::string packedTiff(const PackedTiff& packed) {
 }
 
 void expectPacked(const PackedTiff& packed) {
-    const HeightMap map = read(packedTiff(packed)).channels.at(0).map;
-    ASSERT_EQ(map.columns, kColumns);
-    ASSERT_EQ(map.rows, kRows);
-    for (int row = 0; row < kRows; ++row) {
-        for (int column = 0; column < kColumns; ++column) {
+    const HeightMap map = readAsTiff(packedTiff(packed)).channels.at(0).map;
+    ASSERT_EQ(map.columns, kTiffColumns);
+    ASSERT_EQ(map.rows, kTiffRows);
+    for (int row = 0; row < kTiffRows; ++row) {
+        for (int column = 0; column < kTiffColumns; ++column) {
             const double height = heightOf(row, column);
             ASSERT_EQ(map.at(row, column), packed.isFloat ? height : std::floor(height))
                 << row << ' ' << column;
@@ -128,7 +130,7 @@ TEST(TiffReader, ReadsEveryTypeInBothByteOrdersAndWidths) {
         for (const ByteOrder order : {ByteOrder::Little, ByteOrder::Big}) {
             for (const bool big : {false, true}) {
                 TiffTestImage image{.type = type};
-                const HeightMap map = read(tiffFile({image}, order, big)).channels.at(0).map;
+                const HeightMap map = readAsTiff(tiffFile({image}, order, big)).channels.at(0).map;
                 EXPECT_EQ(map.columns, 3);
                 EXPECT_EQ(map.rows, 4);
                 EXPECT_EQ(map.heights, image.values);
@@ -138,18 +140,18 @@ TEST(TiffReader, ReadsEveryTypeInBothByteOrdersAndWidths) {
 }
 
 TEST(TiffReader, StripsLieAnywhereAndTheLastOneIsShort) {
-    EXPECT_EQ(onlyChannel({.lastStripFirst = true}).map.heights, TiffTestImage{}.values);
-    EXPECT_EQ(onlyChannel({.rowsPerStrip = 3}).map.heights, TiffTestImage{}.values);
+    EXPECT_EQ(tiffChannel({.lastStripFirst = true}).map.heights, TiffTestImage{}.values);
+    EXPECT_EQ(tiffChannel({.rowsPerStrip = 3}).map.heights, TiffTestImage{}.values);
     EXPECT_EQ(
-        onlyChannel({.rowsPerStrip = 4, .extra = {tiffInteger(278, 4294967295.0)}}).map.heights,
+        tiffChannel({.rowsPerStrip = 4, .extra = {tiffInteger(278, 4294967295.0)}}).map.heights,
         TiffTestImage{}.values);
 }
 
 TEST(TiffReader, OrientationSaysWhichRowIsStoredFirst) {
-    const ScanChannel bottomFirst = onlyChannel({.extra = {tiffInteger(274, 4)}});
+    const ScanChannel bottomFirst = tiffChannel({.extra = {tiffInteger(274, 4)}});
     EXPECT_EQ(bottomFirst.map.at(0, 0), 10.0);
     EXPECT_EQ(bottomFirst.map.at(3, 2), 3.0);
-    const ScanChannel turned = onlyChannel({.extra = {tiffInteger(274, 6)}});
+    const ScanChannel turned = tiffChannel({.extra = {tiffInteger(274, 6)}});
     EXPECT_EQ(turned.map.at(0, 0), 1.0);
     EXPECT_THAT(turned.notes, testing::Contains(HasSubstr("orientation 6 is not applied")));
 }
@@ -157,7 +159,7 @@ TEST(TiffReader, OrientationSaysWhichRowIsStoredFirst) {
 TEST(TiffReader, TilesLargerThanTheImageAreRefusedBeforeThereIsRoomForOne) {
     const std::vector<TiffTestField> tile = {tiffInteger(322, 32768), tiffInteger(323, 32768),
                                              tiffInteger(324, 8), tiffInteger(325, 24)};
-    EXPECT_THAT(refusal({.extra = tile}), HasSubstr("larger than the image"));
+    EXPECT_THAT(refusalOfTiff({.extra = tile}), HasSubstr("larger than the image"));
 }
 
 TEST(TiffReader, DecodesWhatTheLibraryPacks) {
@@ -190,7 +192,7 @@ TEST(TiffReader, RefusesDamagedPixelsWithoutAnyHandlerOfTheWholeProgram) {
     std::vector<std::jthread> threads;
     for (int i = 0; i < 4; ++i) {
         threads.emplace_back([&bytes] {
-            EXPECT_THAT(refusal(bytes), HasSubstr("the TIFF library cannot decode it"));
+            EXPECT_THAT(refusalOfTiff(bytes), HasSubstr("the TIFF library cannot decode it"));
         });
     }
     threads.clear();
@@ -200,24 +202,24 @@ TEST(TiffReader, RefusesDamagedPixelsWithoutAnyHandlerOfTheWholeProgram) {
 }
 
 TEST(TiffReader, WhereWhiteIsZeroTheLargestCountIsTheLowest) {
-    const ScanChannel channel = onlyChannel({.photometric = 0});
+    const ScanChannel channel = tiffChannel({.photometric = 0});
     EXPECT_EQ(channel.map.at(0, 0), 65534.0);
     EXPECT_EQ(channel.map.at(3, 2), 65523.0);
-    EXPECT_EQ(onlyChannel({.type = SampleType::Float32, .photometric = 0}).map.at(0, 0), 1.0);
+    EXPECT_EQ(tiffChannel({.type = SampleType::Float32, .photometric = 0}).map.at(0, 0), 1.0);
 }
 
 TEST(TiffReader, NanIsAPixelWithoutData) {
     TiffTestImage image{.type = SampleType::Float32};
     image.values[4] = std::numeric_limits<double>::quiet_NaN();
-    const HeightMap map = onlyChannel(image).map;
+    const HeightMap map = tiffChannel(image).map;
     EXPECT_TRUE(map.invalid.at(4));
     EXPECT_EQ(std::ranges::count(map.invalid, true), 1);
 }
 
 TEST(TiffReader, PicturesAreRefusedInWords) {
-    EXPECT_THAT(refusal({.type = SampleType::UInt8}), HasSubstr("a picture of 8-bit gray"));
-    EXPECT_THAT(refusal({.type = SampleType::UInt8, .photometric = 3}), HasSubstr("palette"));
-    EXPECT_THAT(refusal({.columns = 1, .samplesPerPixel = 3, .photometric = 2}),
+    EXPECT_THAT(refusalOfTiff({.type = SampleType::UInt8}), HasSubstr("a picture of 8-bit gray"));
+    EXPECT_THAT(refusalOfTiff({.type = SampleType::UInt8, .photometric = 3}), HasSubstr("palette"));
+    EXPECT_THAT(refusalOfTiff({.columns = 1, .samplesPerPixel = 3, .photometric = 2}),
                 HasSubstr("a color picture"));
 }
 
@@ -237,8 +239,8 @@ TEST(TiffReader, PicturesAreRefusedWhateverScaleIsGiven) {
 
 TEST(TiffReader, EachPageIsAChannelButPicturesAndSmallCopies) {
     const TiffTestImage copy{.extra = {tiffInteger(254, 1)}};
-    const HeightMapFile file =
-        read(tiffFile({{}, copy, {.type = SampleType::UInt8}, {.type = SampleType::Float32}}));
+    const HeightMapFile file = readAsTiff(
+        tiffFile({{}, copy, {.type = SampleType::UInt8}, {.type = SampleType::Float32}}));
     ASSERT_EQ(file.channels.size(), 2U);
     EXPECT_EQ(file.channels[0].name, "gray, image 1");
     EXPECT_EQ(file.channels[1].name, "gray, image 4");
@@ -246,7 +248,7 @@ TEST(TiffReader, EachPageIsAChannelButPicturesAndSmallCopies) {
 }
 
 TEST(TiffReader, WithoutScaleValuesAreNumbersAndTheSizeIsUnknown) {
-    const ScanChannel channel = onlyChannel({});
+    const ScanChannel channel = tiffChannel({});
     EXPECT_EQ(channel.unit, "");
     EXPECT_FALSE(channel.hasSize());
     EXPECT_THAT(channel.notes, Contains(HasSubstr("no lateral size")));
@@ -256,17 +258,17 @@ TEST(TiffReader, ResolutionIsTheLateralSizeUnlessItIsThatOfAPrint) {
     TiffTestImage image{.extra = {{.tag = 282, .type = 5, .numbers = {20000}},
                                   {.tag = 283, .type = 5, .numbers = {10000}},
                                   tiffInteger(296, 3)}};
-    const ScanChannel channel = onlyChannel(image);
+    const ScanChannel channel = tiffChannel(image);
     ASSERT_TRUE(channel.hasSize());
     EXPECT_DOUBLE_EQ(channel.map.pitchX, 0.5e-6);
     EXPECT_DOUBLE_EQ(channel.map.pitchY, 1e-6);
     image.extra[0].numbers = image.extra[1].numbers = {300};
     image.extra[2] = tiffInteger(296, 2);
-    const ScanChannel print = onlyChannel(image);
+    const ScanChannel print = tiffChannel(image);
     EXPECT_FALSE(print.hasSize());
     EXPECT_THAT(print.notes, Contains(HasSubstr("resolution is that of a print")));
     image.extra[0].numbers = {0};
-    EXPECT_FALSE(onlyChannel(image).hasSize());
+    EXPECT_FALSE(tiffChannel(image).hasSize());
 }
 
 TEST(TiffReader, ImageJSaysItsUnitAndItsCalibration) {
@@ -276,7 +278,7 @@ TEST(TiffReader, ImageJSaysItsUnitAndItsCalibration) {
                   {.tag = 282, .type = 5, .numbers = {4}},
                   {.tag = 283, .type = 5, .numbers = {8}},
                   tiffInteger(296, 1)}};
-    const ScanChannel channel = onlyChannel(image);
+    const ScanChannel channel = tiffChannel(image);
     EXPECT_EQ(channel.unit, "m");
     EXPECT_NEAR(channel.map.at(0, 0), -8e-9, 1e-20);
     EXPECT_NEAR(channel.map.at(3, 2), 14e-9, 1e-20);
@@ -288,7 +290,7 @@ TEST(TiffReader, GwyddionsKeysInTheDescriptionAreTheScale) {
     const std::string size = "Gwy::Title=Höhe\nGwy::XReal=3\nGwy::YReal=8\nGwy::XOffset=-1\n"
                              "Gwy::XYUnit=um\nGwy::ZUnit=nm\n";
     const ScanChannel floats =
-        onlyChannel({.type = SampleType::Float32, .extra = {tiffText(270, size)}});
+        tiffChannel({.type = SampleType::Float32, .extra = {tiffText(270, size)}});
     EXPECT_EQ(floats.name, "Höhe");
     EXPECT_EQ(floats.unit, "m");
     EXPECT_DOUBLE_EQ(floats.map.pitchX, 1e-6);
@@ -296,23 +298,24 @@ TEST(TiffReader, GwyddionsKeysInTheDescriptionAreTheScale) {
     EXPECT_DOUBLE_EQ(floats.originX, -1e-6);
     EXPECT_DOUBLE_EQ(floats.map.at(0, 1), 2e-9);
     const ScanChannel counts =
-        onlyChannel({.extra = {tiffText(270, size + "Gwy::ZMin=-100\nGwy::ZMax=65435\n")}});
+        tiffChannel({.extra = {tiffText(270, size + "Gwy::ZMin=-100\nGwy::ZMax=65435\n")}});
     EXPECT_NEAR(counts.map.at(0, 0), -99e-9, 1e-18);
-    EXPECT_EQ(onlyChannel({.extra = {tiffText(270, size)}}).unit, "");
-    EXPECT_THAT(refusal({.extra = {tiffText(270, "Gwy::XReal=wide\n")}}), HasSubstr("Gwy::XReal"));
+    EXPECT_EQ(tiffChannel({.extra = {tiffText(270, size)}}).unit, "");
+    EXPECT_THAT(refusalOfTiff({.extra = {tiffText(270, "Gwy::XReal=wide\n")}}),
+                HasSubstr("Gwy::XReal"));
 }
 
 TEST(TiffReader, RefusesWhatDoesNotFitTogether) {
-    EXPECT_THAT(refusal({.extra = {tiffInteger(256, 70000)}}), HasSubstr("pixels"));
-    EXPECT_THAT(refusal({.extra = {tiffInteger(257, 0)}}), HasSubstr("pixels"));
-    EXPECT_THAT(refusal({.extra = {tiffInteger(257, 400)}}), HasSubstr("strips"));
-    EXPECT_THAT(refusal({.extra = {tiffInteger(256, 4)}}), HasSubstr("expected 16 or more"));
-    EXPECT_THAT(refusal({.extra = {tiffInteger(278, 0)}}), HasSubstr("rows a strip"));
-    EXPECT_THAT(refusal({.extra = {tiffInteger(259, 7)}}), HasSubstr("method 7"));
-    EXPECT_THAT(refusal({.extra = {tiffText(256, "3")}}), HasSubstr("tag 256"));
-    EXPECT_THAT(refusal({.extra = {{.tag = 273, .type = 4, .numbers = {8, 4e9}}}}),
+    EXPECT_THAT(refusalOfTiff({.extra = {tiffInteger(256, 70000)}}), HasSubstr("pixels"));
+    EXPECT_THAT(refusalOfTiff({.extra = {tiffInteger(257, 0)}}), HasSubstr("pixels"));
+    EXPECT_THAT(refusalOfTiff({.extra = {tiffInteger(257, 400)}}), HasSubstr("strips"));
+    EXPECT_THAT(refusalOfTiff({.extra = {tiffInteger(256, 4)}}), HasSubstr("expected 16 or more"));
+    EXPECT_THAT(refusalOfTiff({.extra = {tiffInteger(278, 0)}}), HasSubstr("rows a strip"));
+    EXPECT_THAT(refusalOfTiff({.extra = {tiffInteger(259, 7)}}), HasSubstr("method 7"));
+    EXPECT_THAT(refusalOfTiff({.extra = {tiffText(256, "3")}}), HasSubstr("tag 256"));
+    EXPECT_THAT(refusalOfTiff({.extra = {{.tag = 273, .type = 4, .numbers = {8, 4e9}}}}),
                 HasSubstr("beyond the end"));
-    EXPECT_THAT(refusal({.extra = {{.tag = 279, .type = 4, .numbers = {12, 400}}}}),
+    EXPECT_THAT(refusalOfTiff({.extra = {{.tag = 279, .type = 4, .numbers = {12, 400}}}}),
                 HasSubstr("beyond the end"));
 }
 
@@ -322,18 +325,18 @@ TEST(TiffReader, ImagesThatShareTheirPixelsAreDamaged) {
         images.push_back({.extra = {{.tag = 273, .type = 4, .numbers = {8, 8}},
                                     {.tag = 279, .type = 4, .numbers = {400, 400}}}});
     }
-    EXPECT_THAT(refusal(tiffFile(images)), HasSubstr("overlap"));
+    EXPECT_THAT(refusalOfTiff(tiffFile(images)), HasSubstr("overlap"));
 }
 
 TEST(TiffReader, DirectoriesInACircleAreRefused) {
     std::string bytes = tiffFile({{}, {}});
     const std::string first = bytes.substr(4, 4);
     bytes.replace(bytes.size() - 4, 4, first);
-    EXPECT_THAT(refusal(bytes), HasSubstr("each once"));
+    EXPECT_THAT(refusalOfTiff(bytes), HasSubstr("each once"));
     bytes.replace(4, 4, std::string("\xF0\xFF\xFF\xFF", 4));
-    EXPECT_THAT(refusal(bytes), HasSubstr("truncated or damaged"));
+    EXPECT_THAT(refusalOfTiff(bytes), HasSubstr("truncated or damaged"));
     bytes.replace(4, 4, std::string(4, '\0'));
-    EXPECT_THAT(refusal(bytes), HasSubstr("first directory"));
+    EXPECT_THAT(refusalOfTiff(bytes), HasSubstr("first directory"));
 }
 
 TEST(TiffReader, EveryBitOfASmallFileMayFlip) {
@@ -344,11 +347,11 @@ TEST(TiffReader, EveryBitOfASmallFileMayFlip) {
                 damaged[place] =
                     static_cast<char>(static_cast<unsigned char>(damaged[place]) ^ (1U << bit));
                 try {
-                    (void)read(damaged);
+                    (void)readAsTiff(damaged);
                 } catch (const InputError&) {
                 }
             }
-            EXPECT_THROW((void)read(bytes.substr(0, place)), InputError) << place;
+            EXPECT_THROW((void)readAsTiff(bytes.substr(0, place)), InputError) << place;
         }
     }
 }

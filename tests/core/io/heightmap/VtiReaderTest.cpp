@@ -44,16 +44,18 @@ struct VtiText {
     }
 };
 
-HeightMapFile read(const VtiText& file) { return readHeightMapBytes(file.text(), "image.vti"); }
+HeightMapFile readAsVti(const VtiText& file) {
+    return readHeightMapBytes(file.text(), "image.vti");
+}
 
-std::string refusal(const VtiText& file) {
-    return refusalOf([&] { (void)read(file); });
+std::string refusalOfVti(const VtiText& file) {
+    return refusalOf([&] { (void)readAsVti(file); });
 }
 
 }  // namespace
 
 TEST(VtiReader, ReadsNumbersOfOtherProgramsFromTheBottomUp) {
-    const HeightMapFile file = read({});
+    const HeightMapFile file = readAsVti({});
     ASSERT_EQ(file.channels.size(), 1U);
     const ScanChannel& channel = file.channels[0];
     EXPECT_EQ(channel.name, "z");
@@ -69,7 +71,7 @@ TEST(VtiReader, ReadsEachArrayAndNotesThoseItLeavesOut) {
                   R"(<DataArray type="Int64" Name="id" format="appended" offset="0"/>)"
                   R"(<DataArray type="Float32" NumberOfComponents="3" Name="v" format="appended")"
                   R"( offset="0"/>)";
-    const HeightMapFile result = read(file);
+    const HeightMapFile result = readAsVti(file);
     ASSERT_EQ(result.channels.size(), 2U);
     EXPECT_EQ(result.channels[1].name, "n");
     EXPECT_THAT(result.notes, testing::ElementsAre(HasSubstr("Int64"), HasSubstr("3 numbers")));
@@ -80,9 +82,9 @@ TEST(VtiReader, ManyArraysKeepTheirNamesAndHaveNoUnit) {
     VtiText file;
     file.fields = R"(<FieldData><Array type="String" Name="unit" NumberOfTuples="1" )"
                   R"(format="ascii">109 0</Array></FieldData>)";
-    EXPECT_EQ(read(file).channels.at(0).unit, "m");
+    EXPECT_EQ(readAsVti(file).channels.at(0).unit, "m");
     file.others = R"(<DataArray type="UInt32" Name="n" format="appended" offset="0"/>)";
-    const HeightMapFile both = read(file);
+    const HeightMapFile both = readAsVti(file);
     EXPECT_EQ(both.channels.at(0).unit, "");
     EXPECT_EQ(both.channels.at(1).unit, "");
 }
@@ -92,20 +94,21 @@ TEST(VtiReader, ReadsBigEndianFiles) {
     file.attributes = R"(version="1.0" byte_order="BigEndian")";
     file.array = R"(type="UInt8" Name="z" format="appended" offset="0")";
     file.bytes = 0x06000000;
-    EXPECT_EQ(read(file).channels[0].map.heights, (std::vector<double>{0x3f, 0, 0, 0, 0, 0x80}));
+    EXPECT_EQ(readAsVti(file).channels[0].map.heights,
+              (std::vector<double>{0x3f, 0, 0, 0, 0, 0x80}));
 }
 
 TEST(VtiReader, NamesOtherEncodingsAndWhatIsExpected) {
     VtiText file;
     file.encoding = "base64";
-    EXPECT_THAT(refusal(file), testing::AllOf(HasSubstr("image.vti"), HasSubstr("'base64'"),
-                                              HasSubstr("data mode Appended")));
+    EXPECT_THAT(refusalOfVti(file), testing::AllOf(HasSubstr("image.vti"), HasSubstr("'base64'"),
+                                                   HasSubstr("data mode Appended")));
     file = {};
     file.attributes += R"( compressor="vtkZLibDataCompressor")";
-    EXPECT_THAT(refusal(file), HasSubstr("compressed"));
+    EXPECT_THAT(refusalOfVti(file), HasSubstr("compressed"));
     file = {};
     file.array = R"(type="Float32" Name="z" format="ascii")";
-    EXPECT_THAT(refusal(file), HasSubstr("not appended"));
+    EXPECT_THAT(refusalOfVti(file), HasSubstr("not appended"));
     const std::string inXml = R"(<VTKFile type="ImageData"><ImageData/></VTKFile>)";
     EXPECT_THAT(refusalOf([&] { (void)readHeightMapBytes(inXml, "in.vti"); }),
                 HasSubstr("within the XML"));
@@ -123,7 +126,7 @@ TEST(VtiReader, RefusesWhatIsNoFlatImage) {
     const auto refused = [](auto&& change) {
         VtiText file;
         change(file);
-        return refusal(file);
+        return refusalOfVti(file);
     };
     EXPECT_THAT(refused([](VtiText& file) { file.type = "PolyData"; }), HasSubstr("'PolyData'"));
     EXPECT_THAT(refused([](VtiText& file) { file.extent = "0 2 0 1 0 4"; }), HasSubstr("volume"));
@@ -144,7 +147,7 @@ TEST(VtiReader, RefusesValuesThatDoNotFit) {
     const auto refused = [](auto&& change) {
         VtiText file;
         change(file);
-        return refusal(file);
+        return refusalOfVti(file);
     };
     EXPECT_THAT(refused([](VtiText& file) { file.bytes = 20; }),
                 HasSubstr("expected 24 bytes of values, found 20"));

@@ -15,18 +15,19 @@ namespace {
 
 using testing::HasSubstr;
 
-ScanChannel readOne(const WsxmText& text, const std::vector<double>& numbers = {1, 2, 3, 4, 5, 6}) {
+ScanChannel wsxmChannel(const WsxmText& text,
+                        const std::vector<double>& numbers = {1, 2, 3, 4, 5, 6}) {
     return readHeightMapBytes(wsxmFile(text, numbers), "scan.stp").channels.at(0);
 }
 
-std::string refusal(const WsxmText& text) {
-    return refusalOf([&] { (void)readOne(text); });
+std::string refusalOfWsxm(const WsxmText& text) {
+    return refusalOf([&] { (void)wsxmChannel(text); });
 }
 
 }  // namespace
 
 TEST(WsxmReader, RowsAndColumnsAreStoredInReverse) {
-    const ScanChannel channel = readOne({});
+    const ScanChannel channel = wsxmChannel({});
     EXPECT_EQ(channel.name, "Topography");
     EXPECT_EQ(channel.direction, "backward");
     EXPECT_DOUBLE_EQ(channel.map.at(0, 0), 6 * 2e-9);
@@ -51,11 +52,11 @@ TEST(WsxmReader, ReadsEveryTypeOfSamples) {
         WsxmText text;
         text.typeLine = type.line;
         text.stored = type.type;
-        EXPECT_DOUBLE_EQ(readOne(text).map.at(0, 0), 6 * 2e-9);
+        EXPECT_DOUBLE_EQ(wsxmChannel(text).map.at(0, 0), 6 * 2e-9);
     }
     WsxmText text;
     text.typeLine = "    Image Data Type: quad\r\n";
-    EXPECT_THAT(refusal(text),
+    EXPECT_THAT(refusalOfWsxm(text),
                 HasSubstr("scan.stp: [General Info] Image Data Type: expected short, integer"));
 }
 
@@ -63,13 +64,13 @@ TEST(WsxmReader, MicroSignMayBeLatin) {
     WsxmText text;
     text.amplitudeX = "2 \xB5m";
     text.amplitudeZ = "2 \xB5m";
-    const ScanChannel channel = readOne(text);
+    const ScanChannel channel = wsxmChannel(text);
     EXPECT_DOUBLE_EQ(channel.map.sizeX(), 2e-6);
     EXPECT_DOUBLE_EQ(channel.map.at(0, 0), 6 * 0.4e-6);
 }
 
 TEST(WsxmReader, FlatImageIsZero) {
-    const ScanChannel channel = readOne({}, std::vector<double>(6, 5.0));
+    const ScanChannel channel = wsxmChannel({}, std::vector<double>(6, 5.0));
     EXPECT_EQ(channel.unit, "m");
     EXPECT_EQ(channel.map.at(0, 0), 0.0);
     EXPECT_EQ(channel.map.at(1, 2), 0.0);
@@ -77,24 +78,24 @@ TEST(WsxmReader, FlatImageIsZero) {
 
 TEST(WsxmReader, NumbersThatAreNoneHoldNoDataAndNoRange) {
     const double none = std::numeric_limits<double>::quiet_NaN();
-    const HeightMap map = readOne({}, {1, none, 3, 4, 5, 6}).map;
+    const HeightMap map = wsxmChannel({}, {1, none, 3, 4, 5, 6}).map;
     EXPECT_TRUE(std::isnan(map.at(1, 1)));
     EXPECT_DOUBLE_EQ(map.at(0, 0), 6 * 2e-9);
-    EXPECT_TRUE(std::isnan(readOne({}, std::vector<double>(6, none)).map.at(0, 0)));
+    EXPECT_TRUE(std::isnan(wsxmChannel({}, std::vector<double>(6, none)).map.at(0, 0)));
 }
 
 TEST(WsxmReader, WhatTheFileDoesNotSayIsUnknown) {
     WsxmText text;
     text.amplitudeX = "";
     text.amplitudeZ = "0 nm";
-    const ScanChannel channel = readOne(text);
+    const ScanChannel channel = wsxmChannel(text);
     EXPECT_FALSE(channel.hasSize());
     EXPECT_EQ(channel.unit, "");
     EXPECT_DOUBLE_EQ(channel.map.at(0, 0), 6.0);
     text.amplitudeZ = "10 a.u.";
-    EXPECT_EQ(readOne(text).unit, "");
+    EXPECT_EQ(wsxmChannel(text).unit, "");
     text.amplitudeZ = "10 V";
-    EXPECT_EQ(readOne(text).unit, "V");
+    EXPECT_EQ(wsxmChannel(text).unit, "V");
 }
 
 TEST(WsxmReader, VersionIsKept) {
@@ -109,9 +110,9 @@ TEST(WsxmReader, VersionIsKept) {
 TEST(WsxmReader, CurvesAreNamedAsSuch) {
     WsxmText text;
     text.kind = "Force Curve file";
-    EXPECT_THAT(refusal(text), HasSubstr("this WSxM file holds curves, no image"));
+    EXPECT_THAT(refusalOfWsxm(text), HasSubstr("this WSxM file holds curves, no image"));
     text.kind = "SxM Movie file";
-    EXPECT_THAT(refusal(text), HasSubstr("line 2: expected 'SxM Image file'"));
+    EXPECT_THAT(refusalOfWsxm(text), HasSubstr("line 2: expected 'SxM Image file'"));
 }
 
 TEST(WsxmReader, RefusesWhatDoesNotFit) {
@@ -123,7 +124,7 @@ TEST(WsxmReader, RefusesWhatDoesNotFit) {
                 HasSubstr("line end"));
     WsxmText text;
     text.typeLine += "    Number of columns: 60000\r\n";
-    EXPECT_THAT(refusal(text), HasSubstr("truncated"));
+    EXPECT_THAT(refusalOfWsxm(text), HasSubstr("truncated"));
 }
 
 }  // namespace asperity::test

@@ -59,10 +59,10 @@ std::string x3pFile(const X3pText& text, const std::string& points = kSixNanomet
     return zipFile({{"main.xml", mainXml(text)}, {"bindata/data.bin", points}});
 }
 
-HeightMapFile read(const std::string& bytes) { return readHeightMapBytes(bytes, "scan.x3p"); }
+HeightMapFile readAsX3p(const std::string& bytes) { return readHeightMapBytes(bytes, "scan.x3p"); }
 
-std::string refusal(const std::string& bytes) {
-    return refusalOf([&] { (void)read(bytes); });
+std::string refusalOfX3p(const std::string& bytes) {
+    return refusalOf([&] { (void)readAsX3p(bytes); });
 }
 
 std::string zAxis(const std::string& type, const std::string& scale = "") {
@@ -75,7 +75,7 @@ const std::string kValidLink = "<DataLink><PointDataLink>bindata/data.bin</Point
 }  // namespace
 
 TEST(X3pReader, RowsComeFromTheTopAndColumnsFromTheLeft) {
-    const HeightMapFile file = read(x3pFile({}));
+    const HeightMapFile file = readAsX3p(x3pFile({}));
     EXPECT_EQ(file.format, "X3P (ISO 25178-72)");
     const ScanChannel& channel = file.channels.at(0);
     EXPECT_EQ(channel.name, "Topography");
@@ -92,7 +92,8 @@ TEST(X3pReader, RowsComeFromTheTopAndColumnsFromTheLeft) {
 }
 
 TEST(X3pReader, KeepsMetadataAndProvenance) {
-    const HeightMapFile file = read(x3pFile({.axisZ = zAxis("D", "<Increment>1e-3</Increment>")}));
+    const HeightMapFile file =
+        readAsX3p(x3pFile({.axisZ = zAxis("D", "<Increment>1e-3</Increment>")}));
     const ScanChannel& channel = file.channels.at(0);
     EXPECT_EQ(channel.metadata,
               (std::map<std::string, std::string>{{"Instrument Manufacturer", "Maker"},
@@ -115,7 +116,7 @@ TEST(X3pReader, ReadsEveryTypeWithScaleAndOffset) {
     for (const auto& each : cases) {
         SCOPED_TRACE(each.type);
         const HeightMap map =
-            read(x3pFile({.axisZ = zAxis(each.type, scale)}, each.points)).channels.at(0).map;
+            readAsX3p(x3pFile({.axisZ = zAxis(each.type, scale)}, each.points)).channels.at(0).map;
         EXPECT_DOUBLE_EQ(map.at(0, 0), 4e-9);
         EXPECT_DOUBLE_EQ(map.at(1, 2), -32763e-9);
         EXPECT_EQ(countInvalid(map), 0U);
@@ -124,8 +125,9 @@ TEST(X3pReader, ReadsEveryTypeWithScaleAndOffset) {
 
 TEST(X3pReader, NanHoldsNoData) {
     const double nan = std::numeric_limits<double>::quiet_NaN();
-    const HeightMap map =
-        read(x3pFile({}, binary<double>({1e-9, nan, 1e-9, nan, 1e-9, 1e-9}))).channels.at(0).map;
+    const HeightMap map = readAsX3p(x3pFile({}, binary<double>({1e-9, nan, 1e-9, nan, 1e-9, 1e-9})))
+                              .channels.at(0)
+                              .map;
     EXPECT_EQ(map.invalid, (PixelMask{0, 1, 0, 1, 0, 0}));
 }
 
@@ -137,9 +139,9 @@ TEST(X3pReader, ValidPointsAreBitsTheLowestFirst) {
     const std::string points = binary(std::vector<std::int16_t>(22, 1));
     // Invalid: 1, 10, 11, 21.
     const std::string valid("\xFD\xF3\xDF", 3);
-    const HeightMap map = read(zipFile({{"main.xml", mainXml(text)},
-                                        {"bindata/data.bin", points},
-                                        {"bindata/valid.bin", valid}}))
+    const HeightMap map = readAsX3p(zipFile({{"main.xml", mainXml(text)},
+                                             {"bindata/data.bin", points},
+                                             {"bindata/valid.bin", valid}}))
                               .channels.at(0)
                               .map;
     std::vector<std::size_t> invalid;
@@ -149,9 +151,9 @@ TEST(X3pReader, ValidPointsAreBitsTheLowestFirst) {
         }
     }
     EXPECT_THAT(invalid, ElementsAre(1, 10, 11, 21));
-    EXPECT_THAT(refusal(zipFile({{"main.xml", mainXml(text)},
-                                 {"bindata/data.bin", points},
-                                 {"bindata/valid.bin", valid.substr(1)}})),
+    EXPECT_THAT(refusalOfX3p(zipFile({{"main.xml", mainXml(text)},
+                                      {"bindata/data.bin", points},
+                                      {"bindata/valid.bin", valid.substr(1)}})),
                 HasSubstr("bindata/valid.bin: expected 3 bytes, found 2"));
 }
 
@@ -159,43 +161,45 @@ TEST(X3pReader, ReadsAListOfText) {
     const std::string list = "<p:DataList><p:Datum>1e-9</p:Datum><p:Datum/><Datum> </Datum>"
                              "<Datum>0;1;4e-9</Datum><Datum>5E-009</Datum><Datum>NaN</Datum>"
                              "</p:DataList>";
-    const HeightMap map = read(zipFile({{"main.xml", mainXml({.data = list})}})).channels.at(0).map;
+    const HeightMap map =
+        readAsX3p(zipFile({{"main.xml", mainXml({.data = list})}})).channels.at(0).map;
     EXPECT_EQ(map.invalid, (PixelMask{0, 1, 1, 0, 0, 1}));
     EXPECT_EQ(map.at(1, 0), 4e-9);
     EXPECT_EQ(map.at(1, 1), 5e-9);
-    EXPECT_THAT(refusal(zipFile({{"main.xml", mainXml({.data = "<DataList><Datum>1</Datum>"
-                                                               "</DataList>"})}})),
+    EXPECT_THAT(refusalOfX3p(zipFile({{"main.xml", mainXml({.data = "<DataList><Datum>1</Datum>"
+                                                                    "</DataList>"})}})),
                 HasSubstr("expected 6 elements Datum, found 1"));
     EXPECT_THAT(
-        refusal(zipFile(
+        refusalOfX3p(zipFile(
             {{"main.xml", mainXml({.matrix = "<SizeX>1</SizeX><SizeY>1</SizeY><SizeZ>1</SizeZ>",
                                    .data = "<DataList><Datum>high</Datum></DataList>"})}})),
         HasSubstr("Datum 1: expected a number, found 'high'"));
 }
 
 TEST(X3pReader, FindsMainXmlInASubFolderBesideThatOfAMac) {
-    const HeightMapFile file = read(zipFile({{"__MACOSX/scan/._main.xml", "x"},
-                                             {"__MACOSX/scan/main.xml", "x"},
-                                             {"scan/.DS_Store", "x"},
-                                             {"scan/main.xml", mainXml({})},
-                                             {"scan/bindata/data.bin", kSixNanometers}}));
+    const HeightMapFile file = readAsX3p(zipFile({{"__MACOSX/scan/._main.xml", "x"},
+                                                  {"__MACOSX/scan/main.xml", "x"},
+                                                  {"scan/.DS_Store", "x"},
+                                                  {"scan/main.xml", mainXml({})},
+                                                  {"scan/bindata/data.bin", kSixNanometers}}));
     EXPECT_EQ(file.channels.at(0).map.at(0, 0), 1e-9);
 }
 
 TEST(X3pReader, ReadsAnyNamespacePrefixAndBackslashes) {
     for (const char* root : {"ISO5436_2", "x3p:ISO5436_2"}) {
-        EXPECT_EQ(read(x3pFile({.root = root})).channels.size(), 1U);
+        EXPECT_EQ(readAsX3p(x3pFile({.root = root})).channels.size(), 1U);
     }
-    EXPECT_EQ(read(x3pFile({.data = "<DataLink><PointDataLink>bindata\\data.bin</PointDataLink>"
-                                    "</DataLink>"}))
-                  .channels.size(),
-              1U);
+    EXPECT_EQ(
+        readAsX3p(x3pFile({.data = "<DataLink><PointDataLink>bindata\\data.bin</PointDataLink>"
+                                   "</DataLink>"}))
+            .channels.size(),
+        1U);
 }
 
 TEST(X3pReader, LayersAreChannels) {
     const X3pText text{.axisZ = zAxis("I", "<Increment>1e-9</Increment>"),
                        .matrix = "<SizeX>2</SizeX><SizeY>1</SizeY><SizeZ>2</SizeZ>"};
-    const HeightMapFile file = read(x3pFile(text, binary<std::int16_t>({1, 2, 3, 4})));
+    const HeightMapFile file = readAsX3p(x3pFile(text, binary<std::int16_t>({1, 2, 3, 4})));
     ASSERT_EQ(file.channels.size(), 2U);
     EXPECT_EQ(file.channels[1].name, "Topography 2");
     EXPECT_DOUBLE_EQ(file.channels[1].map.at(0, 0), 3e-9);
@@ -206,21 +210,21 @@ TEST(X3pReader, AnUnknownSizeIsNotInvented) {
          {"<AxisType>I</AxisType>", "<AxisType>I</AxisType><Increment>0</Increment>",
           "<AxisType>I</AxisType><Increment>nan</Increment>",
           "<AxisType>I</AxisType><Increment>-1e-9</Increment>"}) {
-        const HeightMapFile file = read(x3pFile({.axisX = axis}));
+        const HeightMapFile file = readAsX3p(x3pFile({.axisX = axis}));
         EXPECT_FALSE(file.channels.at(0).hasSize()) << axis;
     }
 }
 
 TEST(X3pReader, NotesImplausibleUnits) {
     const HeightMapFile wide =
-        read(x3pFile({.axisX = "<AxisType>I</AxisType><Increment>0.25</Increment>"}));
+        readAsX3p(x3pFile({.axisX = "<AxisType>I</AxisType><Increment>0.25</Increment>"}));
     EXPECT_THAT(wide.notes, ElementsAre(HasSubstr("a side of 0.75 m is implausible")));
-    const HeightMapFile high = read(x3pFile({}, binary<double>({0, 1e-3, 0, 0, 0, 0})));
+    const HeightMapFile high = readAsX3p(x3pFile({}, binary<double>({0, 1e-3, 0, 0, 0, 0})));
     EXPECT_THAT(high.channels.at(0).notes,
                 ElementsAre(HasSubstr("heights from 0 m to 0.001 m are implausible")));
-    const HeightMapFile flat = read(x3pFile({}, binary<double>({0, 1e-14, 0, 0, 0, 0})));
+    const HeightMapFile flat = readAsX3p(x3pFile({}, binary<double>({0, 1e-14, 0, 0, 0, 0})));
     EXPECT_THAT(flat.channels.at(0).notes, ElementsAre(HasSubstr("implausible")));
-    const HeightMapFile constant = read(x3pFile({}, binary<double>({1, 1, 1, 1, 1, 1})));
+    const HeightMapFile constant = readAsX3p(x3pFile({}, binary<double>({1, 1, 1, 1, 1, 1})));
     EXPECT_THAT(constant.channels.at(0).notes, IsEmpty());
 }
 
@@ -230,58 +234,62 @@ TEST(X3pReader, AWrongChecksumIsNoted) {
                md5 + "</MD5ChecksumPointData></DataLink>";
     };
     // md5sum of the six doubles.
-    EXPECT_THAT(read(x3pFile({.data = withChecksum("b0917c2cc91108660fc81f84a0f099e5")})).notes,
-                IsEmpty());
-    EXPECT_THAT(read(x3pFile({.data = withChecksum(std::string(32, '0'))})).notes,
+    EXPECT_THAT(
+        readAsX3p(x3pFile({.data = withChecksum("b0917c2cc91108660fc81f84a0f099e5")})).notes,
+        IsEmpty());
+    EXPECT_THAT(readAsX3p(x3pFile({.data = withChecksum(std::string(32, '0'))})).notes,
                 ElementsAre(HasSubstr("MD5ChecksumPointData")));
     const std::vector<ZippedFile> files{{"main.xml", mainXml({})},
                                         {"bindata/data.bin", kSixNanometers},
                                         {"md5checksum.hex", std::string(32, '0') + " *main.xml"}};
-    EXPECT_THAT(read(zipFile(files)).notes, ElementsAre(HasSubstr("md5checksum.hex")));
+    EXPECT_THAT(readAsX3p(zipFile(files)).notes, ElementsAre(HasSubstr("md5checksum.hex")));
 }
 
 TEST(X3pReader, RefusesWhatIsNoSurface) {
-    EXPECT_THAT(refusal(x3pFile({.feature = "PRF"})),
+    EXPECT_THAT(refusalOfX3p(x3pFile({.feature = "PRF"})),
                 AllOf(StartsWith("scan.x3p: main.xml, "), HasSubstr("a profile")));
-    EXPECT_THAT(refusal(x3pFile({.feature = "PCL"})), HasSubstr("a cloud of points"));
-    EXPECT_THAT(refusal(x3pFile({.feature = ""})), HasSubstr("expected SUR"));
-    EXPECT_THAT(refusal(x3pFile({.axisX = "<AxisType>A</AxisType>"})),
+    EXPECT_THAT(refusalOfX3p(x3pFile({.feature = "PCL"})), HasSubstr("a cloud of points"));
+    EXPECT_THAT(refusalOfX3p(x3pFile({.feature = ""})), HasSubstr("expected SUR"));
+    EXPECT_THAT(refusalOfX3p(x3pFile({.axisX = "<AxisType>A</AxisType>"})),
                 HasSubstr("a list of points"));
 }
 
 TEST(X3pReader, RefusesWhatDoesNotFitTogether) {
-    EXPECT_THAT(refusal(x3pFile({}, kSixNanometers.substr(1))),
+    EXPECT_THAT(refusalOfX3p(x3pFile({}, kSixNanometers.substr(1))),
                 HasSubstr("bindata/data.bin: expected 48 bytes for 3 x 2 pixels, found 47"));
-    EXPECT_THAT(refusal(x3pFile({}, kSixNanometers + "x")), HasSubstr("found 49"));
-    EXPECT_THAT(refusal(x3pFile({.axisZ = zAxis("Q")})), HasSubstr("expected I, L, F or D"));
-    EXPECT_THAT(refusal(x3pFile({.axisZ = "<AxisType>A</AxisType>"})), HasSubstr("DataType"));
-    EXPECT_THAT(refusal(x3pFile({.axisZ = zAxis("D", "<Increment>0</Increment>")})),
+    EXPECT_THAT(refusalOfX3p(x3pFile({}, kSixNanometers + "x")), HasSubstr("found 49"));
+    EXPECT_THAT(refusalOfX3p(x3pFile({.axisZ = zAxis("Q")})), HasSubstr("expected I, L, F or D"));
+    EXPECT_THAT(refusalOfX3p(x3pFile({.axisZ = "<AxisType>A</AxisType>"})), HasSubstr("DataType"));
+    EXPECT_THAT(refusalOfX3p(x3pFile({.axisZ = zAxis("D", "<Increment>0</Increment>")})),
                 HasSubstr("CZ"));
-    EXPECT_THAT(refusal(x3pFile({.axisZ = zAxis("D", "<Offset>inf</Offset>")})), HasSubstr("CZ"));
-    EXPECT_THAT(refusal(x3pFile({.axisZ = zAxis("D", "<Increment>1,5</Increment>")})),
+    EXPECT_THAT(refusalOfX3p(x3pFile({.axisZ = zAxis("D", "<Offset>inf</Offset>")})),
+                HasSubstr("CZ"));
+    EXPECT_THAT(refusalOfX3p(x3pFile({.axisZ = zAxis("D", "<Increment>1,5</Increment>")})),
                 HasSubstr("expected a number, found '1,5'"));
-    EXPECT_THAT(refusal(x3pFile({.matrix = "<SizeX>0</SizeX><SizeY>2</SizeY>"})),
+    EXPECT_THAT(refusalOfX3p(x3pFile({.matrix = "<SizeX>0</SizeX><SizeY>2</SizeY>"})),
                 HasSubstr("0 x 2 pixels"));
-    EXPECT_THAT(refusal(x3pFile({.matrix = "<SizeX>65536</SizeX><SizeY>65536</SizeY>"
-                                           "<SizeZ>128</SizeZ>"})),
+    EXPECT_THAT(refusalOfX3p(x3pFile({.matrix = "<SizeX>65536</SizeX><SizeY>65536</SizeY>"
+                                                "<SizeZ>128</SizeZ>"})),
                 HasSubstr("expected 4398046511104 bytes"));
-    EXPECT_THAT(refusal(x3pFile({.matrix = "<SizeX>1</SizeX><SizeY>1</SizeY>"
-                                           "<SizeZ>129</SizeZ>"})),
+    EXPECT_THAT(refusalOfX3p(x3pFile({.matrix = "<SizeX>1</SizeX><SizeY>1</SizeY>"
+                                                "<SizeZ>129</SizeZ>"})),
                 HasSubstr("expected 1 to 128, found 129"));
-    EXPECT_THAT(refusal(x3pFile({.matrix = "<SizeX>3</SizeX><SizeY>2</SizeY><SizeZ>0</SizeZ>"})),
-                HasSubstr("SizeZ"));
-    EXPECT_THAT(refusal(x3pFile({.matrix = "<SizeX>three</SizeX><SizeY>2</SizeY>"})),
+    EXPECT_THAT(
+        refusalOfX3p(x3pFile({.matrix = "<SizeX>3</SizeX><SizeY>2</SizeY><SizeZ>0</SizeZ>"})),
+        HasSubstr("SizeZ"));
+    EXPECT_THAT(refusalOfX3p(x3pFile({.matrix = "<SizeX>three</SizeX><SizeY>2</SizeY>"})),
                 HasSubstr("found 'three'"));
-    EXPECT_THAT(refusal(x3pFile({.data = ""})), HasSubstr("expected the heights"));
-    EXPECT_THAT(refusal(x3pFile({.data = kValidLink})),
+    EXPECT_THAT(refusalOfX3p(x3pFile({.data = ""})), HasSubstr("expected the heights"));
+    EXPECT_THAT(refusalOfX3p(x3pFile({.data = kValidLink})),
                 HasSubstr("does not hold 'bindata/valid.bin'"));
-    EXPECT_THAT(refusal(x3pFile({.root = "html"})), HasSubstr("expected the element ISO5436_2"));
+    EXPECT_THAT(refusalOfX3p(x3pFile({.root = "html"})),
+                HasSubstr("expected the element ISO5436_2"));
 }
 
 TEST(X3pReader, RefusesDamagedXml) {
-    EXPECT_THAT(refusal(zipFile({{"main.xml", "<p:ISO5436_2><Record1>"}})),
+    EXPECT_THAT(refusalOfX3p(zipFile({{"main.xml", "<p:ISO5436_2><Record1>"}})),
                 HasSubstr("this is no XML"));
-    EXPECT_THAT(refusal(zipFile({{"main.xml", ""}})), StartsWith("scan.x3p: main.xml"));
+    EXPECT_THAT(refusalOfX3p(zipFile({{"main.xml", ""}})), StartsWith("scan.x3p: main.xml"));
 }
 
 /// What the files of the wild are known for.

@@ -16,13 +16,13 @@ namespace {
 using testing::AllOf;
 using testing::HasSubstr;
 
-ScanChannel readOne(std::string_view text) {
+ScanChannel xyzChannel(std::string_view text) {
     const HeightMapFile file = readHeightMapBytes(text, "points.xyz");
     EXPECT_EQ(file.format, "XYZ points");
     return file.channels.at(0);
 }
 
-std::string refusal(std::string_view text) {
+std::string refusalOfXyz(std::string_view text) {
     return refusalOf([&] { (void)readHeightMapBytes(text, "points.xyz"); });
 }
 
@@ -38,7 +38,7 @@ std::vector<std::string> pointLines() {
     return lines;
 }
 
-std::string joined(const std::vector<std::string>& lines) {
+std::string joinedLines(const std::vector<std::string>& lines) {
     std::string text;
     for (const std::string& line : lines) {
         text += line + "\n";
@@ -60,7 +60,7 @@ TEST(XyzReader, PointsMayStandInAnyOrder) {
     std::vector<std::string> lines = pointLines();
     std::mt19937 random(7);
     for (int turn = 0; turn < 5; ++turn) {
-        const HeightMap map = readOne(joined(lines)).map;
+        const HeightMap map = xyzChannel(joinedLines(lines)).map;
         ASSERT_EQ(map.columns, 4);
         ASSERT_EQ(map.rows, 3);
         EXPECT_EQ(map.at(0, 0), 2.0);  // largest y, smallest x
@@ -73,7 +73,7 @@ TEST(XyzReader, PointsMayStandInAnyOrder) {
 TEST(XyzReader, NodesMayLackTheirPoint) {
     std::vector<std::string> lines = pointLines();
     lines.erase(lines.begin() + 5);
-    const ScanChannel channel = readOne(joined(lines));
+    const ScanChannel channel = xyzChannel(joinedLines(lines));
     EXPECT_TRUE(channel.map.invalid.at(5));
     EXPECT_THAT(channel.notes, testing::Contains(HasSubstr("1 of 12 nodes")));
 }
@@ -82,7 +82,7 @@ TEST(XyzReader, UnitsOfTheColumnsGiveTheSize) {
     for (const char* labels :
          {"WSxM file copyright UAM\nWSxM ASCII XYZ file\nX[nm]\tY[nm]\tZ[A]\n\n",
           "# x (nm), y (nm), z (\xC3\x85)\n", "x [nm];y [nm];z [\xC5]\n"}) {
-        const ScanChannel channel = readOne(labels + joined(pointLines()));
+        const ScanChannel channel = xyzChannel(labels + joinedLines(pointLines()));
         EXPECT_EQ(channel.unit, "m") << labels;
         EXPECT_DOUBLE_EQ(channel.map.at(0, 3), 32e-10);
         EXPECT_DOUBLE_EQ(channel.map.sizeX(), 2e-9);
@@ -92,7 +92,7 @@ TEST(XyzReader, UnitsOfTheColumnsGiveTheSize) {
 }
 
 TEST(XyzReader, WithoutUnitsTheSizeIsUnknownAndTheStepsAreSaid) {
-    const ScanChannel channel = readOne(joined(pointLines()));
+    const ScanChannel channel = xyzChannel(joinedLines(pointLines()));
     EXPECT_FALSE(channel.hasSize());
     EXPECT_EQ(channel.unit, "");
     EXPECT_THAT(channel.notes, testing::Contains(AllOf(HasSubstr("0.5"), HasSubstr("2"))));
@@ -105,18 +105,18 @@ TEST(XyzReader, ScatteredPointsAreRefusedInWords) {
     for (int i = 0; i < 200; ++i) {
         text += std::to_string(place(random)) + " " + std::to_string(place(random)) + " 1\n";
     }
-    EXPECT_THAT(refusal(text), AllOf(HasSubstr("points.xyz: "), HasSubstr("no regular grid")));
-    EXPECT_THAT(refusal("0 0 1\n1 1 1\n2 2 1\n"), HasSubstr("no regular grid"));
+    EXPECT_THAT(refusalOfXyz(text), AllOf(HasSubstr("points.xyz: "), HasSubstr("no regular grid")));
+    EXPECT_THAT(refusalOfXyz("0 0 1\n1 1 1\n2 2 1\n"), HasSubstr("no regular grid"));
 }
 
 TEST(XyzReader, RefusesWhatIsNoSetOfPoints) {
-    EXPECT_THAT(refusal("0 0 1\n1 0 1\n2 0 1\n"), HasSubstr("profile"));
-    EXPECT_THAT(refusal("0 0 1\n1 0 1\n0 1 1\nNaN 1 1\n"), HasSubstr("line 4: "));
-    EXPECT_THAT(refusal("0 0 1\n1 0 1\n0 1\n"), HasSubstr("line 3: found 2 numbers"));
+    EXPECT_THAT(refusalOfXyz("0 0 1\n1 0 1\n2 0 1\n"), HasSubstr("profile"));
+    EXPECT_THAT(refusalOfXyz("0 0 1\n1 0 1\n0 1 1\nNaN 1 1\n"), HasSubstr("line 4: "));
+    EXPECT_THAT(refusalOfXyz("0 0 1\n1 0 1\n0 1\n"), HasSubstr("line 3: found 2 numbers"));
     std::vector<std::string> lines = pointLines();
     lines[3] = lines[4];
-    EXPECT_THAT(refusal(joined(lines)), HasSubstr("two points lie at x = 0, y = 9"));
-    EXPECT_THAT(refusal("0 0 1\n1 0 1\n0 1 1\n1 1 1\n1 0 2\n"),
+    EXPECT_THAT(refusalOfXyz(joinedLines(lines)), HasSubstr("two points lie at x = 0, y = 9"));
+    EXPECT_THAT(refusalOfXyz("0 0 1\n1 0 1\n0 1 1\n1 1 1\n1 0 2\n"),
                 HasSubstr("points.xyz: points 2 and 5: two points lie at x = 1, y = 0"));
 }
 

@@ -13,7 +13,7 @@ void require(bool succeeded) {
     }
 }
 
-std::string contentOf(zip_source_t* source) {
+std::string contentOfSource(zip_source_t* source) {
     require(zip_source_open(source) == 0);
     zip_stat_t status;
     zip_stat_init(&status);
@@ -42,7 +42,7 @@ std::string zipFile(const std::vector<ZippedFile>& files) {
                                          file.compressed ? ZIP_CM_DEFLATE : ZIP_CM_STORE, 0) == 0);
     }
     require(zip_close(archive) == 0);
-    std::string bytes = contentOf(target);
+    std::string bytes = contentOfSource(target);
     zip_source_free(target);
     return bytes;
 }

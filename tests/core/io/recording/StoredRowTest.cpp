@@ -1,5 +1,7 @@
 #include "core/io/recording/StoredRow.h"
 
+#include "tests/support/DoubleLimits.h"
+
 #include <gtest/gtest.h>
 
 #include <string>
@@ -7,8 +9,8 @@
 namespace asperity {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+using test::kInfinity;
+using test::kNan;
 
 bool isTaken(Holds holds, double number) {
     return stored::objection<double>(holds, number) == nullptr;

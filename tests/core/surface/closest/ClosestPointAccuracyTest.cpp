@@ -17,12 +17,12 @@ namespace asperity {
 namespace {
 
 constexpr double kSize = 200.0_nm;
-constexpr double kMiddle = 0.5 * kSize;
+constexpr double kHalfSize = 0.5 * kSize;
 
 /// z = sqrt(R^2 - distance^2 from an axis or a center) about the scan's middle; from 0.8 R on, far
 /// from all closest points, straight down the tangent there (whose derivatives nobody asks for).
 HeightSample roundAt(double radius, const Eigen::Matrix2d& across, const Vector2& place) {
-    const Vector2 offset = across * (place - Vector2::Constant(kMiddle));
+    const Vector2 offset = across * (place - Vector2::Constant(kHalfSize));
     const double beyond = offset.norm() - 0.8 * radius;
     if (beyond > 0.0) {
         return {.height = 0.6 * radius - 0.8 / 0.6 * beyond};
@@ -52,7 +52,7 @@ HeightSample cylinderAt(const Vector2& place) {
 }
 HeightSample steepPlaneAt(const Vector2& place) {
     const double slope = std::tan(80.0 * M_PI / 180.0);
-    const Vector2 offset = place - Vector2::Constant(kMiddle);
+    const Vector2 offset = place - Vector2::Constant(kHalfSize);
     return {.height = slope * (0.8 * offset.x() + 0.6 * offset.y()),
             .dx = 0.8 * slope,
             .dy = 0.6 * slope};

@@ -3,12 +3,13 @@
 #include "core/surface/closest/ClosestPointSearch.h"
 #include "core/surface/fit/BSplineFit.h"
 #include "core/surface/synthetic/SyntheticSurface.h"
+#include "tests/core/surface/TestTip.h"
+#include "tests/support/DoubleLimits.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <functional>
-#include <limits>
 #include <ostream>
 #include <string>
 #include <vector>
@@ -16,7 +17,8 @@
 namespace asperity {
 namespace {
 
-constexpr double kTipRadius = 15.0_nm;
+using test::kNan;
+using test::kTipRadius;
 
 struct Extreme {
     std::string name;
@@ -42,7 +44,6 @@ std::vector<Extreme> extremes() {
     const auto noise = [](double range) {
         return [range, random = Random(5)](int, int) mutable { return range * random.uniform(); };
     };
-    constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
     return {
         {"Constant", mapOf(16, 16, [](int, int) { return 4.0_nm; })},
         {"Spike", mapOf(17, 17, [](int r, int c) { return r == 8 && c == 8 ? 1.0_um : 0.0; })},

@@ -3,18 +3,22 @@
 #include "core/Units.h"
 #include "core/surface/fit/BSplineFit.h"
 #include "core/surface/synthetic/SyntheticSurface.h"
+#include "tests/support/DoubleLimits.h"
 #include "tests/support/StorageError.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 
 namespace asperity {
 namespace {
 
-constexpr double kSize = 100.0_nm;
-constexpr ScanSize kScan{.columns = 40, .rows = 50, .sizeX = kSize, .sizeY = kSize};
+using test::kInfinity;
+using test::kNan;
+
+constexpr double kQuadricSize = 100.0_nm;
+constexpr ScanSize kQuadricScan{
+    .columns = 40, .rows = 50, .sizeX = kQuadricSize, .sizeY = kQuadricSize};
 
 /// z = slopeX x + slopeY y + bendX x^2 / 2 + bendY y^2 / 2 about the scan's center: a shape that
 /// the spline holds but for the rounding of its control heights.
@@ -25,19 +29,21 @@ struct Quadric {
     double bendY = 0.0;  ///< [1/m]
 
     [[nodiscard]] double height(double x, double y) const {
-        const double s = x - 0.5 * kSize;
-        const double t = y - 0.5 * kSize;
+        const double s = x - 0.5 * kQuadricSize;
+        const double t = y - 0.5 * kQuadricSize;
         return slopeX * s + slopeY * t + 0.5 * (bendX * s * s + bendY * t * t);
     }
     [[nodiscard]] Vector3 point(double x, double y) const { return {x, y, height(x, y)}; }
     [[nodiscard]] Vector3 normal(double x, double y) const {
-        return Vector3(-slopeX - bendX * (x - 0.5 * kSize), -slopeY - bendY * (y - 0.5 * kSize),
-                       1.0)
+        return Vector3(-slopeX - bendX * (x - 0.5 * kQuadricSize),
+                       -slopeY - bendY * (y - 0.5 * kQuadricSize), 1.0)
             .normalized();
     }
 };
 
-BSplineSurface surfaceOf(const Quadric& shape) { return fitSurface(sampledMap(kScan, shape)); }
+BSplineSurface quadricSurface(const Quadric& shape) {
+    return fitSurface(sampledMap(kQuadricScan, shape));
+}
 
 SearchGuess guessAt(double x, double y) { return {.x = x, .y = y, .valid = true}; }
 
@@ -58,20 +64,20 @@ void expectPoint(const BSplineSurface& surface, const ClosestPoint& closest,
                  const ExpectedClosestPoint& expected) {
     constexpr double kMaxBend = 1.0 / 20.0_nm;
     const test::StorageError storage = test::storageErrorOf(surface);
-    const double place = 1e-12 * kSize + closestPointError(surface, expected.distance);
+    const double place = 1e-12 * kQuadricSize + closestPointError(surface, expected.distance);
     EXPECT_TRUE(closest.converged);
     EXPECT_TRUE(closest.insideScan);
     EXPECT_TRUE(closest.certified());
     EXPECT_LT((closest.point - expected.point).norm(), place);
     EXPECT_LT((closest.normal - expected.normal).norm(), 1e-11 + storage.slope + kMaxBend * place);
-    EXPECT_NEAR(closest.distance, expected.distance, 1e-12 * kSize + storage.height);
+    EXPECT_NEAR(closest.distance, expected.distance, 1e-12 * kQuadricSize + storage.height);
 }
 
 TEST(ClosestPoint, OnATiltedPlaneLiesAlongTheNormal) {
     for (const double degrees : {0.0, 30.0, 80.0}) {
         const Quadric plane{.slopeX = std::tan(degrees * M_PI / 180.0) * 0.8,
                             .slopeY = std::tan(degrees * M_PI / 180.0) * 0.6};
-        const BSplineSurface surface = surfaceOf(plane);
+        const BSplineSurface surface = quadricSurface(plane);
         const Vector3 point = plane.point(40.0_nm, 61.0_nm);
         const Vector3 normal = plane.normal(40.0_nm, 61.0_nm);
         for (const double distance : {15.0_nm, 1.0_pm, 0.0, -2.0_nm}) {
@@ -85,7 +91,7 @@ TEST(ClosestPoint, OnATiltedPlaneLiesAlongTheNormal) {
 
 TEST(ClosestPoint, OnAHillLiesAlongTheNormalAtAnyDistance) {
     const Quadric hill{.slopeX = 0.2, .bendX = -1.0 / 30.0_nm, .bendY = -1.0 / 20.0_nm};
-    const BSplineSurface surface = surfaceOf(hill);
+    const BSplineSurface surface = quadricSurface(hill);
     for (const auto& [x, y] : {std::pair{50.0_nm, 50.0_nm}, {33.0_nm, 71.0_nm}}) {
         for (const double distance : {0.0, 15.0_nm, 400.0_nm, -3.0_nm}) {
             const Vector3 normal = hill.normal(x, y);
@@ -98,7 +104,7 @@ TEST(ClosestPoint, OnAHillLiesAlongTheNormalAtAnyDistance) {
 
 TEST(ClosestPoint, InAValleyLiesAlongTheNormalUpToTheCenterOfCurvature) {
     const Quadric valley{.bendX = 1.0 / 40.0_nm};
-    const BSplineSurface surface = surfaceOf(valley);
+    const BSplineSurface surface = quadricSurface(valley);
     const double x = 58.0_nm;
     const double y = 31.0_nm;
     for (const double distance : {15.0_nm, 35.0_nm, -30.0_nm}) {
@@ -112,14 +118,14 @@ TEST(ClosestPoint, InAValleyLiesAlongTheNormalUpToTheCenterOfCurvature) {
 TEST(ClosestPoint, OnASphericalCapPointsToTheCenter) {
     struct Cap {
         [[nodiscard]] double height(double x, double y) const {
-            const double r2 =
-                (x - 0.5 * kSize) * (x - 0.5 * kSize) + (y - 0.5 * kSize) * (y - 0.5 * kSize);
+            const double r2 = (x - 0.5 * kQuadricSize) * (x - 0.5 * kQuadricSize) +
+                              (y - 0.5 * kQuadricSize) * (y - 0.5 * kQuadricSize);
             return std::sqrt(90.0_nm * 90.0_nm - r2);
         }
     };
-    const ScanSize fine{.columns = 200, .rows = 200, .sizeX = kSize, .sizeY = kSize};
+    const ScanSize fine{.columns = 200, .rows = 200, .sizeX = kQuadricSize, .sizeY = kQuadricSize};
     const BSplineSurface surface = fitSurface(sampledMap(fine, Cap{}));
-    const Vector3 center(0.5 * kSize, 0.5 * kSize, 0.0);
+    const Vector3 center(0.5 * kQuadricSize, 0.5 * kQuadricSize, 0.0);
     const Vector3 direction = Vector3(0.3, -0.2, 1.0).normalized();
     const ClosestPoint closest = closestPoint(surface, center + 105.0_nm * direction, {});
     EXPECT_TRUE(closest.converged);
@@ -131,9 +137,9 @@ TEST(ClosestPoint, OnASphericalCapPointsToTheCenter) {
 
 TEST(ClosestPoint, OfAConvexSurfaceDoesNotDependOnTheStart) {
     const Quadric hill{.slopeX = -0.3, .bendX = -1.0 / 25.0_nm, .bendY = -1.0 / 60.0_nm};
-    const BSplineSurface surface = surfaceOf(hill);
+    const BSplineSurface surface = quadricSurface(hill);
     const Vector3 query = hill.point(45.0_nm, 52.0_nm) + 15.0_nm * hill.normal(45.0_nm, 52.0_nm);
-    const double tolerance = 1e-12 * kSize + closestPointError(surface, 15.0_nm);
+    const double tolerance = 1e-12 * kQuadricSize + closestPointError(surface, 15.0_nm);
     const Vector3 first = closestPoint(surface, query, guessAt(45.0_nm, 52.0_nm)).point;
     for (int i = 0; i <= 14; ++i) {
         for (int j = 0; j <= 14; ++j) {
@@ -141,7 +147,7 @@ TEST(ClosestPoint, OfAConvexSurfaceDoesNotDependOnTheStart) {
                 closestPoint(surface, query, guessAt(i * 7.0_nm, j * 7.0_nm));
             ASSERT_TRUE(closest.converged);
             ASSERT_LT((closest.point - hill.point(45.0_nm, 52.0_nm)).norm(), tolerance);
-            ASSERT_LT((closest.point - first).norm(), 1e-12 * kSize);
+            ASSERT_LT((closest.point - first).norm(), 1e-12 * kQuadricSize);
         }
     }
 }
@@ -149,21 +155,21 @@ TEST(ClosestPoint, OfAConvexSurfaceDoesNotDependOnTheStart) {
 TEST(ClosestPoint, LeavesTheBottomOfAValleyThatIsTheFarthestPoint) {
     const double radius = 10.0_nm;
     const Quadric valley{.bendX = 1.0 / radius};
-    const BSplineSurface surface = surfaceOf(valley);
+    const BSplineSurface surface = quadricSurface(valley);
     const double height =
         2.5 * radius;  // above the center of curvature: two closest points on the flanks
-    const Vector3 query(0.5 * kSize, 40.0_nm, height);
-    const ClosestPoint closest = closestPoint(surface, query, guessAt(0.5 * kSize, 40.0_nm));
+    const Vector3 query(0.5 * kQuadricSize, 40.0_nm, height);
+    const ClosestPoint closest = closestPoint(surface, query, guessAt(0.5 * kQuadricSize, 40.0_nm));
     EXPECT_TRUE(closest.converged);
     const double offset = std::sqrt(2.0 * radius * (height - radius));
-    const double tolerance = 1e-11 * kSize + closestPointError(surface, closest.distance);
-    EXPECT_NEAR(std::abs(closest.point.x() - 0.5 * kSize), offset, tolerance);
+    const double tolerance = 1e-11 * kQuadricSize + closestPointError(surface, closest.distance);
+    EXPECT_NEAR(std::abs(closest.point.x() - 0.5 * kQuadricSize), offset, tolerance);
     EXPECT_NEAR(closest.point.y(), 40.0_nm, tolerance);
 }
 
 TEST(ClosestPoint, BesideTheScanStandsOnItsEdge) {
     const Quadric plane{.slopeX = 0.5};
-    const BSplineSurface surface = surfaceOf(plane);
+    const BSplineSurface surface = quadricSurface(plane);
     const Vector3 normal = plane.normal(0.0, 0.0);
     const Vector3 inside = plane.point(99.0_nm, 30.0_nm) + 1.0_nm * normal;
     EXPECT_TRUE(closestPoint(surface, inside, {}).insideScan);
@@ -172,20 +178,20 @@ TEST(ClosestPoint, BesideTheScanStandsOnItsEdge) {
     const ClosestPoint closest = closestPoint(surface, outside, {});
     EXPECT_FALSE(closest.insideScan);
     EXPECT_TRUE(closest.converged);
-    EXPECT_EQ(closest.point.x(), kSize);
+    EXPECT_EQ(closest.point.x(), kQuadricSize);
     EXPECT_NEAR(closest.point.y(), 30.0_nm,
-                1e-12 * kSize + closestPointError(surface, closest.distance));
-    EXPECT_NEAR(closest.distance, (outside - plane.point(kSize, 30.0_nm)).norm(),
-                1e-12 * kSize + test::storageErrorOf(surface).height);
+                1e-12 * kQuadricSize + closestPointError(surface, closest.distance));
+    EXPECT_NEAR(closest.distance, (outside - plane.point(kQuadricSize, 30.0_nm)).norm(),
+                1e-12 * kQuadricSize + test::storageErrorOf(surface).height);
 
     // The query lies over the scan, but its closest point on the continued plane would not.
     const Vector3 overhanging = plane.point(102.0_nm, 30.0_nm) + 10.0_nm * normal;
-    ASSERT_LT(overhanging.x(), kSize);
+    ASSERT_LT(overhanging.x(), kQuadricSize);
     EXPECT_FALSE(closestPoint(surface, overhanging, {}).insideScan);
 }
 
 TEST(ClosestPoint, BesideACornerStandsOnTheCorner) {
-    const BSplineSurface surface = surfaceOf(Quadric{});
+    const BSplineSurface surface = quadricSurface(Quadric{});
     const ClosestPoint closest = closestPoint(surface, Vector3(-5.0_nm, -7.0_nm, 3.0_nm), {});
     EXPECT_EQ(closest.point.x(), 0.0);
     EXPECT_EQ(closest.point.y(), 0.0);
@@ -196,7 +202,7 @@ TEST(ClosestPoint, BesideACornerStandsOnTheCorner) {
 
 TEST(ClosestPoint, AWarmStartNearTheClosestPointTakesFewSteps) {
     const Quadric hill{.bendX = -1.0 / 30.0_nm, .bendY = 1.0 / 70.0_nm};
-    const BSplineSurface surface = surfaceOf(hill);
+    const BSplineSurface surface = quadricSurface(hill);
     const Vector3 query = hill.point(45.0_nm, 52.0_nm) + 15.0_nm * hill.normal(45.0_nm, 52.0_nm);
     const ClosestPoint closest = closestPoint(surface, query, guessAt(45.1_nm, 52.0_nm));
     EXPECT_GE(closest.iterations, 1);
@@ -204,9 +210,7 @@ TEST(ClosestPoint, AWarmStartNearTheClosestPointTakesFewSteps) {
 }
 
 TEST(ClosestPoint, OfAQueryThatIsNoPointSaysSo) {
-    const BSplineSurface surface = surfaceOf(Quadric{.slopeX = 0.1});
-    constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-    constexpr double kInfinity = std::numeric_limits<double>::infinity();
+    const BSplineSurface surface = quadricSurface(Quadric{.slopeX = 0.1});
     for (const Vector3& query :
          {Vector3(kNan, 0.0, 0.0), Vector3(0.0, 0.0, kInfinity), Vector3(1e200, 1e200, 1e200)}) {
         const ClosestPoint closest = closestPoint(surface, query, guessAt(1.0_nm, 1.0_nm));

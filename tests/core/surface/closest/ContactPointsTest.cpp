@@ -2,6 +2,7 @@
 
 #include "core/surface/closest/ClosestPointSearch.h"
 #include "core/surface/closest/LocalClosestPoint.h"
+#include "tests/core/surface/TestTip.h"
 #include "tests/core/surface/closest/RoughSurface.h"
 
 #include <gtest/gtest.h>
@@ -16,16 +17,19 @@
 namespace asperity {
 namespace {
 
-constexpr double kTipRadius = 15.0_nm;
+using test::kTipRadius;
+
 constexpr double kReach = 10.0_nm;
 /// What a spline through pixels misses of a shape with kinks, ten pixels from them [m].
 constexpr double kFit = 1e-3_nm;
 
-constexpr int kPixels = 120;
+constexpr int kScanPixels = 120;
 constexpr double kPitch = 1.0_nm;
-constexpr double kMiddle = 0.5 * kPixels * kPitch;
-constexpr ScanSize kScan{
-    .columns = kPixels, .rows = kPixels, .sizeX = kPixels * kPitch, .sizeY = kPixels * kPitch};
+constexpr double kMiddle = 0.5 * kScanPixels * kPitch;
+constexpr ScanSize kScan{.columns = kScanPixels,
+                         .rows = kScanPixels,
+                         .sizeX = kScanPixels * kPitch,
+                         .sizeY = kScanPixels * kPitch};
 
 /// A surface by its height over places counted from the middle of the scan.
 struct Shape {

@@ -5,13 +5,13 @@
 #include "core/surface/closest/LocalClosestPoint.h"
 #include "tests/core/surface/closest/BruteClosestPoints.h"
 #include "tests/core/surface/closest/RoughSurface.h"
+#include "tests/support/DoubleLimits.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <ostream>
 #include <string>
 #include <vector>
@@ -20,6 +20,7 @@ namespace asperity {
 namespace {
 
 using test::BruteClosestPoints;
+using test::kNan;
 using test::RoughMap;
 
 /// Distances that differ by less are the same: a closest point may lie so much farther than the
@@ -198,7 +199,6 @@ void PrintTo(const Hard& hard, std::ostream* out) { *out << hard.name; }
 
 std::vector<Hard> hardMaps() {
     const ScanSize size{.columns = 24, .rows = 24, .sizeX = 48.0_nm, .sizeY = 72.0_nm};
-    constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
     return {
         {"VerticalStep", test::mapOf(size, [](int, int c) { return c < 12 ? 0.0 : 200.0_nm; })},
         {"Spike", test::mapOf(size, [](int r, int c) { return r == 9 && c == 9 ? 1.0_um : 0.0; })},

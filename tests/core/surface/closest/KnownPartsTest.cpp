@@ -49,8 +49,6 @@ protected:
     void note(const PartFacts& facts) { parts_.note(0, query_, facts, 2); }
 };
 
-}  // namespace
-
 TEST_F(OnePart, IsLookedAtFirst) { EXPECT_TRUE(isDue(parts_, query_, 0.0)); }
 
 TEST_F(OnePart, IsQuietAsLongAsItsPlaneIsFar) {
@@ -190,4 +188,5 @@ TEST(KnownParts, SayWhereTheyHaveNoRoom) {
     EXPECT_FALSE(parts.keepCells(cells, Vector3::Zero()));
 }
 
+}  // namespace
 }  // namespace asperity

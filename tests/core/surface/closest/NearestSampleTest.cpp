@@ -14,11 +14,11 @@ namespace {
 using test::mapOf;
 
 /// Half as large again along y as along x.
-constexpr ScanSize kPixels{.columns = 40, .rows = 20, .sizeX = 80.0_nm, .sizeY = 60.0_nm};
+constexpr ScanSize kOblongScan{.columns = 40, .rows = 20, .sizeX = 80.0_nm, .sizeY = 60.0_nm};
 
 TEST(NearestSample, OnASlopeIsBesideTheClosestPoint) {
-    const BSplineSurface slope = fitSurface(
-        mapOf(kPixels, [](int row, int column) { return (1.5 * column - 0.5 * row) * 1.0_nm; }));
+    const BSplineSurface slope = fitSurface(mapOf(
+        kOblongScan, [](int row, int column) { return (1.5 * column - 0.5 * row) * 1.0_nm; }));
     Random random(3);
     for (int i = 0; i < 500; ++i) {
         const Vector3 query(random.uniform(30.0, 50.0) * 1.0_nm,
@@ -34,8 +34,9 @@ TEST(NearestSample, OnASlopeIsBesideTheClosestPoint) {
 
 TEST(NearestSample, IsTheSpikeBesideTheTip) {
     for (const int column : {0, 5, 20, 33, 39}) {
-        const BSplineSurface spike = fitSurface(mapOf(
-            kPixels, [&](int row, int at) { return row == 9 && at == column ? 30.0_nm : 0.0; }));
+        const BSplineSurface spike = fitSurface(mapOf(kOblongScan, [&](int row, int at) {
+            return row == 9 && at == column ? 30.0_nm : 0.0;
+        }));
         const Vector2 peak((column + 0.5) * 2.0_nm, 10.5 * 3.0_nm);
         for (const double away : {-8.0_nm, 8.0_nm}) {
             const auto place =
@@ -48,7 +49,7 @@ TEST(NearestSample, IsTheSpikeBesideTheTip) {
 
 TEST(NearestSample, IsNoneBeyondReachAndOnMapsTooNarrow) {
     const auto level = [](int, int) { return 1.0_nm; };
-    const BSplineSurface wide = fitSurface(mapOf(kPixels, level));
+    const BSplineSurface wide = fitSurface(mapOf(kOblongScan, level));
     EXPECT_FALSE(nearestSample(wide, {-20.0_nm, 30.0_nm, 5.0_nm}, 10.0_nm));
     EXPECT_FALSE(nearestSample(wide, {40.0_nm, 80.0_nm, 5.0_nm}, 10.0_nm));
     EXPECT_FALSE(nearestSample(wide, Vector3::Constant(1e90), 1.0_nm));

@@ -17,16 +17,16 @@
 namespace asperity {
 namespace {
 
-constexpr int kPixels = 128;
-constexpr double kPitch = 4.0_nm;
+constexpr int kSpikePixels = 128;
+constexpr double kSpikePitch = 4.0_nm;
 constexpr int kSpikeRow = 50;
 constexpr int kSpikeColumn = 60;
 
 HeightMap roughMap() {
-    HeightMap map = flatMap({.columns = kPixels,
-                             .rows = kPixels,
-                             .sizeX = kPixels * kPitch,
-                             .sizeY = kPixels * kPitch});
+    HeightMap map = flatMap({.columns = kSpikePixels,
+                             .rows = kSpikePixels,
+                             .sizeX = kSpikePixels * kSpikePitch,
+                             .sizeY = kSpikePixels * kSpikePitch});
     Random random(3);
     for (double& height : map.heights) {
         height = random.normal() * 1.0_nm;
@@ -43,15 +43,16 @@ BSplineSurface spiked() {
 }
 
 std::vector<Vector3> queries() {
-    const Vector3 spike((kSpikeColumn + 0.5) * kPitch, (kPixels - kSpikeRow - 0.5) * kPitch, 0.0);
+    const Vector3 spike((kSpikeColumn + 0.5) * kSpikePitch,
+                        (kSpikePixels - kSpikeRow - 0.5) * kSpikePitch, 0.0);
     Random random(7);
     std::vector<Vector3> places;
     for (int i = 0; i < 60; ++i) {
         const double height = std::pow(10.0, random.uniform(-8.0, -2.5));
         places.push_back(spike +
                          Vector3(random.normal() * 10.0_nm, random.normal() * 10.0_nm, height));
-        places.emplace_back(random.uniform() * kPixels * kPitch,
-                            random.uniform() * kPixels * kPitch, height);
+        places.emplace_back(random.uniform() * kSpikePixels * kSpikePitch,
+                            random.uniform() * kSpikePixels * kSpikePitch, height);
     }
     return places;
 }
@@ -59,10 +60,10 @@ std::vector<Vector3> queries() {
 /// Distance of the nearest pixel center on the surface.
 double nearestPixel(const BSplineSurface& surface, const Vector3& query) {
     double nearest = std::numeric_limits<double>::infinity();
-    for (int row = 0; row < kPixels; ++row) {
-        for (int column = 0; column < kPixels; ++column) {
-            const double x = (column + 0.5) * kPitch;
-            const double y = (row + 0.5) * kPitch;
+    for (int row = 0; row < kSpikePixels; ++row) {
+        for (int column = 0; column < kSpikePixels; ++column) {
+            const double x = (column + 0.5) * kSpikePitch;
+            const double y = (row + 0.5) * kSpikePitch;
             const Vector3 point(x, y, surface.at(x, y).height);
             nearest = std::min(nearest, (point - query).norm());
         }

@@ -4,19 +4,22 @@
 #include "core/Units.h"
 #include "core/surface/fit/BSplineFit.h"
 #include "core/surface/synthetic/SyntheticSurface.h"
+#include "tests/core/surface/TestTip.h"
+#include "tests/core/surface/deformation/WideScan.h"
+#include "tests/support/DoubleLimits.h"
 #include "tests/support/StorageError.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 
 namespace asperity {
 namespace {
 
-constexpr double kTip = 15.0_nm;
-constexpr double kSize = 200.0_nm;
-constexpr ScanSize kScan{.columns = 100, .rows = 80, .sizeX = kSize, .sizeY = kSize};
+using test::kNan;
+using test::kTipRadius;
+using test::kWideScan;
+using test::kWideSize;
 
 /// A plane through 0 at the scan's center, or a paraboloid there.
 struct Shape {
@@ -24,8 +27,8 @@ struct Shape {
     double bend = 0.0;  ///< [1/m]
 
     [[nodiscard]] double height(double x, double y) const {
-        const double s = x - 0.5 * kSize;
-        const double t = y - 0.5 * kSize;
+        const double s = x - 0.5 * kWideSize;
+        const double t = y - 0.5 * kWideSize;
         return slope * s + 0.5 * bend * (s * s + t * t);
     }
 };
@@ -36,9 +39,9 @@ double sampledContactHeight(const BSplineSurface& surface, double x, double y) {
     double highest = -1.0;
     for (int i = -kSteps; i <= kSteps; ++i) {
         for (int j = -kSteps; j <= kSteps; ++j) {
-            const double dx = kTip * i / kSteps;
-            const double dy = kTip * j / kSteps;
-            const double rest = kTip * kTip - dx * dx - dy * dy;
+            const double dx = kTipRadius * i / kSteps;
+            const double dy = kTipRadius * j / kSteps;
+            const double rest = kTipRadius * kTipRadius - dx * dx - dy * dy;
             if (rest < 0.0 || !surface.contains(x + dx, y + dy)) {
                 continue;
             }
@@ -49,37 +52,39 @@ double sampledContactHeight(const BSplineSurface& surface, double x, double y) {
 }
 
 TEST(TipContactHeight, IsOneRadiusAboveALevelSurface) {
-    const BSplineSurface surface = fitSurface(sampledMap(kScan, Shape{}));
-    EXPECT_NEAR(tipContactHeight(surface, 77.3_nm, 40.1_nm, kTip), kTip, 1e-22);
+    const BSplineSurface surface = fitSurface(sampledMap(kWideScan, Shape{}));
+    EXPECT_NEAR(tipContactHeight(surface, 77.3_nm, 40.1_nm, kTipRadius), kTipRadius, 1e-22);
 }
 
 TEST(TipContactHeight, OnASlopeIsTheRadiusOverTheCosine) {
     for (const double slope : {0.1, 1.0, 5.0}) {
-        const BSplineSurface surface = fitSurface(sampledMap(kScan, Shape{.slope = slope}));
-        const double expected = slope * (90.0_nm - 0.5 * kSize) + kTip * std::hypot(1.0, slope);
-        EXPECT_NEAR(tipContactHeight(surface, 90.0_nm, 60.0_nm, kTip), expected,
+        const BSplineSurface surface = fitSurface(sampledMap(kWideScan, Shape{.slope = slope}));
+        const double expected =
+            slope * (90.0_nm - 0.5 * kWideSize) + kTipRadius * std::hypot(1.0, slope);
+        EXPECT_NEAR(tipContactHeight(surface, 90.0_nm, 60.0_nm, kTipRadius), expected,
                     1e-19 + test::storageErrorOf(surface).height);
     }
 }
 
 TEST(TipContactHeight, OnAHillTouchesWhereTheNormalPointsAtTheTip) {
     const double bend = -1.0 / 40.0_nm;
-    const BSplineSurface surface = fitSurface(sampledMap(kScan, Shape{.bend = bend}));
+    const BSplineSurface surface = fitSurface(sampledMap(kWideScan, Shape{.bend = bend}));
     const double offset = 18.0_nm;  // of the place of contact from the apex
     const double slope = bend * offset;
-    const double x = 0.5 * kSize + offset - kTip * slope / std::hypot(1.0, slope);
-    const double expected = 0.5 * bend * offset * offset + kTip / std::hypot(1.0, slope);
-    EXPECT_NEAR(tipContactHeight(surface, x, 0.5 * kSize, kTip), expected,
+    const double x = 0.5 * kWideSize + offset - kTipRadius * slope / std::hypot(1.0, slope);
+    const double expected = 0.5 * bend * offset * offset + kTipRadius / std::hypot(1.0, slope);
+    EXPECT_NEAR(tipContactHeight(surface, x, 0.5 * kWideSize, kTipRadius), expected,
                 1e-19 + test::storageErrorOf(surface).height);
 }
 
 TEST(TipContactHeight, BridgesAValleyThatTheTipDoesNotFit) {
     const double valleyRadius = 5.0_nm;
-    const BSplineSurface surface = fitSurface(sampledMap(kScan, Shape{.bend = 1.0 / valleyRadius}));
+    const BSplineSurface surface =
+        fitSurface(sampledMap(kWideScan, Shape{.bend = 1.0 / valleyRadius}));
     // Highest s^2 / (2 r) + sqrt(R^2 - s^2): at sqrt(R^2 - s^2) = r.
     const double expected =
-        0.5 * (kTip * kTip - valleyRadius * valleyRadius) / valleyRadius + valleyRadius;
-    EXPECT_NEAR(tipContactHeight(surface, 0.5 * kSize, 0.5 * kSize, kTip), expected,
+        0.5 * (kTipRadius * kTipRadius - valleyRadius * valleyRadius) / valleyRadius + valleyRadius;
+    EXPECT_NEAR(tipContactHeight(surface, 0.5 * kWideSize, 0.5 * kWideSize, kTipRadius), expected,
                 1e-18 + test::storageErrorOf(surface).height);
 }
 
@@ -97,35 +102,34 @@ TEST(TipContactHeight, IsTheHighestOfAllContactsOnRoughGround) {
                                {117.0_nm, 60.0_nm},
                                {88.0_nm, 22.0_nm}}) {
         const double sampled = sampledContactHeight(surface, x, y);
-        const double found = tipContactHeight(surface, x, y, kTip);
+        const double found = tipContactHeight(surface, x, y, kTipRadius);
         EXPECT_GE(found, sampled - 1e-21);
         EXPECT_NEAR(found, sampled, 0.01_nm);
     }
 }
 
 TEST(TipContactHeight, FindsAThinNeedleOffTheAxis) {
-    HeightMap map = flatMap(kScan);
+    HeightMap map = flatMap(kWideScan);
     map.heights[map.index(40, 55)] = 30.0_nm;
     const BSplineSurface surface = fitSurface(map);
     const double needleX = 55.5 * map.pitchX;
     const double needleY = (80 - 40 - 0.5) * map.pitchY;
-    const double found = tipContactHeight(surface, needleX - 9.0_nm, needleY, kTip);
+    const double found = tipContactHeight(surface, needleX - 9.0_nm, needleY, kTipRadius);
     EXPECT_GT(found, 30.0_nm + 12.0_nm - 1e-18);  // the needle's top: sqrt(15^2 - 9^2) = 12
     EXPECT_LT(found, 30.0_nm + 14.0_nm);
 }
 
 TEST(TipContactHeight, BesideTheScanIsThatOfTheEdge) {
-    const BSplineSurface surface = fitSurface(sampledMap(kScan, Shape{}));
-    EXPECT_NEAR(tipContactHeight(surface, -9.0_nm, 50.0_nm, kTip), 12.0_nm, 1e-20);
-    EXPECT_NEAR(tipContactHeight(surface, 1.0_um, 50.0_nm, kTip), kTip, 1e-20);
+    const BSplineSurface surface = fitSurface(sampledMap(kWideScan, Shape{}));
+    EXPECT_NEAR(tipContactHeight(surface, -9.0_nm, 50.0_nm, kTipRadius), 12.0_nm, 1e-20);
+    EXPECT_NEAR(tipContactHeight(surface, 1.0_um, 50.0_nm, kTipRadius), kTipRadius, 1e-20);
 }
 
 TEST(TipContactHeight, RefusesWhatIsNoTipOrNoPlace) {
-    const BSplineSurface surface = fitSurface(sampledMap(kScan, Shape{}));
-    constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+    const BSplineSurface surface = fitSurface(sampledMap(kWideScan, Shape{}));
     EXPECT_THROW((void)tipContactHeight(surface, 0.0, 0.0, 0.0), Error);
     EXPECT_THROW((void)tipContactHeight(surface, 0.0, 0.0, kNan), Error);
-    EXPECT_THROW((void)tipContactHeight(surface, kNan, 0.0, kTip), Error);
+    EXPECT_THROW((void)tipContactHeight(surface, kNan, 0.0, kTipRadius), Error);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include "core/Units.h"
 #include "core/surface/fit/BSplineFit.h"
 #include "core/surface/synthetic/SyntheticSurface.h"
+#include "tests/core/surface/deformation/WideScan.h"
 
 #include <gtest/gtest.h>
 
@@ -15,14 +16,16 @@
 namespace asperity {
 namespace {
 
-constexpr double kSize = 200.0_nm;
-constexpr ScanSize kScan{.columns = 100, .rows = 80, .sizeX = kSize, .sizeY = kSize};
+using test::kWideScan;
+using test::kWideSize;
 
 /// A plane through 0 at the scan's center.
-struct Slope {
+struct CenteredSlope {
     double slope = 0.0;
 
-    [[nodiscard]] double height(double x, double /*y*/) const { return slope * (x - 0.5 * kSize); }
+    [[nodiscard]] double height(double x, double /*y*/) const {
+        return slope * (x - 0.5 * kWideSize);
+    }
 };
 
 TEST(HighestPlace, IsTheTopOfAHillBetweenPixels) {
@@ -31,7 +34,7 @@ TEST(HighestPlace, IsTheTopOfAHillBetweenPixels) {
                        .periodY = 160.0_nm,
                        .phaseX = 0.1,
                        .phaseY = -0.2};
-    const SurfacePlace top = highestPlace(fitSurface(sampledMap(kScan, shape)), 0.1);
+    const SurfacePlace top = highestPlace(fitSurface(sampledMap(kWideScan, shape)), 0.1);
     const double k = 2.0 * M_PI / 160.0_nm;
     const bool first = top.x < 80.0_nm;  // two equal tops lie in the scan
     EXPECT_NEAR(top.x, ((first ? 0.5 : 1.5) * M_PI - 0.1) / k, 0.01_nm);
@@ -40,11 +43,11 @@ TEST(HighestPlace, IsTheTopOfAHillBetweenPixels) {
 }
 
 TEST(HighestPlace, KeepsTheMarginToTheEdges) {
-    const BSplineSurface surface = fitSurface(sampledMap(kScan, Slope{.slope = 0.5}));
-    EXPECT_NEAR(highestPlace(surface, 0.1).x, 0.9 * kSize, 1e-20);
-    EXPECT_NEAR(highestPlace(surface, 0.0).x, kSize, 1e-20);
+    const BSplineSurface surface = fitSurface(sampledMap(kWideScan, CenteredSlope{.slope = 0.5}));
+    EXPECT_NEAR(highestPlace(surface, 0.1).x, 0.9 * kWideSize, 1e-20);
+    EXPECT_NEAR(highestPlace(surface, 0.0).x, kWideSize, 1e-20);
     const SurfacePlace middle = highestPlace(surface, 0.5);
-    EXPECT_NEAR(middle.x, 0.5 * kSize, 1e-20);
+    EXPECT_NEAR(middle.x, 0.5 * kWideSize, 1e-20);
     EXPECT_THROW((void)highestPlace(surface, 0.6), Error);
     EXPECT_THROW((void)highestPlace(surface, -0.1), Error);
 }
@@ -77,8 +80,8 @@ TEST(HighestPlace, HoldsData) {
 }
 
 TEST(HighestPlace, IsDefinedOnALevelSurface) {
-    const SurfacePlace place = highestPlace(fitSurface(flatMap(kScan)), 0.1);
-    EXPECT_TRUE(place.x > 0.0 && place.x < kSize);
+    const SurfacePlace place = highestPlace(fitSurface(flatMap(kWideScan)), 0.1);
+    EXPECT_TRUE(place.x > 0.0 && place.x < kWideSize);
     const BSplineSurface pixel =
         fitSurface(flatMap({.columns = 1, .rows = 1, .sizeX = 1.0_nm, .sizeY = 1.0_nm}));
     EXPECT_NEAR(highestPlace(pixel, 0.5).x, 0.5_nm, 1e-22);

@@ -6,6 +6,7 @@
 #include "core/surface/deformation/DisplacementField.h"
 #include "core/surface/fit/BSplineFit.h"
 #include "core/surface/synthetic/SyntheticSurface.h"
+#include "tests/core/surface/TestTip.h"
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
@@ -19,23 +20,26 @@
 namespace asperity {
 namespace {
 
-constexpr ScanSize kScan{.columns = 60, .rows = 48, .sizeX = 120.0_nm, .sizeY = 120.0_nm};
+using test::kTipRadius;
+
+constexpr ScanSize kPatchScan{.columns = 60, .rows = 48, .sizeX = 120.0_nm, .sizeY = 120.0_nm};
 constexpr PatchGrid kGrid{.halfWidth = 12.0_nm, .samples = 97};
-constexpr double kTip = 15.0_nm;
 
 constexpr std::array kModels{DeformationModel::FourPoint, DeformationModel::ContactRadius,
                              DeformationModel::ClosedForm};
 
-struct Slope {
+struct ObliqueSlope {
     double slope = 0.0;
     [[nodiscard]] double height(double x, double y) const { return slope * (x - 0.3 * y); }
 };
 
-BSplineSurface plane(double slope = 0.0) { return fitSurface(sampledMap(kScan, Slope{slope})); }
+BSplineSurface plane(double slope = 0.0) {
+    return fitSurface(sampledMap(kPatchScan, ObliqueSlope{slope}));
+}
 
 BSplineSurface eggBox() {
-    return fitSurface(
-        sampledMap(kScan, EggBox{.amplitude = 5.0_nm, .periodX = 60.0_nm, .periodY = 40.0_nm}));
+    return fitSurface(sampledMap(
+        kPatchScan, EggBox{.amplitude = 5.0_nm, .periodX = 60.0_nm, .periodY = 40.0_nm}));
 }
 
 /// The tip pushed into the surface by `indentation` at the closest point below (x, y).
@@ -45,8 +49,8 @@ TipContact contactAt(const BSplineSurface& surface, double x, double y, double i
     TipContact contact;
     contact.closest = Vector3(x, y, s.height);
     contact.normal = s.normal();
-    contact.tipCenter = contact.closest + (kTip - indentation) * contact.normal;
-    contact.tipRadius = kTip;
+    contact.tipCenter = contact.closest + (kTipRadius - indentation) * contact.normal;
+    contact.tipRadius = kTipRadius;
     contact.contactRadius = contactRadius;
     contact.indentation = indentation;
     return contact;
@@ -114,13 +118,13 @@ void expectOnTip(const SurfacePatch& patch, const TipContact& contact) {
     int inside = 0;
     const double spacing = contact.contactRadius / 8.0;
     // A control net on a sphere holds a surface that lies off it by spacing^2 / (3 R).
-    const double resolution = spacing * spacing / (3.0 * kTip) * 1.1;
+    const double resolution = spacing * spacing / (3.0 * kTipRadius) * 1.1;
     for (const Vector3& point : patch.points) {
         if (fromAxis(contact, point) > contact.contactRadius - 2.5 * spacing) {
             continue;
         }
         ++inside;
-        ASSERT_NEAR((point - contact.tipCenter).norm(), kTip, resolution);
+        ASSERT_NEAR((point - contact.tipCenter).norm(), kTipRadius, resolution);
         ASSERT_LT((point - contact.tipCenter).dot(contact.normal), 0.0);
     }
     EXPECT_GT(inside, 20);

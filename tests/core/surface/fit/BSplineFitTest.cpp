@@ -6,7 +6,6 @@
 #include "core/surface/fit/GaussianFilter.h"
 #include "core/surface/fit/SeparableFit.h"
 #include "core/surface/synthetic/SyntheticSurface.h"
-#include "tests/support/FloatingPointTraps.h"
 #include "tests/support/ProgressRecorder.h"
 #include "tests/support/ScanMaps.h"
 #include "tests/support/StorageError.h"
@@ -19,8 +18,6 @@
 
 namespace asperity {
 namespace {
-
-ASPERITY_TRAP_FLOATING_POINT();
 
 HeightMap roughMap(int columns, int rows) {
     HeightMap map = flatMap(

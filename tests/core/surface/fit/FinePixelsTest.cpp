@@ -2,7 +2,6 @@
 #include "core/surface/fit/BSplineFit.h"
 #include "core/surface/leveling/Leveling.h"
 #include "core/surface/synthetic/SyntheticSurface.h"
-#include "tests/support/FloatingPointTraps.h"
 #include "tests/support/ScanMaps.h"
 
 #include <gtest/gtest.h>
@@ -15,19 +14,22 @@
 namespace asperity {
 namespace {
 
-ASPERITY_TRAP_FLOATING_POINT();
-
-constexpr double kSize = 51.2_nm;
+constexpr double kHillsSize = 51.2_nm;
 
 /// Hills whose period is the whole scan: their curvature is 7.5e7 1/m at most along an axis.
-EggBox hills() {
-    return {.amplitude = 5.0_nm, .periodX = kSize, .periodY = kSize, .phaseX = 0.3, .phaseY = 0.5};
+EggBox scanWideHills() {
+    return {.amplitude = 5.0_nm,
+            .periodX = kHillsSize,
+            .periodY = kHillsSize,
+            .phaseX = 0.3,
+            .phaseY = 0.5};
 }
 
 /// The hills, far from zero as the heights of a file are.
 HeightMap mapOf(int pixels, double offset) {
     HeightMap map =
-        sampledMap({.columns = pixels, .rows = pixels, .sizeX = kSize, .sizeY = kSize}, hills());
+        sampledMap({.columns = pixels, .rows = pixels, .sizeX = kHillsSize, .sizeY = kHillsSize},
+                   scanWideHills());
     for (double& height : map.heights) {
         height += offset;
     }
@@ -39,11 +41,11 @@ double curvatureError(const BSplineSurface& surface) {
     constexpr int kPlaces = 157;
     double worst = 0.0;
     for (int i = 0; i < kPlaces; ++i) {
-        const double x = kSize * (0.25 + 0.5 * i / kPlaces);
+        const double x = kHillsSize * (0.25 + 0.5 * i / kPlaces);
         for (int j = 0; j < kPlaces; ++j) {
-            const double y = kSize * (0.25 + 0.5 * j / kPlaces);
+            const double y = kHillsSize * (0.25 + 0.5 * j / kPlaces);
             const HeightSample found = surface.at(x, y);
-            const HeightSample exact = hills().at(x, y);
+            const HeightSample exact = scanWideHills().at(x, y);
             worst = std::max({worst, std::abs(found.dxx - exact.dxx),
                               std::abs(found.dxy - exact.dxy), std::abs(found.dyy - exact.dyy)});
         }

@@ -3,6 +3,7 @@
 #include "core/Error.h"
 #include "core/Units.h"
 #include "core/surface/synthetic/SyntheticSurface.h"
+#include "tests/support/DoubleLimits.h"
 #include "tests/support/ProgressRecorder.h"
 #include "tests/support/ScanMaps.h"
 
@@ -16,7 +17,7 @@
 namespace asperity {
 namespace {
 
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+using test::kNan;
 
 HeightMap plane(int columns, int rows) {
     HeightMap map = flatMap({.columns = columns, .rows = rows, .sizeX = 1.0_um, .sizeY = 1.0_um});

@@ -1,14 +1,13 @@
 #pragma once
 
 #include "core/surface/HeightMap.h"
+#include "tests/support/DoubleLimits.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 namespace asperity::test {
-
-inline constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
 /// R - sqrt(R^2 - d^2), infinite beyond the tip.
 inline double riseOf(const HeightMap& map, int rows, int columns, double tip) {

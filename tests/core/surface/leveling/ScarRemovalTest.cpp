@@ -4,7 +4,6 @@
 #include "core/Units.h"
 #include "core/surface/leveling/Leveling.h"
 #include "core/surface/synthetic/SyntheticSurface.h"
-#include "tests/support/FloatingPointTraps.h"
 #include "tests/support/ScanMaps.h"
 
 #include <gtest/gtest.h>
@@ -15,10 +14,8 @@
 namespace asperity {
 namespace {
 
-ASPERITY_TRAP_FLOATING_POINT();
-
 /// Gentle hills, straight along y, so that interpolation between rows is exact.
-HeightMap hills() {
+HeightMap gentleHills() {
     HeightMap map = flatMap({.columns = 64, .rows = 40, .sizeX = 640.0_nm, .sizeY = 400.0_nm});
     for (int row = 0; row < map.rows; ++row) {
         for (int column = 0; column < map.columns; ++column) {
@@ -51,7 +48,7 @@ std::ptrdiff_t scarsIn(const HeightMap& map) { return std::ranges::count(scarsOf
 
 TEST(ScarRemoval, MarksAndInterpolatesScarsOfBothSigns) {
     HeightMap map =
-        scarred(hills(), {.top = 7, .width = 1, .left = 5, .length = 30, .height = 9.0_nm});
+        scarred(gentleHills(), {.top = 7, .width = 1, .left = 5, .length = 30, .height = 9.0_nm});
     map = scarred(map, {.top = 20, .width = 4, .left = 40, .length = 20, .height = -8.0_nm});
     const LeveledMap<HeightMap> level = leveledInSteps(map, {LevelingStep::Scars});
     EXPECT_EQ(level.removed.front().pixels, 30U + 80U);
@@ -60,21 +57,23 @@ TEST(ScarRemoval, MarksAndInterpolatesScarsOfBothSigns) {
             const bool isScar = (row == 7 && column >= 5 && column < 35) ||
                                 (row >= 20 && row < 24 && column >= 40 && column < 60);
             ASSERT_EQ(level.map.isValid(row, column), !isScar) << row << ' ' << column;
-            ASSERT_NEAR(level.map.at(row, column), hills().at(row, column), 1e-21);
+            ASSERT_NEAR(level.map.at(row, column), gentleHills().at(row, column), 1e-21);
         }
     }
 }
 
 TEST(ScarRemoval, LeavesWhatIsTooShortTooWideOrTooFaint) {
-    EXPECT_EQ(scarsIn(hills()), 0);
-    EXPECT_EQ(scarsIn(scarred(hills(), {.top = 7, .left = 5, .length = 15, .height = 9.0_nm})), 0);
-    EXPECT_EQ(scarsIn(scarred(hills(), {.top = 7, .left = 5, .length = 16, .height = 9.0_nm})), 16);
-    EXPECT_EQ(scarsIn(scarred(hills(),
+    EXPECT_EQ(scarsIn(gentleHills()), 0);
+    EXPECT_EQ(
+        scarsIn(scarred(gentleHills(), {.top = 7, .left = 5, .length = 15, .height = 9.0_nm})), 0);
+    EXPECT_EQ(
+        scarsIn(scarred(gentleHills(), {.top = 7, .left = 5, .length = 16, .height = 9.0_nm})), 16);
+    EXPECT_EQ(scarsIn(scarred(gentleHills(),
                               {.top = 7, .width = 5, .left = 5, .length = 30, .height = 9.0_nm})),
               0);
     // Beside a large one, which sets the root mean square, 0.6 of it is not enough.
     const HeightMap large =
-        scarred(hills(), {.top = 30, .left = 0, .length = 60, .height = 90.0_nm});
+        scarred(gentleHills(), {.top = 30, .left = 0, .length = 60, .height = 90.0_nm});
     const double rms = 90.0_nm * std::sqrt(2.0 * 60.0 / (64.0 * 40.0));
     EXPECT_EQ(scarsIn(scarred(large, {.top = 7, .left = 5, .length = 30, .height = 0.6 * rms})),
               60);
@@ -85,7 +84,7 @@ TEST(ScarRemoval, LeavesWhatIsTooShortTooWideOrTooFaint) {
 /// Beyond the hard threshold at one pixel, the soft one elsewhere.
 TEST(ScarRemoval, SpreadsOverWhatStandsOutByTheSoftThreshold) {
     const HeightMap large =
-        scarred(hills(), {.top = 30, .left = 0, .length = 60, .height = 90.0_nm});
+        scarred(gentleHills(), {.top = 30, .left = 0, .length = 60, .height = 90.0_nm});
     const double rms = 90.0_nm * std::sqrt(2.0 * 60.0 / (64.0 * 40.0));
     HeightMap map = scarred(large, {.top = 7, .left = 5, .length = 30, .height = 0.4 * rms});
     EXPECT_EQ(scarsIn(map), 60);
@@ -94,16 +93,20 @@ TEST(ScarRemoval, SpreadsOverWhatStandsOutByTheSoftThreshold) {
 }
 
 TEST(ScarRemoval, FindsScarsBesideTheLastRowButNotOnTheEdges) {
-    EXPECT_EQ(scarsIn(scarred(hills(), {.top = 38, .left = 5, .length = 20, .height = 9.0_nm})),
-              20);
-    EXPECT_EQ(scarsIn(scarred(hills(), {.top = 1, .left = 44, .length = 20, .height = 9.0_nm})),
-              20);
-    EXPECT_EQ(scarsIn(scarred(hills(), {.top = 0, .left = 5, .length = 20, .height = 9.0_nm})), 0);
-    EXPECT_EQ(scarsIn(scarred(hills(), {.top = 39, .left = 5, .length = 20, .height = 9.0_nm})), 0);
+    EXPECT_EQ(
+        scarsIn(scarred(gentleHills(), {.top = 38, .left = 5, .length = 20, .height = 9.0_nm})),
+        20);
+    EXPECT_EQ(
+        scarsIn(scarred(gentleHills(), {.top = 1, .left = 44, .length = 20, .height = 9.0_nm})),
+        20);
+    EXPECT_EQ(
+        scarsIn(scarred(gentleHills(), {.top = 0, .left = 5, .length = 20, .height = 9.0_nm})), 0);
+    EXPECT_EQ(
+        scarsIn(scarred(gentleHills(), {.top = 39, .left = 5, .length = 20, .height = 9.0_nm})), 0);
 }
 
 TEST(ScarRemoval, TakesNoPixelWithoutDataForAScarOrAnEdge) {
-    HeightMap map = scarred(hills(), {.top = 7, .left = 5, .length = 40, .height = 9.0_nm});
+    HeightMap map = scarred(gentleHills(), {.top = 7, .left = 5, .length = 40, .height = 9.0_nm});
     map.heights[map.index(6, 10)] = std::numeric_limits<double>::quiet_NaN();
     map.invalid.assign(map.heights.size(), false);
     map.invalid[map.index(7, 30)] = true;
@@ -115,8 +118,8 @@ TEST(ScarRemoval, TakesNoPixelWithoutDataForAScarOrAnEdge) {
 }
 
 TEST(ScarRemoval, OfSinglePrecisionFindsTheSamePixels) {
-    const HeightMap map =
-        scarred(hills(), {.top = 20, .width = 4, .left = 40, .length = 20, .height = -8.0_nm});
+    const HeightMap map = scarred(
+        gentleHills(), {.top = 20, .width = 4, .left = 40, .length = 20, .height = -8.0_nm});
     EXPECT_EQ(scarsOf(test::singlePrecision(map)), scarsOf(map));
 }
 
@@ -128,7 +131,7 @@ TEST(ScarRemoval, OfFewRowsFindsNone) {
 
 /// What comes after moves the filled heights along with their neighbors, and does not count them.
 TEST(ScarRemoval, FilledPixelsTakeNoPartInLaterSteps) {
-    HeightMap map = scarred(hills(), {.top = 7, .left = 5, .length = 30, .height = 9.0_nm});
+    HeightMap map = scarred(gentleHills(), {.top = 7, .left = 5, .length = 30, .height = 9.0_nm});
     const HeightMap level = leveled(map, {LevelingStep::Scars, LevelingStep::Plane});
     EXPECT_NEAR(level.at(7, 20), 0.5 * (level.at(6, 20) + level.at(8, 20)), 1e-21);
     map.invalid.assign(map.heights.size(), false);

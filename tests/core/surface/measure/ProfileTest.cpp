@@ -4,7 +4,6 @@
 #include "core/Units.h"
 #include "core/surface/fit/BSplineFit.h"
 #include "core/surface/synthetic/SyntheticSurface.h"
-#include "tests/support/FloatingPointTraps.h"
 
 #include <gtest/gtest.h>
 
@@ -13,8 +12,6 @@
 
 namespace asperity {
 namespace {
-
-ASPERITY_TRAP_FLOATING_POINT();
 
 /// z = 0.5 x - 0.25 y at the pixel centers.
 HeightMap slope() {

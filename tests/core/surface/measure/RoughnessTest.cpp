@@ -4,7 +4,6 @@
 #include "core/Units.h"
 #include "core/surface/fit/BSplineFit.h"
 #include "core/surface/synthetic/SyntheticSurface.h"
-#include "tests/support/FloatingPointTraps.h"
 #include "tests/support/ScanMaps.h"
 
 #include <gtest/gtest.h>
@@ -15,8 +14,6 @@
 
 namespace asperity {
 namespace {
-
-ASPERITY_TRAP_FLOATING_POINT();
 
 constexpr double kPi = std::numbers::pi;
 constexpr double kAmplitude = 30e-9;  // [m]

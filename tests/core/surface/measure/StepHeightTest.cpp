@@ -2,7 +2,6 @@
 
 #include "core/Units.h"
 #include "core/surface/synthetic/SyntheticSurface.h"
-#include "tests/support/FloatingPointTraps.h"
 
 #include <gtest/gtest.h>
 
@@ -12,12 +11,10 @@
 namespace asperity {
 namespace {
 
-ASPERITY_TRAP_FLOATING_POINT();
-
 constexpr double kDepth = 23.7_nm;
 
 /// Ridges of 200 nm and grooves of 160 nm with flanks of 20 nm, 5 nm a pixel.
-HeightMap grating() {
+HeightMap uprightGrating() {
     return sampledMap(
         {.columns = 512, .rows = 8, .sizeX = 2560.0_nm, .sizeY = 40.0_nm},
         TrapezoidGrating{
@@ -31,7 +28,7 @@ Profile across(const HeightMap& map, int samples) {
 
 TEST(StepHeight, BetweenTwoStretchesOfAGratingIsItsDepth) {
     const auto step =
-        stepHeight(across(grating(), 1001), {240.0_nm, 360.0_nm}, {180.0_nm, 20.0_nm});
+        stepHeight(across(uprightGrating(), 1001), {240.0_nm, 360.0_nm}, {180.0_nm, 20.0_nm});
     ASSERT_TRUE(step);
     EXPECT_NEAR(step->height, kDepth, 1e-12 * kDepth);
     EXPECT_NEAR(step->deviation, 0.0, 1e-12 * kDepth);
@@ -39,7 +36,7 @@ TEST(StepHeight, BetweenTwoStretchesOfAGratingIsItsDepth) {
 
 TEST(StepHeight, OfAWholeGratingIsItsDepth) {
     for (const int samples : {300, 512, 1001, 5000}) {
-        const auto step = gratingHeight(across(grating(), samples));
+        const auto step = gratingHeight(across(uprightGrating(), samples));
         ASSERT_TRUE(step) << samples;
         EXPECT_NEAR(step->height, kDepth, 1e-12 * kDepth) << samples;
         EXPECT_NEAR(step->deviation, 0.0, 1e-12 * kDepth) << samples;
@@ -51,7 +48,7 @@ TEST(StepHeight, OfAWholeGratingIsItsDepth) {
 TEST(StepHeight, ProfileOfAGratingIsExact) {
     const TrapezoidGrating shape{
         .pitch = 400.0_nm, .depth = kDepth, .topWidth = 200.0_nm, .flankWidth = 20.0_nm};
-    const HeightMap map = grating();
+    const HeightMap map = uprightGrating();
     const Profile profile =
         profileOf([&map](double x, double y) { return bilinearHeight(map, x, y); },
                   Vector2(2.5_nm, 12.5_nm), Vector2(2557.5_nm, 12.5_nm), 512);
@@ -62,7 +59,7 @@ TEST(StepHeight, ProfileOfAGratingIsExact) {
 }
 
 TEST(StepHeight, OfAWholeGratingLeavesOutATilt) {
-    HeightMap map = grating();
+    HeightMap map = uprightGrating();
     for (int row = 0; row < map.rows; ++row) {
         for (int column = 0; column < map.columns; ++column) {
             map.heights[map.index(row, column)] += 1.0_um + 0.002 * column * map.pitchX;

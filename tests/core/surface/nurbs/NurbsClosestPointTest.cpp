@@ -7,18 +7,24 @@
 #include "core/surface/nurbs/NurbsDescent.h"
 #include "core/surface/nurbs/NurbsShapes.h"
 #include "core/surface/synthetic/SyntheticSurface.h"
+#include "tests/core/surface/nurbs/TiltedFrame.h"
 #include "tests/core/surface/nurbs/UnevenNet.h"
+#include "tests/support/DoubleLimits.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <numeric>
 #include <vector>
 
 namespace asperity {
 namespace {
+
+using test::kFrame;
+using test::kInfinity;
+using test::kNan;
+using test::kRadius;
 
 /// Knots of a uniform cubic with so many control points, none repeated.
 std::vector<double> uniformKnots(int controls) {
@@ -45,11 +51,6 @@ NurbsSurface heightFieldSurface(const BSplineSurface& field) {
     }
     return NurbsSurface(net);
 }
-
-constexpr double kRadius = 200.0_nm;
-const RevolutionFrame kFrame{.center = Vector3(100.0_nm, -50.0_nm, 200.0_nm),
-                             .first = -Vector3::UnitZ(),
-                             .second = -Vector3::UnitX()};
 
 Vector3 onUnitSphere(Random& random) {
     return Vector3(random.normal(), random.normal(), random.normal()).normalized();
@@ -222,9 +223,7 @@ TEST(NurbsClosestPoint, FarAwayIsStillTheNearestPoint) {
 
 TEST(NurbsClosestPoint, OfNoPointIsMeaningless) {
     const NurbsSurface sphere = sphereSurface(kFrame, kRadius);
-    constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-    constexpr double kInfinity = std::numeric_limits<double>::infinity();
-    for (const double value : {kNaN, kInfinity, -kInfinity, 1e60}) {
+    for (const double value : {kNan, kInfinity, -kInfinity, 1e60}) {
         const NurbsClosestPoints points = nearestPoints(sphere, Vector3(0.0, value, 0.0), {});
         EXPECT_EQ(points.proof(), SearchProof::NotConverged);
         EXPECT_FALSE(points.nearest().closest.certified());

@@ -3,22 +3,22 @@
 #include "core/Error.h"
 #include "core/Units.h"
 #include "core/surface/nurbs/NurbsShapes.h"
+#include "tests/core/surface/nurbs/TiltedFrame.h"
 #include "tests/core/surface/nurbs/UnevenNet.h"
+#include "tests/support/DoubleLimits.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <functional>
-#include <limits>
 #include <string>
 
 namespace asperity {
 namespace {
 
-constexpr double kRadius = 200.0_nm;
-const RevolutionFrame kFrame{.center = Vector3(100.0_nm, -50.0_nm, 200.0_nm),
-                             .first = -Vector3::UnitZ(),
-                             .second = -Vector3::UnitX()};
+using test::kFrame;
+using test::kNan;
+using test::kRadius;
 
 /// With uneven weights, too.
 NurbsSurface::Net unevenNet() {
@@ -170,7 +170,6 @@ std::string refusalOf(const std::function<void(NurbsSurface::Net&)>& spoil) {
 }
 
 TEST(NurbsSurface, RefusesWhatIsNoSurfaceInOneSentence) {
-    constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
     using Net = NurbsSurface::Net;
     EXPECT_EQ(refusalOf([](Net&) {}), "");
     EXPECT_EQ(refusalOf([](Net& net) { net.degreeU = 0; }),
@@ -181,7 +180,7 @@ TEST(NurbsSurface, RefusesWhatIsNoSurfaceInOneSentence) {
               "a NURBS surface must have knots along u that are at least twice the degree and two");
     EXPECT_EQ(refusalOf([](Net& net) { net.knotsV[3] = 0.5; }),
               "a NURBS surface must have knots along v that never fall");
-    EXPECT_EQ(refusalOf([](Net& net) { net.knotsV[3] = kNaN; }),
+    EXPECT_EQ(refusalOf([](Net& net) { net.knotsV[3] = kNan; }),
               "a NURBS surface must have knots along v that are finite numbers");
     EXPECT_EQ(refusalOf([](Net& net) { net.knotsV.assign(8, 1.0); }),
               "a NURBS surface must have knots along v that span a length");
@@ -189,7 +188,7 @@ TEST(NurbsSurface, RefusesWhatIsNoSurfaceInOneSentence) {
               "a NURBS surface must have 35 control points for its knots, not 34");
     EXPECT_EQ(refusalOf([](Net& net) { net.weights.pop_back(); }),
               "a NURBS surface must have one weight a control point, or none");
-    EXPECT_EQ(refusalOf([](Net& net) { net.points[7].y() = kNaN; }),
+    EXPECT_EQ(refusalOf([](Net& net) { net.points[7].y() = kNan; }),
               "a NURBS surface must have control points within 1e9 m of the origin");
     EXPECT_EQ(refusalOf([](Net& net) { net.weights[7] = 0.0; }),
               "a NURBS surface must have weights that are positive numbers");
