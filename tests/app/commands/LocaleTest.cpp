@@ -14,8 +14,6 @@ namespace fs = std::filesystem;
 /// Commands of a user whose language has a decimal comma.
 class LocaleTest : public ::testing::Test {
 protected:
-    void SetUp() override { ASPERITY_NEEDS_GERMAN(german_); }
-
     [[nodiscard]] test::ProgramRun inGerman(const std::string& arguments) const {
         return test::runProgram(arguments, german_.environment());
     }

@@ -8,9 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
 #include <cctype>
-#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -18,26 +16,12 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
-#include <sys/wait.h>
 #include <vector>
 
 namespace asperity {
 namespace {
 
 using test::ReportedPage;
-
-/// What another program prints, and how it ends; 127: it is not installed.
-test::ProgramRun runOther(const std::string& command) {
-    test::ProgramRun run;
-    std::FILE* pipe = popen((command + " 2>&1").c_str(), "r");  // NOLINT(cert-env33-c): the test
-    std::array<char, 4096> buffer{};
-    while (std::fgets(buffer.data(), static_cast<int>(buffer.size()), pipe) != nullptr) {
-        run.output += buffer.data();
-    }
-    const int status = pclose(pipe);
-    run.exitCode = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-    return run;
-}
 
 /// Runs that all tests share: five touches of a particle, none, and one of a shape.
 class Report : public ::testing::Test {
@@ -354,10 +338,7 @@ TEST_F(Report, IsTheSameForTheSameRun) {
 TEST_F(Report, SaysTheSameInBothForms) {
     const ReportedPage page = pageOf(touches());
     const std::string pdf = (out / "touches.pdf").string();
-    const auto text = runOther("pdftotext -layout " + pdf + " -");
-    if (text.exitCode == 127) {
-        GTEST_SKIP() << "SKIPPED: pdftotext is missing (Debian package poppler-utils)";
-    }
+    const auto text = test::runCommand("pdftotext -layout " + pdf + " -");
     ASSERT_EQ(text.exitCode, 0) << text.output;
     std::vector<std::string> parts = page.column("pull-off force");
     for (const char* title : {"max. force", "work of adhesion", "Ticks", "Effect"}) {
@@ -375,10 +356,10 @@ TEST_F(Report, SaysTheSameInBothForms) {
     for (const std::string& part : parts) {
         EXPECT_NE(shown.find(part), std::string::npos) << part;
     }
-    const auto facts = runOther("pdfinfo " + pdf);
+    const auto facts = test::runCommand("pdfinfo " + pdf);
     EXPECT_NE(facts.output.find("(A4)"), std::string::npos) << facts.output;
     EXPECT_NE(facts.output.find("Run touches"), std::string::npos) << facts.output;
-    const auto fonts = runOther("pdffonts " + pdf);
+    const auto fonts = test::runCommand("pdffonts " + pdf);
     EXPECT_NE(fonts.output.find("DejaVuSans"), std::string::npos) << fonts.output;
     EXPECT_EQ(fonts.output.find(" no  no "), std::string::npos) << "a font is not embedded";
 }
@@ -386,11 +367,8 @@ TEST_F(Report, SaysTheSameInBothForms) {
 TEST_F(Report, IsHtmlForAnotherReader) {
     (void)pageOf(touches());
     const auto read =
-        runOther("python3 " + (test::checkout() / "tests/app/html_page.py ").string() +
-                 (out / "touches.html").string());
-    if (read.exitCode == 127) {
-        GTEST_SKIP() << "SKIPPED: python3 is missing";
-    }
+        test::runCommand("python3 " + (test::checkout() / "tests/app/html_page.py ").string() +
+                         (out / "touches.html").string());
     EXPECT_EQ(read.exitCode, 0) << read.output;
 }
 

@@ -1,7 +1,7 @@
 #include "app/exports/PictureFile.h"
 
 #include "core/Error.h"
-#include "tests/app/exports/OtherProgram.h"
+#include "tests/app/exports/ReadPicture.h"
 #include "tests/support/FileSizeLimit.h"
 #include "tests/support/ScratchFolder.h"
 
@@ -19,14 +19,6 @@ RasterImage smallImage(std::uint8_t alpha) {
                                                 4,   5, 6,   255, 200, 100, 50, alpha}};
 }
 
-/// Pixels as ImageMagick reads them: a line each, "x,y: (r,g,b,a)".
-std::string pixelsOf(const std::filesystem::path& path) {
-    return test::outputOf("convert " + path.string() + " -depth 8 rgba:- | od -An -v -tu1 -w12");
-}
-
-constexpr const char* kPixels = " 255   0   0 255   0 255   0 255   0   0 255 255\n"
-                                "   1   2   3 255   4   5   6 255 200 100  50 255\n";
-
 class PictureFile : public ::testing::TestWithParam<ExportFormat> {
 protected:
     [[nodiscard]] std::filesystem::path path() const {
@@ -37,21 +29,19 @@ protected:
 
 TEST_P(PictureFile, HoldsPixelsAndResolution) {
     writePicture(path(), smallImage(255), GetParam(), 300.0);
-    EXPECT_EQ(test::outputOf("identify -units PixelsPerInch -format '%w %h %[channels]' " +
-                             path().string())
-                  .substr(0, 8),
-              "3 2 srgb");
-    const double resolution =
-        std::stod(test::outputOf("identify -units PixelsPerInch -format '%x' " + path().string()));
-    EXPECT_NEAR(resolution, 300.0, 0.02);
-    EXPECT_EQ(pixelsOf(path()), kPixels);
+    const test::ReadPicture picture = test::readPicture(path());
+    EXPECT_EQ(picture.width, 3);
+    EXPECT_EQ(picture.height, 2);
+    EXPECT_EQ(picture.channels, 3);
+    EXPECT_NEAR(picture.dpi, 300.0, 0.02);
+    EXPECT_EQ(picture.pixels, smallImage(255).pixels);
 }
 
 TEST_P(PictureFile, KeepsAlphaUnmultiplied) {
     writePicture(path(), smallImage(128), GetParam(), 96.0);
-    std::string expected = kPixels;
-    expected.replace(expected.rfind("255"), 3, "128");
-    EXPECT_EQ(pixelsOf(path()), expected);
+    const test::ReadPicture picture = test::readPicture(path());
+    EXPECT_EQ(picture.channels, 4);
+    EXPECT_EQ(picture.pixels, smallImage(128).pixels);
 }
 
 TEST_P(PictureFile, LeavesNothingWhereItCannotBeWritten) {

@@ -5,14 +5,12 @@ and goes on later to the same bytes. Usage: mpi_map.py ASPERITY SCENE"""
 
 import os
 import pathlib
-import shutil
 import signal
 import subprocess
 import sys
 import tempfile
 import time
 
-SKIPPED = 77  # as CTest is told
 GRID = "64x64"
 ENVIRONMENT = os.environ | {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"}
 
@@ -86,9 +84,6 @@ def check_refused(program, scene, folder):
 
 def main():
     program, scene = sys.argv[1:3]
-    if shutil.which("mpirun") is None:
-        print("no mpirun: install openmpi-bin (tools/packages.txt has it)")
-        return SKIPPED
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
         alone = folder / "alone.gwy"
@@ -100,8 +95,7 @@ def main():
         check_ended(program, scene, folder, whole, 1, interrupt)
         check_refused(program, scene, folder)
     print("1, 2, 3 and 8 ranks, in shared memory and over TCP: the same bytes")
-    return 0
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    main()

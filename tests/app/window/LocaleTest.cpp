@@ -19,7 +19,6 @@ std::string decimalComma(const std::string& text) {
 // Qt sets the user's locale when the window is made.
 TEST(WindowInGerman, WritesNumbersAsEverywhere) {
     const GermanLocale german;
-    ASPERITY_NEEDS_GERMAN(german);
     const ScratchFolder folder;
     const std::filesystem::path out = folder.file("run");
     const ProgramRun run = runProgram("loop " + shippedScene("polystyrene").string() +
