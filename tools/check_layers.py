@@ -119,16 +119,16 @@ RULES = {
     "app/program": "core/",
     "app/runs": "core/ app/program",
     "app/recording": "core/ app/program app/runs",
+    "app/loading": "core/ app/program app/runs app/recording",
     "app/reports/page": "core/ vtkplugins/pictures",
     "app/reports": f"{BELOW_APP} app/program app/runs",
-    "app/exports": f"{BELOW_APP} app/program app/runs app/reports app/recording",
-    "app/experiment": f"{BELOW_APP} app/program app/runs app/recording app/exports",
+    "app/exports": f"{BELOW_APP} app/program app/runs app/reports app/recording app/loading",
+    "app/experiment": f"{BELOW_APP} app/program app/runs app/recording app/loading app/exports",
     "app/maps": f"{BELOW_APP} app/program app/exports",
-    "app/session": f"{BELOW_APP} app/program app/runs app/reports app/recording app/exports"
-                   " app/experiment app/maps",
-    "app/commands": f"{BELOW_APP} app/program app/runs app/reports/ app/recording app/exports"
-                    " app/experiment app/maps"
-                    " app/session",
+    "app/session": f"{BELOW_APP} app/program app/runs app/reports app/recording app/loading"
+                   " app/exports app/experiment app/maps",
+    "app/commands": f"{BELOW_APP} app/program app/runs app/reports/ app/recording app/loading"
+                    " app/exports app/experiment app/maps app/session",
     "app/reports/run": f"{BELOW_APP} app/program app/runs app/reports app/reports/page",
     "app": PRODUCT,  # main
 }

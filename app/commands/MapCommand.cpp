@@ -3,6 +3,7 @@
 #include "app/commands/MapOptions.h"
 #include "app/commands/ProgressLine.h"
 #include "app/commands/VirtualDisplay.h"
+#include "app/loading/SceneLoader.h"
 #include "app/maps/ComparisonReport.h"
 #include "app/maps/ComparisonSheets.h"
 #include "app/maps/MapJob.h"

@@ -6,7 +6,7 @@
 #include "app/commands/OptionChecks.h"
 #include "app/commands/ProgressLine.h"
 #include "app/commands/ScaleOption.h"
-#include "app/program/LoadedScene.h"
+#include "app/loading/SceneLoader.h"
 #include "core/Version.h"
 #include "core/io/scene/SceneFile.h"
 #include "core/io/tables/CaseTable.h"

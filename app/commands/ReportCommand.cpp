@@ -4,6 +4,7 @@
 #include "app/commands/OptionChecks.h"
 #include "app/commands/ProgressLine.h"
 #include "app/commands/VirtualDisplay.h"
+#include "app/loading/SceneLoader.h"
 #include "app/program/CancelOnSignal.h"
 #include "app/recording/Bundle.h"
 #include "app/recording/Replay.h"

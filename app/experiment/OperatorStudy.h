@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/experiment/ExperimentFolder.h"
-#include "app/program/LoadedScene.h"
+#include "app/loading/SceneLoader.h"
 #include "core/Progress.h"
 
 #include <cstdint>

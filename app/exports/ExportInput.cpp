@@ -1,8 +1,9 @@
 #include "app/exports/ExportInput.h"
 
+#include "app/loading/RunWithScene.h"
+#include "app/loading/SceneLoader.h"
 #include "app/recording/Bundle.h"
 #include "app/recording/RunPlace.h"
-#include "app/recording/RunWithScene.h"
 #include "app/runs/LiveRun.h"
 
 #include <utility>

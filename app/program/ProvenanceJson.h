@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/io/heightmap/HeightMapFile.h"
+#include "core/surface/Provenance.h"
 
 #include <nlohmann/json.hpp>
 #include <vector>

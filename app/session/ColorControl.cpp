@@ -1,6 +1,6 @@
 #include "app/session/ColorControl.h"
 
-#include "app/program/SurfaceImages.h"
+#include "app/loading/SurfaceImages.h"
 #include "ui/window/ColorsMenu.h"
 #include "ui/window/MainWindow.h"
 #include "ui/window/WindowMenus.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/recording/ComparedRun.h"
+#include "app/loading/ComparedRun.h"
 #include "app/session/LongWork.h"
 #include "app/session/PlaybackControl.h"
 

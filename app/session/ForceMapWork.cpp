@@ -1,5 +1,6 @@
 #include "app/session/ForceMapWork.h"
 
+#include "app/loading/SceneLoader.h"
 #include "app/maps/MapRun.h"
 #include "core/AllowedCores.h"
 #include "core/map/MapRow.h"

@@ -1,5 +1,6 @@
 #include "app/session/ModelFitControl.h"
 
+#include "app/loading/SceneLoader.h"
 #include "app/session/RecordingControl.h"
 #include "ui/window/MainWindow.h"
 

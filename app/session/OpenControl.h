@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/program/ScanPreview.h"
+#include "app/loading/ScanPreview.h"
 #include "app/session/LongWork.h"
 #include "app/session/RecentFiles.h"
 #include "app/session/SceneControl.h"

@@ -1,9 +1,9 @@
 #include "app/session/PlaybackControl.h"
 
 #include "app/exports/RunMoment.h"
-#include "app/recording/ComparedRun.h"
+#include "app/loading/ComparedRun.h"
+#include "app/loading/RunWithScene.h"
 #include "app/recording/RunPlace.h"
-#include "app/recording/RunWithScene.h"
 #include "app/session/StayingRun.h"
 #include "ui/CoreWords.h"
 #include "ui/NumberText.h"

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/loading/SceneLoader.h"
 #include "app/session/RunControl.h"
 #include "app/session/ScaleControl.h"
 #include "app/session/SceneEdits.h"

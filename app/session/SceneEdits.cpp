@@ -1,5 +1,6 @@
 #include "app/session/SceneEdits.h"
 
+#include "app/loading/SceneLoader.h"
 #include "core/Error.h"
 #include "core/io/heightmap/MissingScale.h"
 #include "core/scene/BelievedModel.h"

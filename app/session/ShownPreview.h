@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/program/ScanPreview.h"
+#include "app/loading/ScanPreview.h"
 #include "ui/window/OpenPreview.h"
 
 namespace asperity {

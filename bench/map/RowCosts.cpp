@@ -1,8 +1,8 @@
 #include "bench/map/RowCosts.h"
 
+#include "app/loading/SceneLoader.h"
 #include "app/maps/MapFiles.h"
 #include "app/maps/MapJob.h"
-#include "app/program/LoadedScene.h"
 #include "bench/Hills.h"
 #include "core/io/heightmap/HeightMapWriter.h"
 #include "core/map/MapRow.h"

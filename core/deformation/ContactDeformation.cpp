@@ -1,6 +1,7 @@
 #include "core/deformation/ContactDeformation.h"
 
 #include "core/contact/displacement/SurfaceDisplacement.h"
+#include "core/deformation/HalfSpaceField.h"
 #include "core/deformation/RimRounding.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/deformation/HalfSpaceModel.h"
+#include "core/deformation/HalfSpaceAnswer.h"
 #include "core/deformation/RadialTable.h"
 #include "core/scene/Scene.h"
 #include "core/surface/deformation/DisplacementField.h"

@@ -2,7 +2,7 @@
 
 #include "core/contact/displacement/SurfaceProfile.h"
 #include "core/deformation/ContactDeformation.h"
-#include "core/deformation/HalfSpaceModel.h"
+#include "core/deformation/HalfSpaceAnswer.h"
 #include "core/scene/Scene.h"
 #include "core/surface/TangentFrame.h"
 

@@ -1,6 +1,8 @@
 #include "core/deformation/ContactPatch.h"
 
 #include "core/contact/displacement/SurfaceDisplacement.h"
+#include "core/deformation/HalfSpaceField.h"
+#include "core/deformation/HalfSpaceModel.h"
 
 namespace asperity {
 

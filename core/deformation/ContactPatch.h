@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/deformation/ContactDeformation.h"
-#include "core/deformation/HalfSpaceModel.h"
+#include "core/deformation/HalfSpaceAnswer.h"
 #include "core/probe/TipEquilibrium.h"
 #include "core/scene/Scene.h"
 #include "core/surface/deformation/SurfaceDeformation.h"

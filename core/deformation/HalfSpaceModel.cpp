@@ -1,7 +1,9 @@
 #include "core/deformation/HalfSpaceModel.h"
 
 #include "core/contact/displacement/SurfaceDisplacement.h"
+#include "core/deformation/HalfSpaceField.h"
 #include "core/deformation/HalfSpaceProblem.h"
+#include "core/surface/PixelField.h"
 
 #include <algorithm>
 #include <cmath>

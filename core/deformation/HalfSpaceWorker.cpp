@@ -1,5 +1,8 @@
 #include "core/deformation/HalfSpaceWorker.h"
 
+#include "core/deformation/HalfSpaceModel.h"
+#include "core/scene/Scene.h"
+
 #include <exception>
 #include <utility>
 

@@ -1,14 +1,17 @@
 #pragma once
 
-#include "core/deformation/HalfSpaceModel.h"
+#include "core/deformation/HalfSpaceAnswer.h"
 
 #include <condition_variable>
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <stop_token>
 #include <thread>
 
 namespace asperity {
+
+struct Scene;
 
 /// Solves the half-space for the newest state that it was asked about, on a thread of its own: who
 /// asks, once a frame, never waits for a solution. For one asking thread.

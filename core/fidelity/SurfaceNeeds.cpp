@@ -1,6 +1,7 @@
 #include "core/fidelity/SurfaceNeeds.h"
 
 #include "core/deformation/ContactPatch.h"
+#include "core/deformation/HalfSpaceModel.h"
 #include "core/fidelity/ModelRun.h"
 
 #include <algorithm>

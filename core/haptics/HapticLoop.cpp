@@ -1,6 +1,7 @@
 #include "core/haptics/HapticLoop.h"
 
 #include <algorithm>
+#include <boost/lockfree/spsc_queue.hpp>
 
 namespace asperity {
 
@@ -17,6 +18,10 @@ std::size_t ringSize(const Scene& scene) {
 
 }  // namespace
 
+struct HapticLoop::Ring : boost::lockfree::spsc_queue<TickSample> {
+    using spsc_queue::spsc_queue;
+};
+
 HapticLoop::HapticLoop(const Scene& scene, HapticDevice& device, AfmController& afm)
     : settings_(scene.settings)
     , scene_(scene)
@@ -24,7 +29,7 @@ HapticLoop::HapticLoop(const Scene& scene, HapticDevice& device, AfmController& 
     , specification_(device.specification())
     , afm_(afm)
     , truth_(dynamic_cast<const TrueTip*>(&afm))
-    , samples_(ringSize(scene)) {}
+    , samples_(std::make_unique<Ring>(ringSize(scene))) {}
 
 HapticLoop::~HapticLoop() { stop(); }
 
@@ -49,7 +54,7 @@ void HapticLoop::stop() {
 }
 
 void HapticLoop::drain(const std::function<void(const TickSample&)>& sink) {
-    samples_.consume_all([&sink](const TickSample& sample) { sink(sample); });
+    samples_->consume_all([&sink](const TickSample& sample) { sink(sample); });
 }
 
 void HapticLoop::beat(const Beat& beat) noexcept {
@@ -66,7 +71,7 @@ void HapticLoop::step() {
 }
 
 void HapticLoop::publish() noexcept {
-    if (!samples_.push(latest_.sample)) {
+    if (!samples_->push(latest_.sample)) {
         ++latest_.statistics.lostSamples;
     }
     snapshot_.write(latest_);

@@ -8,8 +8,8 @@
 #include "core/realtime/PacedThread.h"
 #include "core/realtime/TripleBuffer.h"
 
-#include <boost/lockfree/spsc_queue.hpp>
 #include <functional>
+#include <memory>
 #include <optional>
 
 namespace asperity {
@@ -86,7 +86,9 @@ private:
     LoopTimes thisSecond_;
     LoopTimes sinceStart_;
 
-    boost::lockfree::spsc_queue<TickSample> samples_;
+    /// A queue of one writer and one reader without locks.
+    struct Ring;
+    std::unique_ptr<Ring> samples_;
     std::optional<PacedThread> thread_;
 };
 

@@ -1,6 +1,7 @@
 #include "core/studies/DeformationStudy.h"
 
 #include "core/deformation/ContactPatch.h"
+#include "core/deformation/HalfSpaceModel.h"
 #include "core/fidelity/ModelRun.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/contact/laws/LawChoice.h"
-#include "core/deformation/HalfSpaceModel.h"
+#include "core/deformation/HalfSpaceAnswer.h"
 #include "core/fidelity/SceneNeeds.h"
 
 #include <string>

@@ -1,6 +1,7 @@
 #include "hardware/hid/HidFollower.h"
 
 #include <csignal>
+#include <exception>
 #include <utility>
 
 namespace asperity {

@@ -1,5 +1,6 @@
 #include "tools/screenshots/CycleWindow.h"
 
+#include "app/loading/SceneLoader.h"
 #include "core/Error.h"
 
 #include <QStatusBar>

@@ -3,6 +3,7 @@
 /// Usage: asperity_device_picture SCENE_OR_SCAN WIDTH HEIGHT OUT.png
 
 #include "app/commands/VirtualDisplay.h"
+#include "app/loading/SceneLoader.h"
 #include "app/session/LiveWindow.h"
 #include "core/Error.h"
 #include "tools/screenshots/PictureTool.h"

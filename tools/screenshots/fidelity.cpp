@@ -2,6 +2,7 @@
 /// Usage: asperity_fidelity_picture SCENE_OR_SCAN OUT.png
 
 #include "app/commands/VirtualDisplay.h"
+#include "app/loading/SceneLoader.h"
 #include "app/session/LiveWindow.h"
 #include "core/Error.h"
 #include "tools/screenshots/PictureTool.h"

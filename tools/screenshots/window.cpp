@@ -4,6 +4,7 @@
 ///        SCENE_OR_SCAN WIDTH HEIGHT OUT.png [dark]
 
 #include "app/commands/VirtualDisplay.h"
+#include "app/loading/SceneLoader.h"
 #include "app/session/LiveWindow.h"
 #include "core/Error.h"
 #include "tools/screenshots/PictureTool.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/deformation/HalfSpaceModel.h"
+#include "core/deformation/HalfSpaceAnswer.h"
 #include "core/scene/Validity.h"
 #include "ui/panels/RunPanel.h"
 #include "ui/panels/ShownFlags.h"

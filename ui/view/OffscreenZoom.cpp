@@ -2,6 +2,7 @@
 
 #include "core/Error.h"
 #include "core/SiFormat.h"
+#include "core/deformation/HalfSpaceModel.h"
 #include "ui/Theme.h"
 #include "vtkplugins/pictures/ColorBar.h"
 #include "vtkplugins/pictures/OffscreenPicture.h"

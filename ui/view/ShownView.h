@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/Vector.h"
-#include "core/deformation/HalfSpaceModel.h"
+#include "core/deformation/HalfSpaceAnswer.h"
 #include "ui/view/SurfaceColors.h"
 #include "ui/view/ViewCamera.h"
 #include "ui/view/ViewOptions.h"

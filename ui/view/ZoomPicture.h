@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/deformation/HalfSpaceModel.h"
+#include "core/deformation/HalfSpaceAnswer.h"
 #include "core/haptics/VirtualRun.h"
 #include "core/scene/Scene.h"
 #include "ui/view/ContactLayer.h"

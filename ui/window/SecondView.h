@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/EnumTable.h"
-#include "core/deformation/HalfSpaceModel.h"
+#include "core/deformation/HalfSpaceAnswer.h"
 #include "core/deformation/SurfaceField.h"
 #include "core/haptics/Snapshot.h"
 #include "core/scene/Scene.h"

@@ -2,6 +2,7 @@
 
 #include "core/io/heightmap/Gwyddion.h"
 #include "core/surface/HeightMap.h"
+#include "core/surface/Provenance.h"
 
 #include <filesystem>
 #include <map>
@@ -9,14 +10,6 @@
 #include <vector>
 
 namespace asperity {
-
-/// Something that the numbers of an image depend on, and where it comes from: "scale", "1.31e-10 m
-/// per count", "image list 2, @2:Z scale".
-struct Provenance {
-    std::string what;
-    std::string value;
-    std::string source;  ///< place in the file, or what decided where the file does not say
-};
 
 /// One image of a scan file, whatever it shows; lengths are in meters.
 struct ScanChannel {

@@ -2,14 +2,23 @@
 
 #include "core/surface/BSplineSurface.h"
 #include "core/surface/closest/ClosestPointList.h"
+#include "core/surface/closest/ExhaustiveSearch.h"
 #include "core/surface/closest/LocalClosestPoint.h"
 #include "core/surface/closest/NearestSample.h"
 #include "core/surface/closest/PartSearch.h"
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
+#include <new>
 
 namespace asperity {
+
+struct ClosestPointTracker::Proofs {
+    ProvenBall ball;
+    int rest = 0;  ///< queries, the last time that no ball was proven
+    int untilNextTry = 0;
+};
 
 namespace {
 
@@ -58,6 +67,30 @@ void addLikelyPoint(const BSplineSurface& surface, const Vector3& query, const S
 
 }  // namespace
 
+ClosestPointTracker::ClosestPointTracker() noexcept {
+    static_assert(sizeof(Proofs) <= kProofsSize && alignof(Proofs) <= kProofsAlignment);
+    new (proofs_.data()) Proofs;
+}
+
+ClosestPointTracker::ClosestPointTracker(const ClosestPointTracker& other) noexcept {
+    new (proofs_.data()) Proofs(other.proofs());
+}
+
+ClosestPointTracker& ClosestPointTracker::operator=(const ClosestPointTracker& other) noexcept {
+    proofs() = other.proofs();
+    return *this;
+}
+
+ClosestPointTracker::~ClosestPointTracker() { std::destroy_at(&proofs()); }
+
+ClosestPointTracker::Proofs& ClosestPointTracker::proofs() noexcept {
+    return *std::launder(reinterpret_cast<Proofs*>(proofs_.data()));
+}
+
+const ClosestPointTracker::Proofs& ClosestPointTracker::proofs() const noexcept {
+    return *std::launder(reinterpret_cast<const Proofs*>(proofs_.data()));
+}
+
 SearchProof ClosestPointTracker::completePoints(const BSplineSurface& surface, const Vector3& query,
                                                 const SearchReach& reach, SearchEffort effort,
                                                 ClosestPointList& points) noexcept {
@@ -79,26 +112,28 @@ SearchProof ClosestPointTracker::completePoints(const BSplineSurface& surface, c
 bool ClosestPointTracker::settles(const BSplineSurface& surface, const Vector3& query,
                                   const SearchReach& reach, SearchEffort effort,
                                   const ClosestPoint& nearest) const noexcept {
-    const bool byBall = effort == SearchEffort::Certified && ball_.open.empty() &&
-                        ball_.covers(query, reach, nearest);
+    const ProvenBall& ball = proofs().ball;
+    const bool byBall = effort == SearchEffort::Certified && ball.open.empty() &&
+                        ball.covers(query, reach, nearest);
     return byBall || (nearest.converged && isProvenByScan(surface, query, reach));
 }
 
 SearchProof ClosestPointTracker::provePoints(const BSplineSurface& surface, const Vector3& query,
                                              const SearchReach& reach,
                                              ClosestPointList& points) noexcept {
+    auto& [ball, rest, untilNextTry] = proofs();
     SearchProof proof = SearchProof::NotSought;
-    if (ball_.covers(query, reach, points.all().front())) {
-        proof = asperity::completePoints(surface, query, reach, ball_, points);
-    } else if (untilNextTry_ > 0) {
-        --untilNextTry_;
+    if (ball.covers(query, reach, points.all().front())) {
+        proof = asperity::completePoints(surface, query, reach, ball, points);
+    } else if (untilNextTry > 0) {
+        --untilNextTry;
         return asperity::completePoints(surface, query, reach, points);
     } else {
         const double radius = kBall * std::min(surface.grid().pitchX, surface.grid().pitchY);
-        proof = asperity::completePoints(surface, {query, radius}, reach, points, ball_);
+        proof = asperity::completePoints(surface, {query, radius}, reach, points, ball);
     }
-    rest_ = ball_.queries.radius > 0.0 ? 0 : std::min(2 * rest_ + 1, kMaxRest);
-    untilNextTry_ = rest_;
+    rest = ball.queries.radius > 0.0 ? 0 : std::min(2 * rest + 1, kMaxRest);
+    untilNextTry = rest;
     return proof;
 }
 

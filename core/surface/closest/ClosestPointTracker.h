@@ -1,8 +1,14 @@
 #pragma once
 
-#include "core/surface/closest/ExhaustiveSearch.h"
+#include "core/surface/closest/SearchReach.h"
+
+#include <array>
+#include <cstddef>
 
 namespace asperity {
+
+class BSplineSurface;
+class ClosestPointList;
 
 /// Completes the closest points of one query after another on ONE surface. Most cells are ruled out
 /// for a ball of queries at once, so that the next ones look into the few that are left, or into
@@ -10,6 +16,11 @@ namespace asperity {
 /// where that ends at a search's limit, it proves less.
 class ClosestPointTracker {
 public:
+    ClosestPointTracker() noexcept;
+    ClosestPointTracker(const ClosestPointTracker& other) noexcept;
+    ClosestPointTracker& operator=(const ClosestPointTracker& other) noexcept;
+    ~ClosestPointTracker();
+
     /// As completePoints() of ExhaustiveSearch.h where `effort` is Certified. With Global only a
     /// nearer closest point is looked for, and the proof is Likely; with Local nothing is, and it
     /// is NotSought. Where the scan is so gentle that a closest point stands alone anyway, it is
@@ -25,13 +36,19 @@ public:
                                const ClosestPoint& nearest) const noexcept;
 
 private:
+    /// What is proven, and when to prove more: this header does not know how.
+    struct Proofs;
+    [[nodiscard]] Proofs& proofs() noexcept;
+    [[nodiscard]] const Proofs& proofs() const noexcept;
+
     [[nodiscard]] SearchProof provePoints(const BSplineSurface& surface, const Vector3& query,
                                           const SearchReach& reach,
                                           ClosestPointList& points) noexcept;
 
-    ProvenBall ball_;
-    int rest_ = 0;  ///< queries, the last time that no ball was proven
-    int untilNextTry_ = 0;
+    static constexpr std::size_t kProofsSize = 98'448;  ///< [bytes]
+    static constexpr std::size_t kProofsAlignment = 16;
+
+    alignas(kProofsAlignment) std::array<std::byte, kProofsSize> proofs_;
 };
 
 }  // namespace asperity

@@ -2,6 +2,7 @@
 
 #include "core/Error.h"
 #include "core/surface/UniformCubic.h"
+#include "core/surface/closest/BoxNewton.h"
 
 #include <Eigen/Geometry>
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/surface/BSplineSurface.h"
-#include "core/surface/closest/BoxNewton.h"
+#include "core/surface/closest/Box.h"
 
 #include <cstddef>
 #include <vector>

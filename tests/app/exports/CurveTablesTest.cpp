@@ -1,6 +1,6 @@
 #include "app/exports/CurveTables.h"
 
-#include "app/program/LoadedScene.h"
+#include "app/loading/SceneLoader.h"
 #include "app/reports/ContactView.h"
 #include "core/haptics/ApproachDevice.h"
 #include "core/io/tables/CsvTable.h"

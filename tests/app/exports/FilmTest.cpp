@@ -3,7 +3,7 @@
 #include "app/exports/MomentCaption.h"
 #include "app/exports/RunPlots.h"
 #include "app/exports/VideoFile.h"
-#include "app/program/LoadedScene.h"
+#include "app/loading/SceneLoader.h"
 #include "core/Error.h"
 #include "core/haptics/ApproachDevice.h"
 #include "tests/support/CanceledAfter.h"

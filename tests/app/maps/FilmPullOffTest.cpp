@@ -1,4 +1,4 @@
-#include "app/program/LoadedScene.h"
+#include "app/loading/SceneLoader.h"
 #include "core/map/MapPlan.h"
 #include "core/map/PixelCycle.h"
 #include "tests/core/map/HeldTrace.h"

@@ -1,5 +1,6 @@
 #include "app/program/ScanReport.h"
 
+#include "app/loading/SceneLoader.h"
 #include "core/io/heightmap/HeightMapWriter.h"
 #include "tests/core/io/heightmap/BumpyMap.h"
 #include "tests/support/ScratchFolder.h"

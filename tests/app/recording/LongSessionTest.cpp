@@ -1,3 +1,4 @@
+#include "app/loading/SceneLoader.h"
 #include "app/recording/Recording.h"
 #include "core/Units.h"
 #include "core/haptics/DevicePath.h"

@@ -1,5 +1,6 @@
 #include "app/recording/RecordingRecovery.h"
 
+#include "app/loading/SceneLoader.h"
 #include "app/recording/RecordedRun.h"
 #include "app/recording/Recording.h"
 #include "core/Error.h"

@@ -2,9 +2,9 @@
 
 #include "app/recording/RecordedRun.h"
 #include "core/Error.h"
+#include "tests/app/recording/HillyScene.h"
 #include "tests/support/FileSizeLimit.h"
 #include "tests/support/ScratchFolder.h"
-#include "tests/support/ShippedScene.h"
 
 #include <gtest/gtest.h>
 
@@ -43,7 +43,7 @@ protected:
     }
 
     test::ScratchFolder folder;
-    LoadedScene loaded = loadScene(test::shippedScene("polystyrene"), {});
+    LoadedScene loaded = test::hillyScene();
     std::filesystem::path run = folder.path() / "run";
     long count = 0;
 };

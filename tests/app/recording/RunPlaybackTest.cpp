@@ -1,6 +1,6 @@
 #include "app/recording/RunPlayback.h"
 
-#include "app/program/LoadedScene.h"
+#include "app/loading/SceneLoader.h"
 #include "app/recording/Replay.h"
 #include "app/runs/RunFolder.h"
 #include "core/Error.h"

@@ -3,10 +3,10 @@
 #include "app/runs/LiveRun.h"
 #include "app/runs/RunFolder.h"
 #include "core/haptics/ScriptedDevice.h"
+#include "core/io/scene/SceneFile.h"
 #include "core/scene/SceneTruth.h"
-#include "tests/app/ProgramRun.h"
+#include "tests/app/recording/HillyScene.h"
 #include "tests/support/ScratchFolder.h"
-#include "tests/support/ShippedScene.h"
 #include "tests/support/SlowAfm.h"
 
 #include <gtest/gtest.h>
@@ -21,7 +21,7 @@ namespace {
 /// in the end.
 TEST(SlowInstrumentRun, IsRecordedAndReplaysToTheSameBits) {
     const test::ScratchFolder folder;
-    LoadedScene loaded = loadScene(test::shippedScene("polystyrene"), {});
+    LoadedScene loaded = test::hillyScene();
     const DevicePath path = slidePath(loaded.scene, {.duration = 1.5});
     test::SlowAfm* instrument = nullptr;
     LiveRun run(std::move(loaded), path.front().position, [&](const Scene& scene) {
@@ -57,9 +57,10 @@ TEST(SlowInstrumentRun, IsRecordedAndReplaysToTheSameBits) {
     EXPECT_GT(stale, 0);
     EXPECT_GT(lost, 0);
     const RecordedRun recorded = readRun(folder.path() / "run");
-    const LoadedScene again = loadScene(folder.path() / "run" / run_files::kScene, {});
+    const Scene again =
+        buildScene(readScene(folder.path() / "run" / run_files::kScene), test::hillyMap());
     std::filesystem::create_directory(folder.path() / "again");
-    const CsvTable log = replay(again.scene, recorded, folder.path() / "again");
+    const CsvTable log = replay(again, recorded, folder.path() / "again");
     EXPECT_NO_THROW(requireSameLog(recorded, log));
     EXPECT_GT(log.rows(), 1000U);
 }

@@ -1,4 +1,4 @@
-#include "app/program/LoadedScene.h"
+#include "app/loading/SceneLoader.h"
 #include "core/Error.h"
 #include "core/haptics/DevicePath.h"
 #include "core/haptics/RunEvents.h"

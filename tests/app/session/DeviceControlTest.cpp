@@ -1,5 +1,6 @@
 #include "app/session/DeviceControl.h"
 
+#include "app/loading/SceneLoader.h"
 #include "core/haptics/LiftStep.h"
 #include "tests/app/session/ControlFixture.h"
 #include "ui/panels/ControlBar.h"

@@ -1,5 +1,6 @@
 #include "app/session/RunControl.h"
 
+#include "app/loading/SceneLoader.h"
 #include "tests/app/session/ControlFixture.h"
 #include "ui/panels/ControlBar.h"
 #include "ui/panels/EngageBar.h"

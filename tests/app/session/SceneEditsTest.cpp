@@ -1,5 +1,6 @@
 #include "app/session/SceneEdits.h"
 
+#include "app/loading/SceneLoader.h"
 #include "app/session/SceneControl.h"
 #include "tests/app/session/ControlFixture.h"
 #include "tests/support/Places.h"

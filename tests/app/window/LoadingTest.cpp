@@ -1,4 +1,4 @@
-#include "app/program/LoadedScene.h"
+#include "app/loading/SceneLoader.h"
 #include "app/session/LongWork.h"
 #include "tests/app/window/WindowFixture.h"
 #include "tests/support/Places.h"

@@ -1,5 +1,5 @@
+#include "app/loading/ComparedRun.h"
 #include "app/recording/Bundle.h"
-#include "app/recording/ComparedRun.h"
 #include "app/recording/RunComparison.h"
 #include "app/runs/RunFolder.h"
 #include "core/io/scene/SceneFile.h"

@@ -4,6 +4,7 @@
 #include "core/contact/Material.h"
 #include "core/contact/displacement/SurfaceDisplacement.h"
 #include "core/deformation/ContactPatch.h"
+#include "core/deformation/HalfSpaceField.h"
 #include "core/deformation/HalfSpaceProblem.h"
 #include "core/surface/TangentFrame.h"
 #include "tests/support/TestScenes.h"

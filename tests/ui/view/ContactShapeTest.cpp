@@ -2,6 +2,7 @@
 
 #include "core/Units.h"
 #include "core/deformation/ContactPatch.h"
+#include "core/deformation/HalfSpaceModel.h"
 #include "tests/support/TestScenes.h"
 #include "tests/ui/view/ViewMoments.h"
 #include "tests/ui/view/WindowAround.h"

@@ -3,6 +3,7 @@
 #include "core/surface/closest/BoundsWindow.h"
 #include "core/surface/closest/ClosestPointSearch.h"
 #include "core/surface/closest/ContactPoints.h"
+#include "core/surface/closest/ExhaustiveSearch.h"
 #include "core/surface/closest/LocalClosestPoint.h"
 #include "tests/core/surface/closest/RoughSurface.h"
 
@@ -207,6 +208,27 @@ std::vector<RoughMap> slidOver() {
              .pitchX = 0.7_nm,
              .range = 10.0_nm,
              .smoothing = 2.0}};
+}
+
+TEST(ClosestPointTrackerCopy, HoldsTheSameProofs) {
+    const BSplineSurface surface = surfaceOf(slidOver().front());
+    ClosestPointTracker tracker;
+    ClosestPointTracker assigned;
+    Vector3 query(0.3 * surface.sizeX(), 0.5 * surface.sizeY(), surface.bounds().all().highest);
+    int settled = 0;
+    for (int i = 0; i < 1000; ++i) {
+        const ClosestPoint closest = closestPoint(surface, query, {}, tracker);
+        const ClosestPointTracker copied = tracker;
+        assigned = tracker;
+        const auto isSettledBy = [&](const ClosestPointTracker& any) {
+            return any.settles(surface, query, {}, SearchEffort::Certified, closest);
+        };
+        EXPECT_EQ(isSettledBy(copied), isSettledBy(tracker));
+        EXPECT_EQ(isSettledBy(assigned), isSettledBy(tracker));
+        settled += isSettledBy(tracker) && !isSettledBy(ClosestPointTracker()) ? 1 : 0;
+        query.x() += 0.02_nm;
+    }
+    EXPECT_GT(settled, 100);
 }
 
 INSTANTIATE_TEST_SUITE_P(Maps, ClosestPointTrackerOn, testing::ValuesIn(slidOver()),

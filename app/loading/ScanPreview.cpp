@@ -1,4 +1,4 @@
-#include "app/program/ScanPreview.h"
+#include "app/loading/ScanPreview.h"
 
 #include "core/Error.h"
 #include "core/io/heightmap/CroppedChannel.h"

@@ -1,5 +1,6 @@
-#include "app/recording/RunWithScene.h"
+#include "app/loading/RunWithScene.h"
 
+#include "app/loading/SceneLoader.h"
 #include "app/recording/Replay.h"
 #include "app/runs/RunFolder.h"
 

@@ -1,6 +1,6 @@
-#include "app/program/SurfaceImages.h"
+#include "app/loading/SurfaceImages.h"
 
-#include "app/program/LoadedScene.h"
+#include "app/loading/SceneLoader.h"
 #include "core/Error.h"
 #include "tests/core/io/heightmap/SyntheticScans.h"
 #include "tests/support/ScratchFolder.h"

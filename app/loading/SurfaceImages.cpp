@@ -1,4 +1,4 @@
-#include "app/program/SurfaceImages.h"
+#include "app/loading/SurfaceImages.h"
 
 #include "core/Error.h"
 #include "core/io/heightmap/ScanFile.h"

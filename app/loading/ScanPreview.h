@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/program/LoadedScene.h"
+#include "app/loading/SceneLoader.h"
 #include "core/io/heightmap/ThinnedMap.h"
 #include "core/surface/ScaleGap.h"
 

@@ -1,8 +1,8 @@
-#include "app/recording/ComparedRun.h"
+#include "app/loading/ComparedRun.h"
 
+#include "app/loading/RunWithScene.h"
 #include "app/recording/RunPlace.h"
 #include "app/recording/RunSurvey.h"
-#include "app/recording/RunWithScene.h"
 #include "core/PrintableText.h"
 
 namespace asperity {
