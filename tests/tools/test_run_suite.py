@@ -31,7 +31,8 @@ for test in tests:
         continue
     if test == "CrashesBefore":
         os.abort()
-    print("[ RUN      ] S." + test, flush=True)
+    if "EnvironmentSkips" not in tests:
+        print("[ RUN      ] S." + test, flush=True)
     if test == "Skips":
         print("T.cpp:5: Skipped\nno <device>")
     else:
@@ -128,6 +129,13 @@ class RunSuite(unittest.TestCase):
         self.assertEqual(self.run_suite("CrashesBefore Second"),
                          (1, ["CRASHED outside of the tests (signal 6)", "NO RESULT S.CrashesBefore",
                               "NO RESULT S.Second", "a.S: 2 tests, 0 passed, 0 skipped, 2 failed"]))
+
+    def test_a_test_that_never_began_has_no_result(self):
+        code, lines = self.run_suite("EnvironmentSkips Second")
+        self.assertEqual((code, lines[-3:]), (1, [
+            "NO RESULT S.EnvironmentSkips", "NO RESULT S.Second",
+            "a.S: 2 tests, 0 passed, 0 skipped, 2 failed"]))
+        self.assertEqual(self.count()[1][-1], "2 tests, 0 passed, 0 skipped, 2 failed")
 
     def test_fails_where_the_program_fails_after_its_tests(self):
         self.assertEqual(self.run_suite("First LeaksAtTheEnd"),
