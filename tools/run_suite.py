@@ -3,9 +3,9 @@
 
 When the process crashes, or one test takes longer than the limit, that test is named and those not
 run yet run in a new process. A listed test without a result is a failure. The program has a home
-and a temporary folder of its own, with --display an X server of its own, too: two suites at a time
-share no focus, pointer, clipboard or settings. Program and server end with this script, however
-that ends. The output of passing tests is not printed.
+of its own, with --display an X server of its own, too: two suites at a time share no focus,
+pointer, clipboard or settings. Program and server end with this script, however that ends. The
+output of passing tests is not printed.
 Usage: tools/run_suite.py --display build/release/bin/asperity_panels_tests 'CardTest.*'
 """
 
@@ -52,10 +52,9 @@ def own_display():
 
 
 def own_environment(folder):
-    """Returns the environment with homes and temporary files in a folder."""
+    """Returns the environment with homes in a folder."""
     environment = dict(os.environ)
-    for name in ("HOME", "XDG_CONFIG_HOME", "XDG_DATA_HOME", "XDG_CACHE_HOME", "XDG_RUNTIME_DIR",
-                 "TMPDIR"):
+    for name in ("HOME", "XDG_CONFIG_HOME", "XDG_DATA_HOME", "XDG_CACHE_HOME", "XDG_RUNTIME_DIR"):
         home = folder / name.lower()
         home.mkdir(mode=0o700)
         environment[name] = str(home)
