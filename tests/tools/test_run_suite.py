@@ -48,9 +48,11 @@ for test in tests:
     print(word, "S." + test + (", where GetParam() = 1" if "/" in test and tag else ""), "(0 ms)", flush=True)
     inner = "<" + tag + " message=" + quoteattr("T.cpp:5\nno <device>") + "/>" if tag else ""
     cases.append('<testcase classname="S" name="' + test + '" status="run">' + inner + "</testcase>")
+if "EnvironmentFails" in tests:
+    cases.append('<testcase classname="" name="" status="run"><failure message="no"/></testcase>')
 with open(flags["gtest_output"].removeprefix("xml:"), "w") as file:
     file.write("<testsuites>" + "".join(cases) + "</testsuites>")
-sys.exit(23 if "LeaksAtTheEnd" in tests else "failure" in "".join(cases))
+sys.exit(23 if {"LeaksAtTheEnd", "EnvironmentFails"} & set(tests) else "failure" in "".join(cases))
 """
 
 
@@ -141,6 +143,11 @@ class RunSuite(unittest.TestCase):
         self.assertEqual(self.run_suite("First LeaksAtTheEnd"),
                          (1, ["EXITED outside of the tests (exit code 23)",
                               "a.S: 2 tests, 2 passed, 0 skipped, 0 failed"]))
+
+    def test_fails_where_a_global_environment_fails(self):
+        self.assertEqual(self.run_suite("EnvironmentFails"),
+                         (1, ["EXITED outside of the tests (exit code 23)",
+                              "a.S: 1 tests, 1 passed, 0 skipped, 0 failed"]))
 
     def test_fails_without_tests(self):
         run = subprocess.run(self.command(""), capture_output=True, text=True)
