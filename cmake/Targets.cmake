@@ -131,19 +131,15 @@ function(asperity_test_runs name program)
   endif()
 endfunction()
 
-# asperity_test(NAME [LONG] [ALONE] LABEL core|io|vtk|... SOURCES ... DEPENDS ... [GATES asan|tsan ...]): one
-# GoogleTest program. LONG: its suites named ...Long have the label "long" in place of the other,
-# and run by `ctest --preset long` only. ALONE: its suites named ...Alone run while no other test
-# does: they read the clock. GATES: where it is built and run, too (ASPERITY_GATE; docs/testing.md).
-# Tests with windows run one at a time: a display has one focus, one pointer and one clipboard, and a
-# window of another program that takes the focus closes an open menu.
+# asperity_test(NAME LABEL core|io|vtk|... SOURCES ... DEPENDS ... [GATES asan|tsan ...]): one
+# GoogleTest program; each of its suites is a test of CTest (cmake/Suites.cmake). GATES: where it is
+# built and run, too (ASPERITY_GATE; docs/testing.md).
 function(asperity_test name)
-  cmake_parse_arguments(ARG "LONG;ALONE" "LABEL" "SOURCES;DEPENDS;GATES" ${ARGN})
+  cmake_parse_arguments(ARG "" "LABEL" "SOURCES;DEPENDS;GATES" ${ARGN})
   if(ASPERITY_GATE)
     if(NOT ASPERITY_GATE IN_LIST ARG_GATES)
       return()
     endif()
-    set(prefix TEST_PREFIX ${ASPERITY_GATE}.)
     add_dependencies(asperity_gate ${name})
   endif()
   add_executable(${name} ${ARG_SOURCES})
@@ -152,21 +148,5 @@ function(asperity_test name)
   asperity_compile_options(${name})
   asperity_optimize_less(${name})
   asperity_batches(${name})
-  set(properties DISCOVERY_TIMEOUT 60 PROPERTIES LABELS ${ARG_LABEL})
-  if(asperity_window_test_main IN_LIST ARG_DEPENDS)
-    list(APPEND properties RESOURCE_LOCK display)
-  endif()
-  set(others "-*Long.*")
-  if(ARG_ALONE)
-    string(APPEND others ":*Alone.*")
-    gtest_discover_tests(
-      ${name} ${prefix} TEST_FILTER "*Alone.*" TEST_LIST ${name}_ALONE_TESTS
-      ${properties} RUN_SERIAL TRUE)
-  endif()
-  gtest_discover_tests(${name} ${prefix} TEST_FILTER "${others}" ${properties})
-  if(ARG_LONG)
-    gtest_discover_tests(
-      ${name} ${prefix} TEST_FILTER "*Long.*" TEST_LIST ${name}_LONG_TESTS PROPERTIES LABELS long
-      DISCOVERY_TIMEOUT 60)
-  endif()
+  asperity_discover_suites(${name} ${ARG_LABEL})
 endfunction()
