@@ -1,5 +1,10 @@
 # What the application and its tests need from outside, from Debian's packages (tools/packages.txt).
 
+# Installed or removed packages change what is found: a build then configures first.
+if(EXISTS /var/lib/dpkg/status)
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS /var/lib/dpkg/status)
+endif()
+
 include(CoreDependencies)
 find_package(CLI11 2.1 REQUIRED)
 find_package(nlohmann_json 3.11 REQUIRED)

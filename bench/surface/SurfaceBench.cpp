@@ -13,6 +13,7 @@
 #include "tools/samples/SampleScans.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <iterator>
@@ -93,7 +94,7 @@ std::vector<SampleScan> scansFor(const Options& options) {
     std::vector<std::string> files = options.scans;
     std::vector<SampleScan> scans;
     if (files.empty()) {
-        scans = makeSampleScans();
+        std::ranges::copy_if(makeSampleScans(), std::back_inserter(scans), &SampleScan::isHeight);
         for (const char* name : {"nanoscope/cl_0deg_xcal_v9.70.spm", "nanoscope/di-3_v9.01.di",
                                  "nanoscope/veeco_v5.12.000"}) {
             const auto file = std::filesystem::path(ASPERITY_MEASURED_SCANS) / name;

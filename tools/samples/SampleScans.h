@@ -12,7 +12,9 @@ struct SampleScan {
     std::string fileName;  ///< "particles.gsf"
     std::string title;
     HeightMap map;
-    std::string unit = "m";  ///< empty: the map holds shares, no heights
+    std::string unit = "m";  ///< empty: a mask, whose values are shares
+
+    [[nodiscard]] bool isHeight() const { return unit == "m"; }
 };
 
 /// All scans of data/samples, made anew: the same numbers on every call.

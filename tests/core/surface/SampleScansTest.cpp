@@ -37,6 +37,13 @@ TEST(SampleScans, AreThoseInTheRepositoryByteForByte) {
     std::filesystem::remove_all(folder);
 }
 
+/// The benchmark of closest points measured the mask, too.
+TEST(SampleScans, AreHeightsButForTheMask) {
+    for (const SampleScan& sample : makeSampleScans()) {
+        EXPECT_EQ(sample.isHeight(), sample.fileName != "particle_mask.gsf") << sample.fileName;
+    }
+}
+
 std::filesystem::path parkFile() { return test::sharedData("afm/park/example_ps.tiff"); }
 
 TEST(ParkScan, HasTheHeightsThatGwyddionReads) {
