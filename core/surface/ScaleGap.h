@@ -11,6 +11,7 @@ struct ScaleGap {
     int rows = 0;
     bool size = false;    ///< the size of the scan is unknown
     bool height = false;  ///< the values are numbers without unit
+    bool mask = false;    ///< by its values it is a mask, no height map
 
     bool operator==(const ScaleGap&) const = default;
 };

@@ -71,12 +71,13 @@ double lengthIn(const LengthBox& box, const QComboBox& unit) {
 }
 
 QString missingText(const ScaleGap& gap) {
+    const QString isMask = gap.mask ? ScaleForm::tr("This is a mask, not heights. ") : QString();
     if (gap.size && gap.height) {
-        return ScaleForm::tr("The file holds neither the size of the scan nor the unit of its "
-                             "values.");
+        return isMask + ScaleForm::tr("The file holds neither the size of the scan nor the unit of "
+                                      "its values.");
     }
-    return gap.size ? ScaleForm::tr("The file does not hold the size of the scan.")
-                    : ScaleForm::tr("The file does not hold the unit of its values.");
+    return isMask + (gap.size ? ScaleForm::tr("The file does not hold the size of the scan.")
+                              : ScaleForm::tr("The file does not hold the unit of its values."));
 }
 
 /// Fields of their own, so that they go together.

@@ -40,7 +40,10 @@ int rank(const ScanChannel& channel) {
     if (isTopography(channel)) {
         return rankOfName(channel);
     }
-    return kNames + (mayBeTopography(channel) ? rankOfName(channel) : kNames);
+    if (!mayBeTopography(channel)) {
+        return 3 * kNames;
+    }
+    return (channel.isMask ? 2 : 1) * kNames + rankOfName(channel);
 }
 
 }  // namespace

@@ -15,8 +15,8 @@ namespace asperity {
 [[nodiscard]] bool mayBeTopography(const ScanChannel& channel);
 
 /// Index of the channel that a lab user expects: the height sensor, else the piezo height, else the
-/// first other length, else, by the same names, one that may be a height; of equals, the vendor's
-/// first. 0 when there is none of them.
+/// first other length, else, by the same names, one that may be a height, masks last; of equals,
+/// the vendor's first. 0 when there is none of them.
 /// @param usualDirection of equals, those of this direction first; empty: there is none
 [[nodiscard]] std::size_t suggestDefaultChannel(const std::vector<ScanChannel>& channels,
                                                 std::string_view usualDirection = {});

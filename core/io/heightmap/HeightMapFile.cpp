@@ -7,6 +7,7 @@
 #include "core/io/heightmap/DefaultChannel.h"
 #include "core/io/heightmap/GwyddionScan.h"
 #include "core/io/heightmap/HeightMapFormat.h"
+#include "core/io/heightmap/MaskValues.h"
 #include "core/io/heightmap/MissingScale.h"
 #include "core/io/heightmap/StoredRows.h"
 #include "core/io/heightmap/UnreadFormats.h"
@@ -98,8 +99,11 @@ std::size_t defaultOf(const StoredScan& scan) {
     std::vector<ScanChannel> channels;
     for (const StoredChannel& stored : scan.channels) {
         const ScanChannel& channel = stored.channel;
-        channels.push_back(
-            {.name = channel.name, .unit = channel.unit, .direction = channel.direction});
+        channels.push_back({.name = channel.name,
+                            .unit = channel.unit,
+                            .direction = channel.direction,
+                            .map = {},
+                            .isMask = channel.isMask});
     }
     return suggestDefaultChannel(channels, scan.usualDirection);
 }
@@ -108,6 +112,7 @@ HeightMapContents contentsOf(std::string format, StoredScan scan, const GivenSca
                              const std::string& file) {
     HeightMapContents contents;
     contents.file.format = std::move(format);
+    std::ranges::for_each(scan.channels, noteMask);
     contents.file.defaultChannel = defaultOf(scan);
     applyScale(scan, given, file);
     contents.file.notes = std::move(scan.notes);

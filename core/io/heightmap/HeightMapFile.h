@@ -25,6 +25,7 @@ struct ScanChannel {
     std::string lateralUnit;  ///< SI base unit of the size, "m" for a scan; empty: none given
     std::string direction;    ///< "forward", "backward", or empty when the file does not say
     HeightMap map;         ///< values in `unit` (meters only when unit is "m"); pitch 0: not given
+    bool isMask = false;   ///< the values mark a part of the scan (core/io/heightmap/MaskValues.h)
     double originX = 0.0;  ///< offset of the scan in the instrument's frame [m]
     double originY = 0.0;  ///< [m]
     std::map<std::string, std::string> metadata;

@@ -12,10 +12,12 @@ std::string missingText(const ScaleGap& gap) {
                              "a scene)";
     const std::string height = "the unit of its values (say it by --z-unit and --z-scale, or "
                                "z_scale_m in a scene)";
+    const std::string isMask =
+        gap.mask ? "this is a mask, not heights (material_mask of a scene takes it); " : "";
     if (gap.size && gap.height) {
-        return "the file holds neither " + size + " nor " + height;
+        return isMask + "the file holds neither " + size + " nor " + height;
     }
-    return "the file does not hold " + (gap.size ? size : height);
+    return isMask + "the file does not hold " + (gap.size ? size : height);
 }
 
 }  // namespace
@@ -30,7 +32,8 @@ void requireScale(const ScanChannel& channel, const std::filesystem::path& path)
                        .columns = channel.map.columns,
                        .rows = channel.map.rows,
                        .size = !channel.hasSize(),
-                       .height = channel.unit.empty()};
+                       .height = channel.unit.empty(),
+                       .mask = channel.unit.empty() && channel.isMask};
     if (gap.size || gap.height) {
         throw MissingScale(path, gap);
     }

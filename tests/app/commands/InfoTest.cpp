@@ -37,5 +37,21 @@ TEST(Info, TextSaysWhereTheNumbersOfTheDefaultChannelComeFrom) {
                   "- orientation: the top row is stored first (the same in every .gsf file)\n"));
 }
 
+/// The mask of a scene's materials was taken for a scan whose file lacks the unit.
+TEST(Info, CallsAMaskOneAndSoDoesEveryCommandThatTakesAScan) {
+    const std::string mask = (test::dataFolder() / "samples/particle_mask.gsf").string();
+    EXPECT_THAT(
+        test::runProgram("info " + mask).output,
+        HasSubstr("stand': this is a mask, not heights: its values have no unit, and 58.6 % "
+                  "of them are 0 or 1\n"));
+    for (const std::string command : {"measure ", "explore --out /nowhere ", "convert "}) {
+        const auto run = test::runProgram(command + mask + (command == "convert " ? " x.gwy" : ""));
+        EXPECT_NE(run.exitCode, 0);
+        EXPECT_THAT(run.output, HasSubstr("stand': this is a mask, not heights (material_mask"));
+    }
+    EXPECT_THAT(test::runProgram("measure --z-unit nm " + mask).output,
+                HasSubstr("this is a mask, not heights"));
+}
+
 }  // namespace
 }  // namespace asperity

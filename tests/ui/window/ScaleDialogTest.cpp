@@ -23,13 +23,14 @@ constexpr int kRows = 20;
 
 class ScaleDialogTest : public ::testing::Test {
 protected:
-    void open(bool size, bool height) {
+    void open(bool size, bool height, bool mask = false) {
         dialog = std::make_unique<ScaleDialog>(QStringLiteral("<b>scan</b>.txt"),
                                                ScaleGap{.channel = "matrix",
                                                         .columns = kColumns,
                                                         .rows = kRows,
                                                         .size = size,
-                                                        .height = height},
+                                                        .height = height,
+                                                        .mask = mask},
                                                nullptr);
         QObject::connect(dialog.get(), &ScaleDialog::given,
                          [this](const GivenScale& scale) { given.push_back(scale); });
@@ -86,7 +87,10 @@ TEST_F(ScaleDialogTest, SaysWhichFileAndWhatIsMissing) {
     open(true, false);
     EXPECT_NE(texts().find("does not hold the size of the scan."), std::string::npos);
     open(false, true);
-    EXPECT_NE(texts().find("does not hold the unit of its values."), std::string::npos);
+    EXPECT_NE(texts().find("\nThe file does not hold the unit of its values."), std::string::npos);
+    open(false, true, true);
+    EXPECT_NE(texts().find("\nThis is a mask, not heights. The file does not hold the unit"),
+              std::string::npos);
 }
 
 TEST_F(ScaleDialogTest, ALongNameMakesItNoWider) {

@@ -63,6 +63,17 @@ TEST(MissingScale, SaysBothWhereBothAreMissing) {
     EXPECT_THAT(missing->what(), AllOf(HasSubstr("--size"), HasSubstr("--z-unit")));
 }
 
+TEST(MissingScale, OfAMaskSaysFirstThatItIsOne) {
+    ScanChannel mask = channelOf("Grains", "", 1e-9);
+    mask.isMask = true;
+    const auto missing = missingOf({mask});
+    ASSERT_TRUE(missing);
+    EXPECT_TRUE(missing->gap().mask);
+    EXPECT_THAT(missing->what(),
+                HasSubstr("channel 'Grains': this is a mask, not heights (material_mask of a scene "
+                          "takes it); the file does not hold the unit of its values (say it by"));
+}
+
 TEST(MissingScale, IsNoneWhereTheUnitIsKnownAndNoLength) {
     EXPECT_FALSE(missingOf({channelOf("Voltage", "V", 0.0)}, "Voltage"));
     EXPECT_FALSE(missingOf({channelOf("Phase", "", 0.0)})) << "no default";
@@ -78,6 +89,10 @@ TEST(MissingScale, NumbersAreTheDefaultAfterHeightsAndBeforeOtherUnits) {
     EXPECT_EQ(defaultOf({channelOf("Voltage", "V", 1e-9), channelOf("Phase", "", 1e-9),
                          channelOf("gray", "", 1e-9), channelOf("Height", "", 1e-9)}),
               "Height");
+    ScanChannel mask = channelOf("Height mask", "", 1e-9);
+    mask.isMask = true;
+    EXPECT_EQ(defaultOf({mask, channelOf("gray", "", 1e-9)}), "gray");
+    EXPECT_EQ(defaultOf({channelOf("Voltage", "V", 1e-9), mask}), "Height mask");
 }
 
 }  // namespace asperity::test
