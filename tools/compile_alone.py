@@ -56,8 +56,12 @@ class Users:
                     for included in INCLUDES.findall(file.read_text()):
                         self.includers[included].append(str(file.relative_to(TOP)))
 
-    def of(self, header):
-        """The nearest source that includes the header, another than its own where there is one; or None."""
+    def of(self, header, compiled):
+        """The nearest source that includes the header, another than its own where there is one, and one that is
+        compiled anyway where there is one; or None."""
+        if known := [file for file in self.includers[header] if file in compiled
+                     and pathlib.Path(file).stem != pathlib.Path(header).stem]:
+            return known[0]
         seen, waiting, own = {header}, collections.deque([header]), None
         while waiting:
             for includer in self.includers[waiting.popleft()]:
@@ -73,11 +77,9 @@ class Users:
 
 def works_for(files, commands, users, folder):
     """(name, source, arguments) of each compilation; a header is compiled by a source with it alone."""
-    sources, works = set(), []
+    sources, works = {file for file in files if file in commands}, []
     for file in files:
-        if file in commands:
-            sources.add(file)
-        elif pathlib.Path(file).suffix in HEADERS and (user := users.of(file)):
+        if pathlib.Path(file).suffix in HEADERS and (user := users.of(file, sources)):
             sources.add(user)
             alone = folder / (file.replace("/", "_") + ".cpp")
             if not alone.exists():

@@ -101,7 +101,8 @@ TEST(MaskValues, OfTheSamplesOnlyTheMaskHas) {
 TEST(MaskValues, NoRealScanHas) {
     ASPERITY_NEEDS_SHARED_DATA();
     for (const std::string& file : realScans()) {
-        for (const ScanChannel& channel : ScanFile(sharedData("afm/" + file)).contents().channels) {
+        const ScanFile scan(sharedData("afm/" + file));
+        for (const ScanChannel& channel : scan.contents().channels) {
             EXPECT_FALSE(channel.isMask) << file << ", " << channel.name;
         }
     }
