@@ -173,8 +173,6 @@ bool LiveRun::mayAdoptModel() noexcept {
 }
 
 void LiveRun::adoptModel(const LoadedScene& fitted) {
-    const bool running = loop_.running();
-    loop_.stop();
     halfSpace_.reset();
     const bool isAnother = loaded_->scene.model != fitted.scene.model;
     loaded_->needs = fitted.needs;
@@ -182,10 +180,8 @@ void LiveRun::adoptModel(const LoadedScene& fitted) {
     loaded_->scene.belief = fitted.scene.belief;
     halfSpace_ = newHalfSpace();
     if (isAnother) {
-        blackBox_.restart();  // its ticks replay under one model
-    }
-    if (running) {
-        loop_.start();
+        blackBox_.restart();               // its ticks replay under one model
+        blackBox_.mark(loop_.snapshot());  // a fault may come before the next frame
     }
 }
 

@@ -82,7 +82,8 @@ public:
     /// Whether the model can become another one that nobody notices: the tip feels nothing, what
     /// the black box holds is not waited for, and nobody else works with the scene.
     [[nodiscard]] bool mayAdoptModel() noexcept;
-    /// Gives the scene the model that was found for it beside the run. The tip may adopt one.
+    /// Gives the scene the model that was found for it beside the run. The tip may adopt one, the
+    /// loop is stopped and all its ticks are fetched.
     void adoptModel(const LoadedScene& fitted);
 
 private:

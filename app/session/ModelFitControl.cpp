@@ -34,8 +34,9 @@ void ModelFitControl::begin() {
 }
 
 void ModelFitControl::advance() {
-    if (fitted_ && !recordings_.isWriting() && runs_.run()->mayAdoptModel()) {
-        runs_.adoptModel(*std::exchange(fitted_, std::nullopt));
+    if (fitted_ && !recordings_.isWriting() && runs_.run()->mayAdoptModel() &&
+        runs_.adoptModel(*fitted_)) {
+        fitted_.reset();
     }
 }
 

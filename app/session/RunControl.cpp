@@ -100,10 +100,22 @@ void RunControl::place(LoadedScene scene, const Vector3& start, const Settings& 
     this->start();
 }
 
-void RunControl::adoptModel(const LoadedScene& fitted) {
-    fetch();
-    run_->adoptModel(fitted);
-    Q_EMIT modelFitted();
+bool RunControl::adoptModel(const LoadedScene& fitted) {
+    HapticLoop& loop = run_->loop();
+    const bool running = loop.running();
+    loop.stop();
+    fetch();  // a tick that no frame has shown may have touched the sample, or failed
+    const bool adopts = run_->mayAdoptModel();
+    if (adopts) {
+        run_->adoptModel(fitted);
+    }
+    if (running) {
+        loop.start();
+    }
+    if (adopts) {
+        Q_EMIT modelFitted();
+    }
+    return adopts;
 }
 
 void RunControl::leave() {

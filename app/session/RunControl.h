@@ -41,8 +41,9 @@ public:
     /// view stay. Forces that are off, or that a fault keeps away, stay off. There is a run.
     /// @param start world [m]
     void place(LoadedScene scene, const Vector3& start, const Settings& settings);
-    /// The run goes on with the model that was found for it. See LiveRun::mayAdoptModel()
-    void adoptModel(const LoadedScene& fitted);
+    /// The run goes on with the model that was found for it, if LiveRun::mayAdoptModel() still
+    /// holds after the latest tick. @return whether it does
+    [[nodiscard]] bool adoptModel(const LoadedScene& fitted);
     /// Ends the run, if there is one.
     void end();
 

@@ -1,5 +1,7 @@
 #include "tests/support/UserClicks.h"
 
+#include "tests/support/Waits.h"
+
 #include <QAction>
 #include <QMainWindow>
 #include <QMenu>
@@ -31,7 +33,7 @@ void UserClicks::click(QWidget& widget, const QPoint& place) {
     ASSERT_TRUE(widget.isVisible() && widget.isEnabled()) << widget.objectName().toStdString();
     ++clicks_;
     QTest::mouseClick(&widget, Qt::LeftButton, Qt::NoModifier, place);
-    QTest::qWait(20);
+    handleEvents();
 }
 
 void UserClicks::doubleClick(QWidget& widget, const QPoint& place) {
@@ -39,7 +41,7 @@ void UserClicks::doubleClick(QWidget& widget, const QPoint& place) {
     clicks_ += 2;
     QTest::mouseClick(&widget, Qt::LeftButton, Qt::NoModifier, place);
     QTest::mouseDClick(&widget, Qt::LeftButton, Qt::NoModifier, place);
-    QTest::qWait(20);
+    handleEvents();
 }
 
 void UserClicks::choose(const QMainWindow& window, const QStringList& path) {
@@ -49,7 +51,7 @@ void UserClicks::choose(const QMainWindow& window, const QStringList& path) {
     click(*bar, bar->actionGeometry(action).center());
     for (const QString& text : path.mid(1)) {
         QMenu* const menu = action->menu();
-        ASSERT_TRUE(QTest::qWaitFor([menu] { return menu->isVisible(); }, 2000));
+        ASSERT_TRUE(eventually([menu] { return menu->isVisible(); }));
         action = entryOf(menu->actions(), text);
         ASSERT_NE(action, nullptr) << text.toStdString();
         ASSERT_TRUE(action->isEnabled()) << text.toStdString();

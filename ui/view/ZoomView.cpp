@@ -225,6 +225,10 @@ bool ZoomView::isTurning() const {
     return settling_.isActive() && sinceTurn_.isValid() && !sinceTurn_.hasExpired(kSettlingTime);
 }
 
+bool ZoomView::isSettled() const {
+    return !settling_.isActive() && !frameDue_.isActive() && !contactDue_ && !terrainDue_;
+}
+
 /// A frame within a few milliseconds, unless another one is drawn before.
 void ZoomView::renderSoon() {
     contactDue_ = true;

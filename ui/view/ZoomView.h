@@ -74,6 +74,9 @@ public:
         return picture_.frame() ? std::optional(picture_.shown(camera_)) : std::nullopt;
     }
 
+    /// Whether the last frame is final: no other one is due, and none is drawn coarsely any more.
+    [[nodiscard]] bool isSettled() const;
+
     /// Where a world place [m] is seen, in pixels of the widget.
     [[nodiscard]] QPointF onScreen(const Vector3& place) const;
     /// Whether what does not change is drawn once and kept; on, but for measurements.

@@ -37,7 +37,7 @@ void BlackBox::take(const TickSample& sample) {
         return;
     }
     if (gap > 0.5 * timeStep_) {
-        forgetAll();
+        forgetBefore(sample.time - sample.input.timeStep - 0.5 * timeStep_);
     }
     keep(sample);
     frozen_ = before == Fault::None && fault_ != Fault::None;
@@ -88,6 +88,14 @@ BlackBox BlackBox::release() {
 void BlackBox::forgetAll() noexcept {
     samples_.clear();
     marks_.clear();
+}
+
+/// All samples, and the marks before a time.
+void BlackBox::forgetBefore(double time) noexcept {
+    samples_.clear();
+    while (!marks_.empty() && marks_.front().time < time) {
+        marks_.pop_front();
+    }
 }
 
 void BlackBox::forgetUpToSecondMark() noexcept {

@@ -22,8 +22,8 @@ public:
     /// @param seconds how long a stretch it keeps, at least [s]
     explicit BlackBox(double timeStep, double seconds = kSeconds);
 
-    /// Every tick, in order. Where some are missing, what was before them is forgotten: a replay
-    /// cannot go across.
+    /// Every tick, in order. Where some are missing, what was before them is forgotten, since a
+    /// replay cannot go across; a mark of the last missing one stays.
     void take(const TickSample& sample);
     /// The loop's latest tick, taken already or still to come: a mark where one is due.
     void mark(const Snapshot& latest);
@@ -53,6 +53,7 @@ private:
 
     void keep(const TickSample& sample);
     void forgetAll() noexcept;
+    void forgetBefore(double time) noexcept;
     void forgetUpToSecondMark() noexcept;
 
     double timeStep_;            ///< [s]

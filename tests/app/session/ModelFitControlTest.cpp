@@ -4,11 +4,31 @@
 #include "core/haptics/ScriptedDevice.h"
 #include "tests/app/session/ControlFixture.h"
 
+#include <chrono>
+#include <memory>
+#include <thread>
+
 namespace asperity::test {
 namespace {
 
+/// A device that is not there any more.
+class PulledOut final : public HapticDevice {
+public:
+    explicit PulledOut(const Vector3& place) : place_(place) {}
+    [[nodiscard]] DeviceSpecification specification() const noexcept override {
+        return kSensesOnly;
+    }
+    DeviceState advance(double /*timeStep*/) noexcept override {
+        return {.position = place_, .connected = false};
+    }
+
+private:
+    Vector3 place_;
+};
+
 class ModelFitControlTest : public ControlFixture {
 protected:
+    void SetUp() override { recordings.setFolder(folder.path() / "recordings"); }
     /// A flat sample, on which there is nothing to search.
     void usePending() {
         const Scene scene = buildScene(plainScene(), flatMap());
@@ -20,6 +40,10 @@ protected:
                   .needs = needsBeforeFit(scene.description)});
     }
     bool isPending() { return run().loaded().needs.pending; }
+    /// Waits until the model is found: then the run and who asks have the scene alone.
+    bool isFound() {
+        return eventually([this] { return run().shared().use_count() == 2; });
+    }
     /// Frames go by.
     bool fitEnds(int milliseconds = 20000) {
         return eventually(
@@ -29,8 +53,8 @@ protected:
             },
             milliseconds);
     }
-    /// Long after the model is found.
-    bool staysPending() { return !fitEnds(1000); }
+    /// After the model is found; frames go by at each of which it could be adopted.
+    bool staysPending() { return !fitEnds(100); }
 
     /// Brings the base to a height and holds it there.
     void holdAt(double height) {
@@ -40,6 +64,13 @@ protected:
             return std::make_unique<ScriptedDevice>(path, run().settings().positionGain,
                                                     run().devicePosition());
         });
+    }
+    /// Loses the device, far from the sample. No frame goes by.
+    void loseDevice() {
+        run().takeDevice([&] { return std::make_unique<PulledOut>(run().devicePosition()); });
+        while (run().loop().snapshot().sample.output.fault == Fault::None) {
+            std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        }
     }
 
     RecordingControl recordings{window, runs};
@@ -62,6 +93,7 @@ TEST_F(ModelFitControlTest, TheRunGoesOnWithWhatItsSceneRequires) {
 
 TEST_F(ModelFitControlTest, ATipThatFeelsTheSampleKeepsItsModel) {
     usePending();
+    ASSERT_TRUE(isFound());
     const double far = run().basePosition().z();
     holdAt(-2e-9);
     ASSERT_TRUE(eventually([this] { return !run().mayAdoptModel(); }));
@@ -72,6 +104,7 @@ TEST_F(ModelFitControlTest, ATipThatFeelsTheSampleKeepsItsModel) {
 
 TEST_F(ModelFitControlTest, ARecordingHasOneModel) {
     usePending();
+    ASSERT_TRUE(isFound());
     recordings.start({.folder = folder.path() / "run"});
     EXPECT_TRUE(staysPending());
     recordings.finish();
@@ -81,10 +114,12 @@ TEST_F(ModelFitControlTest, ARecordingHasOneModel) {
 /// The black box would begin anew, and nothing come of the wish.
 TEST_F(ModelFitControlTest, TheLastSecondsAreSavedFirst) {
     QSignalSpy saved(&recordings, &RecordingControl::lastSecondsSaved);
-    recordings.setFolder(folder.path() / "recordings");
     usePending();
-    QTest::qWait(200);
-    runs.fetch();
+    ASSERT_TRUE(isFound());
+    ASSERT_TRUE(eventually([this] {
+        runs.fetch();
+        return run().blackBox().samples().size() > 10;
+    }));
     run().blackBox().freeze();
     EXPECT_TRUE(staysPending());
     ASSERT_TRUE(eventually([&] {
@@ -94,8 +129,32 @@ TEST_F(ModelFitControlTest, TheLastSecondsAreSavedFirst) {
     EXPECT_TRUE(fitEnds());
 }
 
+TEST_F(ModelFitControlTest, AFaultThatNoFrameHasSeenIsSavedFirst) {
+    QSignalSpy saved(&recordings, &RecordingControl::lastSecondsSaved);
+    usePending();
+    ASSERT_TRUE(isFound());
+    loseDevice();
+    EXPECT_TRUE(staysPending());
+    ASSERT_TRUE(eventually([&] {
+        recordings.advance();
+        return saved.count() == 1;
+    }));
+    EXPECT_TRUE(fitEnds());
+}
+
+/// The black box was empty until the frame after.
+TEST_F(ModelFitControlTest, AFaultBeforeTheNextFrameIsSavedToo) {
+    QSignalSpy saved(&recordings, &RecordingControl::lastSecondsSaved);
+    usePending();
+    ASSERT_TRUE(fitEnds());
+    loseDevice();
+    useFlatScene();
+    EXPECT_EQ(saved.count(), 1) << told();
+}
+
 TEST_F(ModelFitControlTest, WhoeverWorksWithTheSceneKeepsItsModel) {
     usePending();
+    ASSERT_TRUE(isFound());
     auto shared = run().shared();
     EXPECT_TRUE(staysPending());
     shared.reset();
@@ -104,9 +163,11 @@ TEST_F(ModelFitControlTest, WhoeverWorksWithTheSceneKeepsItsModel) {
 
 TEST_F(ModelFitControlTest, AnotherSceneHasItsOwn) {
     usePending();
+    const std::weak_ptr<const LoadedScene> before = run().shared();
     useFlatScene();  // its model is known
     const ForceModelOptions model = run().scene().model;
-    QTest::qWait(1000);
+    ASSERT_TRUE(eventually([&] { return before.expired(); })) << "the search has ended";
+    QCoreApplication::processEvents();  // it answers at once, if it does
     fits.advance();
     EXPECT_EQ(run().scene().model, model);
     usePending();

@@ -1,5 +1,8 @@
 #include "ui/panels/Card.h"
 
+#include "tests/support/ShortDoubleClicks.h"
+#include "tests/support/Waits.h"
+
 #include <QApplication>
 #include <QSignalSpy>
 #include <QToolButton>
@@ -31,10 +34,10 @@ protected:
     QPoint arrow() { return {4, heading().height() / 2}; }
     QPoint words() { return {heading().width() - 8, heading().height() / 2}; }
     bool becomes(bool folded) {
-        return QTest::qWaitFor([&] { return card.isFolded() == folded; },
-                               2 * QApplication::doubleClickInterval());
+        return test::eventually([&] { return card.isFolded() == folded; });
     }
 
+    const test::ShortDoubleClicks quick;
     FilledCard card;
 };
 
@@ -67,7 +70,7 @@ TEST_F(CardTest, ADoubleClickOnTheTitleAsksForRoomAndFoldsNothing) {
     QSignalSpy folded(&card, &Card::foldedChanged);
     QTest::mouseClick(&heading(), Qt::LeftButton, Qt::NoModifier, words());
     QTest::mouseDClick(&heading(), Qt::LeftButton, Qt::NoModifier, words());
-    QTest::qWait(2 * QApplication::doubleClickInterval());
+    QTest::qWait(2 * QApplication::doubleClickInterval());  // the first click must fold nothing
     EXPECT_EQ(enlarged.count(), 1);
     EXPECT_EQ(folded.count(), 0);
     QTest::mouseDClick(&card, Qt::LeftButton, Qt::NoModifier,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "tests/support/Waits.h"
 #include "tests/ui/view/ViewMoments.h"
 #include "tests/vtkplugins/NeedsDisplay.h"
 #include "ui/view/ZoomView.h"
@@ -30,8 +31,10 @@ protected:
         settle();
     }
 
-    /// Lets the view come to rest.
-    static void settle() { QTest::qWait(300); }
+    /// Waits for the final frame.
+    void settle() {
+        ASSERT_TRUE(eventually([this] { return view->isSettled(); }));
+    }
 
     QImage pictureOf(const Snapshot& snapshot) {
         view->showSnapshot(snapshot);

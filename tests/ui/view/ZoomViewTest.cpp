@@ -279,7 +279,7 @@ TEST_F(ZoomViewTest, TakesManyScenesInARow) {
         for (int i = 0; i < times; ++i) {
             view->setScene(i % 2 == 0 ? &hilly : scene.get());
             view->showSnapshot(moments.deep);
-            QTest::qWait(1);
+            QCoreApplication::processEvents();
         }
     };
     changeScene(20);
@@ -297,7 +297,7 @@ TEST_F(ZoomViewTest, CanBeMadeAndUnmadeManyTimes) {
         another.show();
         ASSERT_TRUE(QTest::qWaitForWindowExposed(&another));
         another.showSnapshot(moments.deep);
-        QTest::qWait(5);
+        QCoreApplication::processEvents();
     }
 }
 
@@ -349,7 +349,7 @@ TEST_F(ZoomViewTest, DrawsInLargerBuffersOnlyAfterTheyAreMade) {
     view->resize(1200, 800);
     view->showSnapshot(moments.deep);
     EXPECT_EQ(view->frame().size(), QSize(400, 300)) << "the buffers are made";
-    EXPECT_TRUE(QTest::qWaitFor([&] { return view->frame().size() == QSize(1200, 800); }));
+    EXPECT_TRUE(eventually([&] { return view->frame().size() == QSize(1200, 800); }));
 }
 
 TEST_F(ZoomViewTest, DrawsAllPixelsOfASmallViewWhileTheCameraTurns) {
@@ -378,7 +378,7 @@ TEST_F(ZoomViewTest, LettersAreScaledOnceOnAScreenOfSmallPixels) {
     fine.show();
     ASSERT_TRUE(QTest::qWaitForWindowExposed(&fine));
     fine.setScene(scene.get());
-    ASSERT_TRUE(QTest::qWaitFor([&] { return !fine.frame().isNull(); }));  // drawn when idle
+    ASSERT_TRUE(eventually([&] { return !fine.frame().isNull(); }));  // drawn when idle
     EXPECT_EQ(fine.frame().size(), QSize(1000, 800));
     EXPECT_EQ(fine.frame().devicePixelRatio(), 2.0);
     EXPECT_EQ(fine.renderWindow().GetDPI(), 72) << "not by VTK as well";

@@ -1,6 +1,7 @@
 #include "ui/window/MainWindow.h"
 
 #include "tests/support/TestScenes.h"
+#include "tests/support/Waits.h"
 #include "ui/panels/Card.h"
 #include "ui/panels/ChoiceBox.h"
 #include "ui/panels/ControlBar.h"
@@ -67,7 +68,7 @@ protected:
         window.resize(size);
         window.show();
         ASSERT_TRUE(QTest::qWaitForWindowExposed(&window));
-        QTest::qWait(50);
+        handleEvents();
         ASSERT_EQ(window.size(), size) << "it is not too large for that";
     }
     QScrollArea& scroller() { return *window.findChild<QScrollArea*>(QStringLiteral("live")); }
@@ -94,7 +95,8 @@ TEST_F(MainWindowTest, AMessageFromBeforeTheWindowOpenedHasTheBottomLineAlone) {
 TEST_F(MainWindowTest, CutsNothingFromASmallScreenToALargeOne) {
     for (const QSize& size : {QSize(1012, 658), QSize(1280, 800), QSize(1920, 1080)}) {
         showAt(size);
-        EXPECT_EQ(cutIn(window), "") << size.width() << " x " << size.height();
+        EXPECT_TRUE(eventually([this] { return cutIn(window).empty(); }))
+            << size.width() << " x " << size.height() << ": " << cutIn(window);
         EXPECT_LE(scroller().widget()->width(), scroller().viewport()->width());
     }
 }
@@ -113,17 +115,15 @@ TEST_F(MainWindowTest, AFoldedPanelLeavesItsRoomToTheOthers) {
     Card& last = *window.cards().back();
     const int before = last.height();
     first.setFolded(true);
-    QTest::qWait(50);
+    EXPECT_TRUE(eventually([&] { return last.height() > before; }));
     EXPECT_LT(first.height(), 40);
-    EXPECT_GT(last.height(), before);
     first.setFolded(false);
-    QTest::qWait(50);
-    EXPECT_EQ(last.height(), before);
+    EXPECT_TRUE(eventually([&] { return last.height() == before; })) << last.height();
     for (Card* card : window.cards()) {
         card->setFolded(true);
     }
-    QTest::qWait(50);
-    EXPECT_LT(last.geometry().bottom(), 200) << "all stand at the top";
+    EXPECT_TRUE(eventually([&] { return last.geometry().bottom() < 200; }))
+        << "all stand at the top";
 }
 
 /// The tool tip with the reason was gone with the focus before anybody saw it.
@@ -141,7 +141,7 @@ TEST_F(MainWindowTest, TheBottomLineSaysWhyANumberIsRefusedWhereverTheFocusGoes)
             QTest::keyClick(&box, end);
             EXPECT_FALSE(box.hasFocus()) << name;
             EXPECT_TRUE(window.view().hasFocus() || end == Qt::Key_Tab) << name;
-            QTest::qWait(400);
+            QTest::qWait(400);  // the reason must not go with the focus
             EXPECT_TRUE(window.statusBar()->currentMessage().startsWith("“oops” is not taken"))
                 << name << ": " << window.statusBar()->currentMessage().toStdString();
         }
@@ -194,7 +194,7 @@ TEST_F(MainWindowTest, ListsOfTheTopRowShowTheirPresentTextOnASmallScreen) {
                         << size.width() << ": " << list->currentText().toStdString();
                     EXPECT_EQ(list->shownText(), list->currentText());
                 }
-                EXPECT_TRUE(QTest::qWaitFor([&] { return cutIn(window).empty(); }, 2000))
+                EXPECT_TRUE(eventually([&] { return cutIn(window).empty(); }))
                     << size.width() << ": " << cutIn(window);
             }
             EXPECT_LT(controls.height(), 60) << "one line at 1280";

@@ -1,6 +1,8 @@
 #include "ui/window/Maximizer.h"
 
+#include "tests/support/ShortDoubleClicks.h"
 #include "tests/support/TestScenes.h"
+#include "tests/support/Waits.h"
 #include "ui/panels/Card.h"
 #include "ui/panels/StateBanner.h"
 #include "ui/view/ZoomView.h"
@@ -30,7 +32,7 @@ protected:
         window.show();
         ASSERT_TRUE(QTest::qWaitForWindowExposed(&window));
         QApplication::setActiveWindow(&window);
-        QTest::qWait(50);
+        handleEvents();
     }
     QToolButton& headingOf(Card& card) { return *card.findChild<QToolButton*>(); }
     void doubleClick(Card& card) {
@@ -38,11 +40,11 @@ protected:
         const QPoint words(heading.width() - 8, heading.height() / 2);
         QTest::mouseClick(&heading, Qt::LeftButton, Qt::NoModifier, words);
         QTest::mouseDClick(&heading, Qt::LeftButton, Qt::NoModifier, words);
-        QTest::qWait(50);
+        handleEvents();
     }
     /// Place and size of all panels.
     std::vector<QRect> places() {
-        QTest::qWait(50);
+        handleEvents();
         std::vector<QRect> places{placeOf(window.view()), placeOf(window.banner())};
         for (const Card* card : window.cards()) {
             places.push_back(placeOf(*card));
@@ -53,6 +55,7 @@ protected:
         return {panel.mapTo(panel.window(), QPoint()), panel.size()};
     }
 
+    const ShortDoubleClicks quick;
     Scene scene = buildScene(plainScene(), flatMap());
     MainWindow window;
 };
@@ -75,7 +78,7 @@ TEST_F(MaximizerTest, ADoubleClickOnATitleGivesThePanelTheWholeMiddleAndAnotherO
         doubleClick(*card);
         EXPECT_EQ(card->isFolded(), wasFolded);
         EXPECT_TRUE(window.view().isVisible());
-        QTest::qWait(2 * QApplication::doubleClickInterval());
+        QTest::qWait(2 * QApplication::doubleClickInterval());  // no click may fold it later
         EXPECT_EQ(places(), before) << card->title().toStdString();
     }
 }
@@ -109,7 +112,7 @@ TEST_F(MaximizerTest, ADoubleClickOnATabEnlargesAllTools) {
     const auto doubleClickTab = [&] {
         QTest::mouseDClick(&bar, Qt::LeftButton, Qt::NoModifier,
                            bar.tabRect(0).topLeft() + QPoint(8, 8));
-        QTest::qWait(50);
+        handleEvents();
     };
     doubleClickTab();
     EXPECT_GT(page->width(), 1200);

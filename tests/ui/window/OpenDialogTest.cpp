@@ -1,6 +1,7 @@
 #include "ui/window/OpenDialog.h"
 
 #include "tests/support/ScratchFolder.h"
+#include "tests/support/Waits.h"
 #include "ui/Theme.h"
 #include "ui/panels/CropPicture.h"
 #include "ui/panels/LengthBox.h"
@@ -92,7 +93,7 @@ TEST_F(OpenDialogTest, BeginsWithoutAFileAndFitsTheScreen) {
 /// What a screen of 1024 x 700 leaves a dialog.
 TEST_F(OpenDialogTest, FitsASmallScreenWhateverTheFileAsksFor) {
     const auto expectFits = [this](const char* what) {
-        QTest::qWait(50);
+        handleEvents();
         EXPECT_LE(dialog.minimumSizeHint().width(), 1000) << what;
         EXPECT_LE(dialog.minimumSizeHint().height(), 680) << what;
     };
@@ -118,19 +119,20 @@ TEST_F(OpenDialogTest, CutsNothingOnASmallScreen) {
                      {"previewRms", "Rms", "4.37 nm before leveling, 4.21 nm after", "About"}};
     dialog.showPreview(preview);
     dialog.resize(1000, 658);
-    QTest::qWait(100);
+    handleEvents();
     ASSERT_EQ(dialog.size(), QSize(1000, 658));
     for (const char* fact : {"previewRange", "previewRms"}) {
         const auto& value = child<QLabel>(fact);
-        EXPECT_GE(value.height(), value.heightForWidth(value.width())) << fact;
+        EXPECT_TRUE(eventually([&] {
+            return value.height() >= value.heightForWidth(value.width());
+        })) << fact;
         EXPECT_GE(value.width(), theme::scaled(120)) << fact;
     }
     const auto& list = child<QTreeView>("treeView");
     EXPECT_TRUE(list.isColumnHidden(3)) << "no dates";
     EXPECT_GE(list.columnWidth(0), theme::scaled(150));
     dialog.resize(dialog.sizeHint());
-    QTest::qWait(50);
-    EXPECT_FALSE(list.isColumnHidden(3)) << "there is room for dates";
+    EXPECT_TRUE(eventually([&] { return !list.isColumnHidden(3); })) << "there is room for dates";
 }
 
 TEST_F(OpenDialogTest, WantsWhatALargeScreenHas) {
@@ -302,7 +304,7 @@ TEST_F(OpenDialogTest, AClickInTheListChooses) {
     ASSERT_TRUE(QTest::qWaitForWindowExposed(&dialog));
     auto& list = child<QTreeView>("treeView");
     const auto rows = [&] { return list.model()->rowCount(list.rootIndex()); };
-    ASSERT_TRUE(QTest::qWaitFor([&] { return rows() == 2; }));
+    ASSERT_TRUE(eventually([&] { return rows() == 2; }));
     const QModelIndex second = list.model()->index(1, 0, list.rootIndex());
     QTest::mouseClick(list.viewport(), Qt::LeftButton, Qt::NoModifier,
                       list.visualRect(second).center());

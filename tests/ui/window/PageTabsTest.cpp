@@ -1,5 +1,7 @@
 #include "ui/window/PageTabs.h"
 
+#include "tests/support/Waits.h"
+
 #include <QLabel>
 #include <QScrollArea>
 #include <QSignalSpy>
@@ -86,7 +88,7 @@ TEST_F(PageTabsTest, OpenedWithoutAPageItShowsTheFirst) {
 TEST_F(PageTabsTest, APageThatIsTooLargeIsScrolled) {
     touches->setMinimumSize(900, 700);
     tabs.showPage(touches);
-    QTest::qWait(20);
+    test::handleEvents();
     auto* area = qobject_cast<QScrollArea*>(touches->parentWidget()->parentWidget());
     ASSERT_NE(area, nullptr);
     EXPECT_EQ(touches->width(), 900);
@@ -95,7 +97,7 @@ TEST_F(PageTabsTest, APageThatIsTooLargeIsScrolled) {
 
 TEST_F(PageTabsTest, ADoubleClickOnATabAsksForRoom) {
     tabs.showPage(profile);
-    QTest::qWait(20);
+    test::handleEvents();
     QSignalSpy enlarged(&tabs, &PageTabs::enlargeRequested);
     QTest::mouseDClick(tabs.tabBar(), Qt::LeftButton, Qt::NoModifier,
                        tabs.tabBar()->tabRect(0).topLeft() + QPoint(8, 8));

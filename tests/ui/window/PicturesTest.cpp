@@ -4,6 +4,7 @@
 #include "core/scene/SceneTruth.h"
 #include "tests/support/PictureBaseline.h"
 #include "tests/support/TestScenes.h"
+#include "tests/ui/window/SettledWindow.h"
 #include "ui/Theme.h"
 #include "ui/panels/Card.h"
 #include "ui/panels/RunPanel.h"
@@ -33,7 +34,7 @@ protected:
         window.show();
         ASSERT_TRUE(QTest::qWaitForWindowExposed(&window));
         takeRun();
-        QTest::qWait(400);  // the surface is drawn coarsely at first
+        settle(window);
     }
 
     void TearDown() override { theme::choose(ThemeChoice::Light); }
@@ -62,7 +63,7 @@ protected:
             panel->show(snapshot);
         }
         window.statusBar()->clearMessage();
-        QTest::qWait(50);
+        settle(window);
         return window.grab().toImage();
     }
 

@@ -2,6 +2,7 @@
 
 #include "core/Units.h"
 #include "tests/support/TestScenes.h"
+#include "tests/support/Waits.h"
 #include "tests/ui/view/ViewMoments.h"
 #include "ui/panels/CopyablePlot.h"
 #include "ui/panels/NumberBox.h"
@@ -19,6 +20,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <numbers>
 
 namespace asperity::test {
@@ -51,9 +53,10 @@ TEST_F(SecondViewTest, IsHiddenAtFirstAndDoesNothingThen) {
 
 TEST_F(SecondViewTest, BothViewsAreEquallyWideAtFirst) {
     window.menus().secondView->trigger();
-    ASSERT_TRUE(QTest::qWaitFor([this] { return second().isVisible(); }));
-    QTest::qWait(20);
-    EXPECT_NEAR(window.view().width(), second().width(), 2.0);
+    EXPECT_TRUE(eventually([this] {
+        return second().isVisible() && std::abs(window.view().width() - second().width()) <= 2;
+    })) << window.view().width()
+        << " and " << second().width();
 }
 
 TEST_F(SecondViewTest, ShowsASectionOrA3DView) {
@@ -64,8 +67,8 @@ TEST_F(SecondViewTest, ShowsASectionOrA3DView) {
     SecondViewSettings settings = second().settings();
     settings.content = SecondContent::Space;
     second().setSettings(settings);
-    QTest::qWait(50);
     EXPECT_TRUE(second().space().isVisible());
+    ASSERT_TRUE(eventually([this] { return second().space().isSettled(); }));
     EXPECT_FALSE(second().section().isVisible());
     EXPECT_FALSE(second().section().section()) << "what is not seen holds no scene";
     QSignalSpy frames(&second().space(), &ZoomView::frameRendered);

@@ -2,6 +2,7 @@
 
 #include "tests/support/ScratchFolder.h"
 #include "tests/support/TestScenes.h"
+#include "tests/ui/window/SettledWindow.h"
 #include "ui/Theme.h"
 #include "ui/panels/Card.h"
 #include "ui/panels/FidelityPanel.h"
@@ -62,12 +63,12 @@ protected:
                 entry->trigger();
             }
         }
-        QTest::qWait(300);
+        settle(window);
     }
-    static QImage pictureOf(QWidget& widget) {
+    QImage pictureOf(QWidget& widget) {
         widget.show();
         EXPECT_TRUE(QTest::qWaitForWindowExposed(&widget));
-        QTest::qWait(300);
+        settle(window);
         return widget.grab().toImage();
     }
 
@@ -92,7 +93,7 @@ TEST_F(ThemeMenuTest, RepaintsAllWindowsWhileTheProgramRunsAndBackToTheSamePixel
 /// labels are first shown later, or get another parent.
 TEST_F(ThemeMenuTest, NoLabelKeepsAColorOfTheThemeBefore) {
     const auto expectDark = [this](const char* when) {
-        QTest::qWait(50);
+        handleEvents();
         const ThemeColors& colors = theme::colors();
         for (const QLabel* label : window.findChildren<QLabel*>()) {
             const QColor shown = label->palette().color(QPalette::WindowText);
@@ -118,7 +119,7 @@ TEST_F(ThemeMenuTest, NoLabelKeepsAColorOfTheThemeBefore) {
 
 TEST_F(ThemeMenuTest, TheLargeViewHasTheBackdropOfTheTheme) {
     const auto corner = [this] {
-        QTest::qWait(300);
+        settle(window);
         return window.view().frame().pixelColor(3, 3);
     };
     EXPECT_EQ(corner(), toQColor(kLightPalette.backdrop));

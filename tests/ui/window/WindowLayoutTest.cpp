@@ -1,5 +1,6 @@
 #include "ui/window/WindowLayout.h"
 
+#include "tests/support/Waits.h"
 #include "ui/panels/Card.h"
 #include "ui/view/ZoomView.h"
 #include "ui/window/CardColumn.h"
@@ -29,7 +30,7 @@ protected:
         window.resize(1280, 800);
         window.show();
         ASSERT_TRUE(QTest::qWaitForWindowExposed(&window));
-        QTest::qWait(50);
+        handleEvents();
     }
     QAction& entry(const QString& key) {
         Q_EMIT window.menus().panels->aboutToShow();
@@ -44,7 +45,7 @@ protected:
         return shown;
     }
     std::map<QString, QList<int>> sizes() {
-        QTest::qWait(50);
+        handleEvents();
         std::map<QString, QList<int>> sizes;
         for (const QSplitter* splitter : window.layout().splitters()) {
             sizes[splitter->objectName()] = splitter->sizes();
@@ -83,11 +84,10 @@ TEST_F(WindowLayoutTest, HidingAllLeavesTheViewAndResettingBringsAllBack) {
             part.trigger();
         }
     }
-    QTest::qWait(50);
     for (const auto& [key, isShown] : shown()) {
         EXPECT_FALSE(isShown) << key.toStdString();
     }
-    EXPECT_GT(window.view().width(), 1200);
+    EXPECT_TRUE(eventually([this] { return window.view().width() > 1200; }));
     EXPECT_FALSE(window.layout().sidePages().isVisible());
     window.layout().splitters().front()->setSizes({900, 300});
     entry(QStringLiteral("resetLayout")).trigger();
@@ -101,12 +101,10 @@ TEST_F(WindowLayoutTest, AHiddenCardLeavesItsRoomToTheOthers) {
     Card& first = *window.cards().front();
     const int before = first.height();
     entry(QStringLiteral("card/Cantilever")).trigger();
-    QTest::qWait(50);
-    EXPECT_GT(first.height(), before);
+    EXPECT_TRUE(eventually([&] { return first.height() > before; }));
     EXPECT_FALSE(window.cards().at(1)->isVisible());
     entry(QStringLiteral("card/Cantilever")).trigger();
-    QTest::qWait(50);
-    EXPECT_EQ(first.height(), before);
+    EXPECT_TRUE(eventually([&] { return first.height() == before; })) << first.height();
 }
 
 TEST_F(WindowLayoutTest, ASplitterSharesOutTheRoomBetweenCards) {
@@ -122,8 +120,7 @@ TEST_F(WindowLayoutTest, AToolTakesRoomFromTheViewNotFromTheColumn) {
     const int column = window.layout().sidePages().width();
     const int view = window.view().height();
     window.showTool(profile);
-    QTest::qWait(50);
-    EXPECT_LT(window.view().height(), view - 100);
+    EXPECT_TRUE(eventually([&] { return window.view().height() < view - 100; }));
     EXPECT_EQ(window.layout().sidePages().width(), column);
     EXPECT_GT(profile->height(), 100);
 }

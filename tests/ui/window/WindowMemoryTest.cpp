@@ -1,6 +1,7 @@
 #include "ui/window/WindowMemory.h"
 
 #include "tests/support/ScratchFolder.h"
+#include "tests/support/Waits.h"
 #include "ui/Theme.h"
 #include "ui/panels/Card.h"
 #include "ui/view/ZoomView.h"
@@ -38,7 +39,7 @@ protected:
         ASSERT_TRUE(QTest::qWaitForWindowExposed(&window));
         window.setGeometry(place);
         window.cards().at(1)->setFolded(true);
-        QTest::qWait(50);
+        handleEvents();
     }
 
     ScratchFolder folder;
@@ -62,7 +63,7 @@ TEST_F(WindowMemoryTest, KeepsWhatIsHiddenWhatIsOnTopAndHowTheRoomIsShared) {
         window.addTool(new QLabel(QStringLiteral("a table")), QStringLiteral("Touches"));
     };
     const auto sizes = [](MainWindow& window) {
-        QTest::qWait(50);
+        handleEvents();
         std::vector<QList<int>> found;
         for (const QSplitter* splitter : window.layout().splitters()) {
             found.push_back(splitter->sizes());
@@ -109,14 +110,14 @@ TEST_F(WindowMemoryTest, SplittersOfALargerScreenLeaveEveryPanelItsRoom) {
         window.show();
         ASSERT_TRUE(QTest::qWaitForWindowExposed(&window));
         window.layout().splitters().at(0)->setSizes({400, 2590});
-        QTest::qWait(50);
+        handleEvents();
     }
     MainWindow window;
     const WindowMemory memory(window, settings());
     window.resize(1012, 658);
     window.show();
     ASSERT_TRUE(QTest::qWaitForWindowExposed(&window));
-    QTest::qWait(50);
+    handleEvents();
     const QList<int> sizes = window.layout().splitters().at(0)->sizes();
     EXPECT_GE(sizes.at(0), window.view().minimumSizeHint().width());
     EXPECT_GT(sizes.at(0), 200);
@@ -135,13 +136,10 @@ TEST_F(WindowMemoryTest, WritesAChoiceWhileTheProgramGoesOn) {
     window.menus().compactRecordings->setChecked(true);
     window.setGeometry(130, 95, 1150, 720);
     const auto isWritten = [this](const char* line) {
-        return QTest::qWaitFor(
-            [&] {
-                const std::filesystem::path file = folder.file("a.ini");
-                return std::filesystem::exists(file) &&
-                       contentOf(file).find(line) != std::string::npos;
-            },
-            20000);
+        return eventually([&] {
+            const std::filesystem::path file = folder.file("a.ini");
+            return std::filesystem::exists(file) && contentOf(file).find(line) != std::string::npos;
+        });
     };
     EXPECT_TRUE(isWritten("theme=dark"));
     EXPECT_TRUE(isWritten("startWithLast=false"));

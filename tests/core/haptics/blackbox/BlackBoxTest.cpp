@@ -28,7 +28,15 @@ public:
             }
         }
     }
-    void lose(long count) { ticks_ += count; }
+    /// @param isMarked whether the last one is the loop's latest when somebody visits the box
+    void lose(long count, bool isMarked = false) {
+        ticks_ += count;
+        if (isMarked) {
+            latest_.sample.time = static_cast<double>(ticks_ - 1) * kStep;
+            latest_.memory.mapping.device.x() = latest_.sample.time;
+            box_.mark(latest_);
+        }
+    }
     [[nodiscard]] double now() const { return latest_.sample.time; }
 
     long markedEvery = 25;
@@ -146,6 +154,22 @@ TEST(BlackBox, BeginsAfterTicksThatWereLost) {
     ticks.run(500);
     EXPECT_GT(box.samples().front().time, end + kStep);
     EXPECT_GT(heldSeconds(box), 0.4);
+    expectReplayable(box);
+}
+
+/// The owner's thread hung, visits the box once, and the fault comes before its next visit.
+TEST(BlackBox, BeginsRightAfterALostTickThatIsMarked) {
+    BlackBox box(kStep, 2.0);
+    Ticks ticks(box);
+    ticks.run(1000);
+    ticks.lose(500, true);
+    const double lost = ticks.now();
+    ticks.run(3);
+    ticks.run(1, Fault::NotFinite);
+    EXPECT_TRUE(box.frozen());
+    ASSERT_EQ(box.samples().size(), 4U);
+    EXPECT_NEAR(box.samples().front().time, lost + kStep, 1e-9 * kStep);
+    EXPECT_EQ(box.samples().back().output.fault, Fault::NotFinite);
     expectReplayable(box);
 }
 
