@@ -24,8 +24,8 @@ def changed_files(commits):
     def git(*arguments):
         return subprocess.run(["git", "-C", TOP, *arguments], check=True, capture_output=True,
                               text=True).stdout.split("\n")
-    history = [line for line in git("rev-list", f"--max-count={commits + 1}", "HEAD") if line]
-    named = git("diff", "--name-only", history[-1]) + git("ls-files", "--others", "--exclude-standard")
+    named = (git("log", "--no-merges", f"--max-count={commits}", "--name-only", "--pretty=format:")
+             + git("diff", "--name-only", "HEAD") + git("ls-files", "--others", "--exclude-standard"))
     return sorted({name for name in named if name and (TOP / name).is_file()})
 
 
