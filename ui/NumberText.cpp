@@ -1,5 +1,7 @@
 #include "ui/NumberText.h"
 
+#include "ui/Steady.h"
+
 #include <clocale>
 #include <cmath>
 
