@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <chrono>
 #include <csignal>
 #include <cstdlib>
@@ -30,6 +31,13 @@ protected:
     static std::string run() { return (shared->path() / "run").string(); }
     static test::ProgramRun film(const std::string& arguments) {
         return test::runProgram("film " + run() + " --size 320x240 " + arguments);
+    }
+
+    /// Whether a file of a film lies there, under whatever name.
+    [[nodiscard]] bool isWritten() const {
+        const std::filesystem::recursive_directory_iterator files(scratch.path());
+        return std::any_of(begin(files), end(files),
+                           [](const auto& file) { return file.is_regular_file(); });
     }
 
     inline static std::unique_ptr<test::ScratchFolder> shared;
@@ -78,7 +86,9 @@ TEST_F(Film, LeavesNothingWhenItIsInterrupted) {
     for (const char* name : {"frames", "a.mp4"}) {
         test::ChildProgram program({"film", run(), "--size", "640x480", "--speed", "0.01", "--out",
                                     (scratch.path() / name).string()});
-        std::this_thread::sleep_for(std::chrono::seconds(4));
+        while (!isWritten() && !program.hasEnded()) {
+            std::this_thread::sleep_for(std::chrono::milliseconds(10));
+        }
         EXPECT_FALSE(program.hasEnded());
         program.send(SIGINT);
         EXPECT_NE(program.wait().exitCode, 0);

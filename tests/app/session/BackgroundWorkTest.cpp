@@ -1,5 +1,7 @@
 #include "app/session/BackgroundWork.h"
 
+#include "tests/support/Waits.h"
+
 #include <QtTest>
 
 #include <gtest/gtest.h>
@@ -13,9 +15,6 @@ namespace {
 
 class Work : public ::testing::Test {
 protected:
-    static bool eventually(const std::function<bool()>& holds) {
-        return QTest::qWaitFor(holds, 20000);
-    }
     /// Goes on until it is canceled.
     static int endless(Progress& progress) {
         while (true) {
@@ -75,7 +74,7 @@ TEST_F(Work, OnlyTheLastOneCounts) {
     work.start([](Progress&) { return 1; });
     work.start([](Progress&) { return 2; });
     ASSERT_TRUE(eventually([this] { return !results.empty(); }));
-    QTest::qWait(50);
+    QTest::qWait(50);  // no other one may come
     EXPECT_EQ(results, std::vector{2});
 }
 

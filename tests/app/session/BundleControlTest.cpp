@@ -28,7 +28,7 @@ protected:
         ASSERT_TRUE(eventually([this] {  // the black box begins anew with the fitted model
             return session.run() != nullptr && !session.run()->loaded().needs.pending;
         }));
-        live(300);
+        ASSERT_TRUE(runsFor(0.3));
     }
 
     /// @return the bundle's file; empty: there is none
@@ -44,7 +44,7 @@ protected:
 
 TEST_F(BundleInWindow, HoldsTheRecordingThatGoesOn) {
     window.menus().record->trigger();
-    live(300);
+    ASSERT_TRUE(runsFor(0.3));
     const fs::path file = bundle();
     ASSERT_TRUE(isBundle(file));
     EXPECT_FALSE(window.menus().record->isChecked());
@@ -58,7 +58,7 @@ TEST_F(BundleInWindow, HoldsTheRecordingThatGoesOn) {
 TEST_F(BundleInWindow, HoldsACompactRecordingOnceItIsPacked) {
     window.menus().compactRecordings->setChecked(true);
     window.menus().record->trigger();
-    live(300);
+    ASSERT_TRUE(runsFor(0.3));
     const RunPlace place(bundle());
     EXPECT_TRUE(fs::exists(place.folder() / "recording.h5"));
     EXPECT_FALSE(fs::exists(place.folder() / "force_log.csv"));

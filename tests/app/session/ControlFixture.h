@@ -4,6 +4,7 @@
 #include "app/session/SceneEdits.h"
 #include "tests/support/ScratchFolder.h"
 #include "tests/support/TestScenes.h"
+#include "tests/support/Waits.h"
 #include "ui/window/MainWindow.h"
 
 #include <QMessageBox>
@@ -12,7 +13,6 @@
 
 #include <gtest/gtest.h>
 
-#include <functional>
 #include <string>
 
 namespace asperity::test {
@@ -20,9 +20,6 @@ namespace asperity::test {
 /// A window that is not shown and its run, without the session that connects all controls.
 class ControlFixture : public ::testing::Test {
 protected:
-    static bool eventually(const std::function<bool()>& holds, int milliseconds = 20000) {
-        return QTest::qWaitFor(holds, milliseconds);
-    }
     /// A small scene whose sample is flat.
     void useFlatScene() {
         runs.use({.scene = buildScene(plainScene(), flatMap()),

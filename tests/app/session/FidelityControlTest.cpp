@@ -50,7 +50,7 @@ TEST_F(FidelityControlTest, AStudyCanBeStopped) {
     Q_EMIT panel().measureRequested();
     Q_EMIT panel().measureRequested();  // one at a time
     Q_EMIT panel().stopRequested();
-    QTest::qWait(200);
+    QTest::qWait(200);  // in which it ends: nothing may come of it
     EXPECT_FALSE(panel().tradeOff().has_value());
     EXPECT_EQ(complaint(), "");
 }

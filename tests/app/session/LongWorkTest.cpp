@@ -1,5 +1,7 @@
 #include "app/session/LongWork.h"
 
+#include "tests/support/Waits.h"
+
 #include <QElapsedTimer>
 #include <QtTest>
 
@@ -17,9 +19,6 @@ namespace {
 
 class LongWorkTest : public ::testing::Test {
 protected:
-    static bool eventually(const std::function<bool()>& holds) {
-        return QTest::qWaitFor(holds, 20000);
-    }
     /// Ends when it is told to, or canceled.
     int wait(Progress& progress) {
         while (!mayEnd) {
@@ -53,7 +52,7 @@ TEST_F(LongWorkTest, QuickWorkIsNotShown) {
     });
     EXPECT_TRUE(work.isAwaited());
     ASSERT_TRUE(eventually([this] { return !results.empty(); }));
-    QTest::qWait(kShownAfter + 100);
+    QTest::qWait(kShownAfter + 100);  // it would be shown by then
     EXPECT_TRUE(begun.empty());
     EXPECT_EQ(ended, 0);
     EXPECT_FALSE(work.isAwaited());
@@ -80,7 +79,7 @@ TEST_F(LongWorkTest, NothingComesOfWhatIsCanceled) {
     EXPECT_EQ(ended, 1);
     EXPECT_FALSE(work.isAwaited());
     mayEnd = true;
-    QTest::qWait(100);
+    QTest::qWait(100);  // in which it ends: nothing may come of it
     EXPECT_TRUE(results.empty());
     EXPECT_EQ(failures, 0);
 }
@@ -88,7 +87,7 @@ TEST_F(LongWorkTest, NothingComesOfWhatIsCanceled) {
 TEST_F(LongWorkTest, CanceledSoonItIsNeverShown) {
     startToWait("slow");
     EXPECT_TRUE(work.cancel());
-    QTest::qWait(kShownAfter + 100);
+    QTest::qWait(kShownAfter + 100);  // it would be shown by then
     EXPECT_TRUE(begun.empty());
     EXPECT_EQ(ended, 0);
 }
@@ -100,7 +99,7 @@ TEST_F(LongWorkTest, OtherWorkTakesItsPlaceAtOnce) {
     EXPECT_EQ(begun, (std::vector<std::string>{"first", "second"}));
     mayEnd = true;
     ASSERT_TRUE(eventually([this] { return results.size() == 1; }));
-    QTest::qWait(100);
+    QTest::qWait(100);  // no other one may come
     EXPECT_EQ(results.size(), 1U);
     EXPECT_EQ(ended, 1);
 }

@@ -158,7 +158,7 @@ TEST_F(OpenControlTest, AnotherFileTakesThePlaceOfASlowOne) {
     choose(kSteps);
     ASSERT_TRUE(eventually([this] { return ok().isEnabled(); }));
     EXPECT_EQ(fact("previewFormat"), "Gwyddion Simple Field .gsf");
-    QTest::qWait(500);
+    QTest::qWait(500);  // in which the slow one is given up
     EXPECT_EQ(fact("previewFormat"), "Gwyddion Simple Field .gsf") << "nothing comes of it";
 }
 

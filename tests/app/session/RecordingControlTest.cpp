@@ -17,8 +17,11 @@ protected:
         runs.setSink([this](const TickSample& sample) { recordings.take(sample); });
         useFlatScene();
     }
-    void advance(int milliseconds) {
-        QTest::qWait(milliseconds);
+    /// A frame after so many more ticks.
+    void advance(long ticks) {
+        const auto made = [this] { return run().loop().snapshot().statistics.ticks; };
+        const long end = made() + ticks;
+        ASSERT_TRUE(eventually([&] { return made() >= end; }));
         runs.fetch();
         recordings.advance();
     }

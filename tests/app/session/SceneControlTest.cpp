@@ -83,7 +83,7 @@ TEST_F(SceneControlTest, NothingComesOfWhatIsCanceled) {
     scenes.cancelOpen();
     EXPECT_EQ(canceled.count(), 1);
     EXPECT_EQ(told(), "Loading of steps.gsf canceled");
-    QTest::qWait(500);
+    QTest::qWait(500);  // longer than the file takes: nothing may come of it
     EXPECT_EQ(begun.count(), 0);
 }
 

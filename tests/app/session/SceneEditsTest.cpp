@@ -196,7 +196,7 @@ TEST_F(SceneEditsTest, UndoTakesBackWhatIsStillUnderWay) {
     EXPECT_EQ(edits.undoName(), "Tip radius: 20 nm");
     edits.undo();
     EXPECT_EQ(*edits.wanted(), first);
-    QTest::qWait(1500);
+    QTest::qWait(1500);  // longer than a change takes
     EXPECT_EQ(runs.run(), before) << "nothing came of it";
     EXPECT_EQ(edits.undoName(), "");
 }
@@ -277,7 +277,7 @@ TEST_F(SceneEditsTest, UndoWhileAFileIsLoadedCancelsThat) {
     EXPECT_NE(told().find("is being loaded"), std::string::npos);
     EXPECT_EQ(edits.undoName(), "Open grating.gsf");
     edits.undo();
-    QTest::qWait(500);
+    QTest::qWait(500);  // longer than the file takes
     EXPECT_EQ(begun.count(), 0);
     EXPECT_EQ(edits.undoName(), "Tip radius: 20 nm");
 }
@@ -288,7 +288,7 @@ TEST_F(SceneEditsTest, CancelLeavesTheSceneAsItWas) {
     setTip(20e-9);
     edits.cancel();
     EXPECT_EQ(edits.wanted()->tip.radius, 15e-9);
-    QTest::qWait(1500);
+    QTest::qWait(1500);  // longer than a change takes
     EXPECT_EQ(runs.run(), before);
     EXPECT_EQ(edits.undoName(), "");
     edits.cancel();
@@ -304,7 +304,7 @@ TEST_F(SceneEditsTest, ASceneFromElsewhereHasNoHistory) {
     EXPECT_EQ(edits.wanted()->tip.radius, 15e-9);
     edits.undo();
     edits.redo();
-    QTest::qWait(1000);
+    QTest::qWait(1000);  // longer than a change takes
     EXPECT_EQ(shown().tip.radius, 15e-9);
 }
 

@@ -47,7 +47,7 @@ TEST_F(DeviceMenu, AClutchLetsTheDeviceMoveAndTheTipStay) {
     press(Qt::Key_Right);
     ASSERT_TRUE(eventually([&] { return (device() - before).norm() > 5e-3; }));
     release(Qt::Key_Right);
-    live(300);
+    ASSERT_TRUE(runsFor(0.3));
     EXPECT_LT((base() - tip).norm(), 0.05e-9);
     menus().clutch->trigger();
     ASSERT_TRUE(eventually([this] { return state() == "far"; })) << "comes on anew: " << state();
@@ -58,11 +58,11 @@ TEST_F(DeviceMenu, AGuideHoldsTheTipBack) {
     leadWithDevice();
     const double height = base().z();
     chooseGuide("Horizontal plane through the tip");
-    live(700);
+    ASSERT_TRUE(runsFor(0.7));
     press(Qt::Key_PageUp);
     ASSERT_TRUE(eventually([this] { return deviceForce().z() < -0.3; })) << deviceForce().z();
     release(Qt::Key_PageUp);
-    live(500);
+    ASSERT_TRUE(runsFor(0.5));
     // The guide's 200 N/m and the grip's 150 N/m part the way; without a guide the tip rises with
     // the device.
     const double asked = -deviceForce().z() / 200.0 * 1e-6;
@@ -93,7 +93,7 @@ TEST_F(DeviceMenu, TheEdgeOfTheWorkspaceIsFeltAndToldAndAClutchLeadsOn) {
     ASSERT_TRUE(eventually([this] {
         return state().find("edge of the workspace: clutch (C)") != std::string::npos;
     })) << state();
-    live(500);
+    ASSERT_TRUE(runsFor(0.5));
     release(Qt::Key_Right);
     const double edge = device().norm();
     EXPECT_GT(edge, 0.09);
@@ -103,9 +103,9 @@ TEST_F(DeviceMenu, TheEdgeOfTheWorkspaceIsFeltAndToldAndAClutchLeadsOn) {
     press(Qt::Key_Left, Qt::ControlModifier);
     ASSERT_TRUE(eventually([this] { return device().norm() < 0.05; }));
     release(Qt::Key_Left);
-    live(300);
+    ASSERT_TRUE(runsFor(0.3));
     menus().clutch->trigger();
-    live(300);
+    ASSERT_TRUE(runsFor(0.3));
     EXPECT_LT((base() - tip).norm(), 0.2e-9);
     press(Qt::Key_Right, Qt::ControlModifier);
     EXPECT_TRUE(eventually([&] { return (base() - tip).norm() > 10e-9; }));

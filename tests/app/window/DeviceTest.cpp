@@ -50,12 +50,12 @@ TEST_F(Window, TheWheelBringsTheTipIntoContactAndBack) {
 TEST_F(Window, ShiftMakesTheWheelTenTimesFiner) {
     openFlatScene();
     const auto climb = [this](int notches, Qt::KeyboardModifiers modifiers) {
-        live(400);
+        EXPECT_TRUE(baseRests());
         const double before = session.run()->basePosition().z();
         for (int i = 0; i < std::abs(notches); ++i) {
             turnWheel(notches > 0 ? 1 : -1, modifiers);
         }
-        live(400);
+        EXPECT_TRUE(baseRests());
         return session.run()->basePosition().z() - before;
     };
     const double coarse = climb(1, Qt::NoModifier);
@@ -71,7 +71,7 @@ TEST_F(Window, AFewNotchesOfTheWheelLeadToTheContact) {
     while (!inContact() && notches < 40) {
         turnWheel(-1);
         ++notches;
-        live(150);
+        ASSERT_TRUE(runsFor(0.15));
     }
     EXPECT_TRUE(inContact()) << state();
     EXPECT_LE(notches, 20);
@@ -84,9 +84,9 @@ TEST_F(Window, AReleasedKeyStopsTheTip) {
     ASSERT_TRUE(
         eventually([&] { return std::abs(session.run()->basePosition().x() - start) > 1e-9; }));
     release(Qt::Key_Right);
-    live(400);
+    ASSERT_TRUE(baseRests());
     const double rest = session.run()->basePosition().x();
-    live(200);
+    ASSERT_TRUE(runsFor(0.2));
     EXPECT_NEAR(session.run()->basePosition().x(), rest, 1e-13);
 }
 
@@ -95,7 +95,7 @@ TEST_F(Window, DraggingMovesTheTipAlongTheSample) {
     const Vector3 before = session.run()->basePosition();
     const QPoint middle = window.view().rect().center();
     drag(middle, middle + QPoint(40, 0));
-    live(500);
+    ASSERT_TRUE(baseRests());
     const Vector3 way = session.run()->basePosition() - before;
     EXPECT_GT(way.head<2>().norm(), 1e-9);
     EXPECT_NEAR(way.z(), 0.0, 1e-13);
@@ -126,14 +126,14 @@ TEST_F(Window, AScriptedPathGoesIntoContactAndBack) {
 
 TEST_F(Window, TheMouseMovesNothingWhileTheRunPauses) {
     openFlatScene();
-    live(300);
+    ASSERT_TRUE(runsFor(0.3));
     session.runs().pause();
     const Vector3 before = session.run()->basePosition();
     turnWheel(-200);
     drag({300, 300}, {360, 300});
     Q_EMIT window.overview().placeChosen(20e-9, 20e-9);
     session.runs().start();
-    live(500);
+    ASSERT_TRUE(runsFor(0.5));
     EXPECT_LT((session.run()->basePosition() - before).norm(), 1e-13);
 }
 
@@ -141,9 +141,9 @@ TEST_F(Window, AJourneyEndsAtItsPlaceWhateverHappensOnTheWay) {
     openFlatScene();
     const Vector2 place(90e-9, 40e-9);
     Q_EMIT window.overview().placeChosen(20e-9, 100e-9);
-    live(700);
+    ASSERT_TRUE(runsFor(0.7));
     Q_EMIT window.overview().placeChosen(place.x(), place.y());
-    live(600);
+    ASSERT_TRUE(runsFor(0.6));
     Settings settings = session.run()->settings();
     settings.positionGain = 3.0;
     session.run()->setSettings(settings);
@@ -157,7 +157,7 @@ TEST_F(Window, APathIsFollowedInPlacesOfTheScanWhateverTheGain) {
     Settings settings = session.run()->settings();
     settings.positionGain = 0.5;
     session.run()->setSettings(settings);
-    live(100);
+    ASSERT_TRUE(runsFor(0.1));
     const Vector3 end(70e-9, 50e-9, 12e-9);
     session.paths().follow({{0.0, {40e-9, 50e-9, 9e-9}}, {0.5, end}});
     EXPECT_TRUE(eventually([&] { return (session.run()->basePosition() - end).norm() < 1e-15; }));

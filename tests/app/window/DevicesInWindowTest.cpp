@@ -16,6 +16,7 @@
 #include <atomic>
 #include <cmath>
 #include <filesystem>
+#include <limits>
 #include <memory>
 #include <numbers>
 
@@ -49,6 +50,15 @@ protected:
     double deviceForce() {
         return session.run()->loop().snapshot().sample.output.deviceForce.norm();
     }
+    /// How far the base moved in so many last ticks [m].
+    double movedIn(std::size_t count) {
+        session.runs().fetch();
+        const auto& ticks = session.run()->blackBox().samples();
+        return ticks.size() > count ? (ticks.back().output.base.position -
+                                       ticks[ticks.size() - 1 - count].output.base.position)
+                                          .norm()
+                                    : std::numeric_limits<double>::infinity();
+    }
     /// What must be read; closes it. Empty: nothing.
     std::string complaint() {
         auto* box = window.findChild<QMessageBox*>();
@@ -75,7 +85,7 @@ TEST_F(WindowWithDevice, FeelsTheSampleAndLetsGo) {
     press(Qt::Key_PageDown);
     ASSERT_TRUE(eventually([this] { return inContact() && deviceForce() > 0.5; })) << state();
     release(Qt::Key_PageDown);
-    live(500);
+    ASSERT_TRUE(runsFor(0.5));
     // At rest the operator feels the force on the tip at the scale.
     const TickOutput& latest = session.run()->loop().snapshot().sample.output;
     EXPECT_NEAR(latest.deviceForce.z(), 1e8 * latest.model.force.z(), 0.1) << state();
@@ -88,19 +98,16 @@ TEST_F(WindowWithDevice, FeelsTheSampleAndLetsGo) {
 TEST_F(WindowWithDevice, TakesTheTipAndGivesItBackWithTheEarlierGainsAndNothingMoves) {
     openFlatScene();
     turn("forceGain", "250");
-    live(300);
+    ASSERT_TRUE(runsFor(0.3));
     const Vector3 before = session.run()->basePosition();
     choose("hand", kSimulated);
-    live(500);
+    ASSERT_TRUE(runsFor(0.5));
     EXPECT_LT((session.run()->basePosition() - before).norm(), 0.03_nm) << "an encoder's step";
-    ASSERT_TRUE(eventually([this] {
-        const Vector3 then = session.run()->basePosition();
-        live(50);
-        return (session.run()->basePosition() - then).norm() < 1e-4_nm;
-    })) << "the simulated hand comes to rest";
+    ASSERT_TRUE(eventually([this] { return movedIn(50) < 1e-4_nm; }))
+        << "the simulated hand comes to rest";
     const Vector3 piloted = session.run()->basePosition();
     choose("hand", kMouse);
-    live(500);
+    ASSERT_TRUE(runsFor(0.5));
     EXPECT_EQ(knobs().forceGain, 250.0);
     EXPECT_EQ(knobs().positionGain, 1.0);
     EXPECT_FALSE(knobs().coupling.couples());
@@ -161,11 +168,11 @@ TEST_F(WindowWithDevice, ARecordingThatBeginsInContactTakesNoForceAway) {
     press(Qt::Key_PageDown);
     ASSERT_TRUE(eventually([this] { return inContact() && deviceForce() > 0.5; })) << state();
     release(Qt::Key_PageDown);
-    live(300);
+    ASSERT_TRUE(runsFor(0.3));
     const double before = deviceForce();
     QTest::mouseClick(child<QPushButton>("record"), Qt::LeftButton);
     for (int i = 0; i < 10; ++i) {
-        live(20);
+        ASSERT_TRUE(runsFor(0.02));
         EXPECT_GT(deviceForce(), 0.7 * before);
     }
     QTest::mouseClick(child<QPushButton>("record"), Qt::LeftButton);
@@ -194,7 +201,7 @@ TEST_F(WindowWithDevice, ARecordingHoldsTheEnergyAtTheDevice) {
 
     choose("hand", kMouse);
     QTest::mouseClick(record, Qt::LeftButton);
-    live(100);
+    ASSERT_TRUE(runsFor(0.1));
     QTest::mouseClick(record, Qt::LeftButton);
     ASSERT_EQ(finished.count(), 2);
     const std::filesystem::path other = finished[1][0].toString().toStdString();
@@ -306,7 +313,7 @@ TEST_F(WindowWithDevice, ADeviceTakenBehindTheSessionIsNotPilotedByTheMouse) {
     session.run()->takeDevice([&here] { return std::make_unique<PointerDevice>(here); });
     const Vector3 before = session.run()->basePosition();
     press(Qt::Key_Right);
-    live(300);
+    ASSERT_TRUE(runsFor(0.3));
     release(Qt::Key_Right);
     EXPECT_LT((session.run()->basePosition() - before).norm(), 1e-15);
     std::atomic<double> delay{0.0};

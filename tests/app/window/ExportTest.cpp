@@ -86,7 +86,7 @@ protected:
         EXPECT_TRUE(eventually([&] { return begun.count() == 1; }));
         QSignalSpy ended(&session.recordings(), &RecordingControl::finished);
         session.recordings().start({folder.path() / "recorded"});
-        live(600);
+        EXPECT_TRUE(runsFor(0.6));
         session.recordings().finish();
         EXPECT_EQ(ended.count(), 1);
         return folder.path() / "recorded";
@@ -105,7 +105,7 @@ protected:
 };
 
 TEST_F(WindowThatExports, NothingBeforeThereIsAScan) {
-    live(100);
+    live(100);  // some frames, none of which may offer it
     EXPECT_FALSE(window.menus().exportView->isEnabled());
     QTest::keyClick(&window, Qt::Key_E, Qt::ControlModifier);
     EXPECT_EQ(dialog(), nullptr);
@@ -134,7 +134,7 @@ TEST_F(WindowThatExports, TheViewByKeyNameAndReturn) {
 TEST_F(WindowThatExports, TheViewAsItIsNow) {
     openFlatScene();
     session.runs().pause();
-    live(300);
+    ASSERT_TRUE(eventually([this] { return window.view().isSettled(); }));
     const auto exported = [this](const QString& name) {
         askByKey();
         type("exportFolder", here());
@@ -162,7 +162,7 @@ TEST_F(WindowThatExports, EscapeWritesNothing) {
     type("exportName", "never");
     QTest::keyClick(dialog(), Qt::Key_Escape);
     EXPECT_TRUE(eventually([this] { return dialog() == nullptr; }));
-    live(300);
+    ASSERT_TRUE(runsFor(0.3));
     EXPECT_FALSE(std::filesystem::exists(folder.file("never.png")));
 }
 
@@ -218,11 +218,11 @@ TEST_F(WindowThatExports, ACanceledFilmLeavesNothing) {
     part<QDoubleSpinBox>("exportSpeed")->setValue(0.002);  // thousands of frames
     QTest::mouseClick(part<QPushButton>("exportWrite"), Qt::LeftButton);
     ASSERT_TRUE(eventually([this] { return window.menus().cancelLoading->isEnabled(); }));
-    live(1000);
+    ASSERT_TRUE(runsFor(1.0));
     askByKeyInVain();
     window.menus().cancelLoading->trigger();
     EXPECT_TRUE(eventually([this] { return !window.menus().cancelLoading->isEnabled(); }));
-    live(1000);
+    ASSERT_TRUE(runsFor(1.0));
     EXPECT_FALSE(std::filesystem::exists(folder.file("film")));
     EXPECT_TRUE(told().find("Exported") == std::string::npos) << told();
     EXPECT_TRUE(session.run()->loop().running());
@@ -238,7 +238,7 @@ TEST_F(WindowThatExportsAlone, ThePreviewDoesNotBlockTheWindow) {
     EventLoopWatchdog watchdog;
     watchdog.enter("view");
     part<QAbstractButton>("exportClean")->click();
-    live(1000);
+    live(1000);  // what the window does about it
     watchdog.enter("plots");
     part<QComboBox>("exportSubject")->setCurrentIndex(static_cast<int>(ExportSubject::Forces));
     live(1000);

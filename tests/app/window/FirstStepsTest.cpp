@@ -22,7 +22,7 @@ protected:
         engage();
         const QPoint middle = window.view().rect().center();
         drag(middle, middle + QPoint(30, 0));
-        live(500);
+        ASSERT_TRUE(runsFor(0.5));
     }
 
     /// The file dialog runs an event loop of its own.

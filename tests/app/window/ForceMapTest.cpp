@@ -283,7 +283,7 @@ TEST_F(ForceMap, OfAScanThatGoesMeanwhileIsCanceled) {
     startLong();
     open(levelScan(folder, 64));
     ASSERT_TRUE(ends());
-    live(200);
+    ASSERT_TRUE(runsFor(0.2));
     EXPECT_EQ(maps().map(), nullptr);
     EXPECT_EQ(shownColors(), QStringLiteral("height"));
     map(4, 4);

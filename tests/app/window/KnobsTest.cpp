@@ -25,9 +25,9 @@ TEST_F(Window, PausesAndGoesOn) {
     openFlatScene();
     QTest::mouseClick(child<QPushButton>("startPause"), Qt::LeftButton);
     EXPECT_TRUE(eventually([this] { return state().find("paused") != std::string::npos; }));
-    live(500);
+    live(500);  // longer than numbers stay as they are
     const std::string ticks = text("ticks");
-    live(500);
+    live(500);  // in which they would change
     EXPECT_EQ(text("ticks"), ticks);
     QTest::mouseClick(child<QPushButton>("startPause"), Qt::LeftButton);
     EXPECT_TRUE(eventually([&] { return text("ticks") != ticks; }));

@@ -99,7 +99,7 @@ TEST_F(WindowThatLoads, CancelLeavesTheSceneAsItWas) {
     QTest::mouseClick(child<QPushButton>("cancelLoading"), Qt::LeftButton);
     EXPECT_EQ(canceled.count(), 1);
     EXPECT_FALSE(isLoading());
-    live(300);
+    ASSERT_TRUE(runsFor(0.3));
     EXPECT_EQ(session.run(), run);
     EXPECT_EQ(window.windowTitle(), title);
     EXPECT_TRUE(session.run()->settings().forcesOn);
@@ -155,7 +155,7 @@ TEST_F(WindowThatLoads, AnotherFileTakesThePlaceOfTheOneBefore) {
 // A loader that outlives its session would be found by the sanitizers.
 TEST_F(WindowThatLoads, MayBeClosedMeanwhile) {
     session.scenes().open(large_);
-    live(20);
+    ASSERT_TRUE(eventually([this] { return isLoading(); }));
 }
 
 }  // namespace

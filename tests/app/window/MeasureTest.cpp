@@ -105,7 +105,7 @@ TEST_F(Measure, EscEndsAToolBeforeItCancelsLoading) {
     QTest::keyClick(&window.view(), Qt::Key_Escape);
     EXPECT_EQ(map().activeTool(), nullptr);
     EXPECT_EQ(canceled.count(), 0);
-    live(1);
+    handleEvents();
     QTest::keyClick(&window.view(), Qt::Key_Escape);
     EXPECT_EQ(canceled.count(), 1);
 }

@@ -107,7 +107,7 @@ TEST_F(WindowThatAsks, CancelLeavesTheSceneAsItWas) {
     EXPECT_TRUE(session.run()->loop().running()) << "meanwhile, too";
     press(QDialogButtonBox::Cancel);
     EXPECT_EQ(canceled.count(), 1);
-    live(300);
+    ASSERT_TRUE(runsFor(0.3));
     EXPECT_EQ(shown.count() + failed.count(), 0);
     EXPECT_EQ(session.run(), run);
     EXPECT_EQ(window.windowTitle(), title);
@@ -193,7 +193,7 @@ TEST_F(WindowThatAsks, ARecordingOnTheScanReplays) {
     ASSERT_TRUE(eventually([this] { return session.run() != nullptr && far(); }));
     QSignalSpy finished(&session.recordings(), &RecordingControl::finished);
     QTest::mouseClick(child<QPushButton>("record"), Qt::LeftButton);
-    live(300);
+    ASSERT_TRUE(runsFor(0.3));
     QTest::mouseClick(child<QPushButton>("record"), Qt::LeftButton);
     ASSERT_EQ(finished.count(), 1);
     const ProgramRun replay = runProgram("replay '" + finished[0][0].toString().toStdString() +
@@ -206,7 +206,7 @@ TEST_F(WindowThatAsks, ARecordingOnTheScanReplays) {
 TEST_F(WindowThatAsks, TheCommandLineOpensTheWindowWithTheQuestion) {
     const std::string scan = folder.write("bare.txt", numbers()).string();
     ChildProgram program({scan});
-    live(4000);
+    live(4000);  // in which it would have ended
     EXPECT_FALSE(program.hasEnded());
     program.send(SIGTERM);
     EXPECT_NE(program.wait().exitCode, 3);

@@ -142,7 +142,8 @@ TEST_F(Playback, WhatIsExportedIsOfTheMomentThatIsShown) {
     look();
     click("stepDeepest");
     ASSERT_TRUE(eventually([this] { return tick() > 0; }));
-    live(500);  // the seconds before it are computed, too
+    // The seconds before it are computed, too.
+    ASSERT_TRUE(eventually([this] { return session.runs().shownTicks().size() == tick() + 1; }));
     session.exports().ask();
     ExportDialog* const dialog = session.exports().dialog();
     ASSERT_NE(dialog, nullptr);
@@ -182,7 +183,7 @@ TEST_F(Playback, TheLiveTipCannotBeMovedMeanwhile) {
                child<QPushButton>("withdraw")->isEnabled() && child<QWidget>("path")->isEnabled() &&
                window.menus().followPathFile->isEnabled();
     };
-    live(100);
+    ASSERT_TRUE(eventually([this] { return !child<QPushButton>("engage")->isEnabled(); }));
     for (const char* const button : {"engage", "withdraw"}) {
         EXPECT_FALSE(child<QPushButton>(button)->isEnabled());
         EXPECT_TRUE(child<QPushButton>(button)->toolTip().contains("back to the live tip"));
@@ -200,7 +201,7 @@ TEST_F(Playback, TheLiveTipCannotBeMovedMeanwhile) {
 TEST_F(Playback, TheSessionThatIsKeptIsTheOneBeforeTheLook) {
     keepSilicon();
     lookAtBundle();
-    live(600);
+    live(600);  // longer than until a session is kept
     EXPECT_EQ(kept().sample.material.name, readScene(shippedScene("silicon")).sample.material.name);
     session.runs().end();  // as at the end of the program
     live(600);

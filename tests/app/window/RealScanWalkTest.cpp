@@ -29,7 +29,7 @@ TEST_P(RealScanWalk, OpensLevelsTouchesAndComesOffWithoutAnError) {
     ASSERT_NO_FATAL_FAILURE(levelAndOpen());
     startRecording();
     ASSERT_NO_FATAL_FAILURE(engage());
-    live(300);
+    ASSERT_TRUE(runsFor(0.3));
     ASSERT_NO_FATAL_FAILURE(withdraw());
     const std::filesystem::path run = stopRecording();
     expectNothingToRead();

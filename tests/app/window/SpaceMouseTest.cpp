@@ -43,7 +43,7 @@ TEST_F(WindowWithSpaceMouse, AnUnplugTakesTheForcesAwayUntilAPersonTakesItBack) 
     ASSERT_TRUE(eventually([this] { return state().starts_with("fault"); })) << state();
     EXPECT_NE(state().find("device not connected"), std::string::npos) << state();
     device.plug();
-    live(1500);
+    ASSERT_TRUE(runsFor(1.5));
     EXPECT_TRUE(state().starts_with("fault")) << "latched";
     QTest::mouseClick(child<QPushButton>("rearm"), Qt::LeftButton);
     EXPECT_TRUE(eventually([this] { return far(); })) << state();
@@ -70,11 +70,12 @@ TEST_F(WindowWithSpaceMouse, ItsTrialButtonBeginsAndEndsTrialsAndItStaysForTheNe
             << action->text().toStdString() << " in place of " << next;
         EXPECT_EQ(child<QComboBox>("hand")->currentText(), QStringLiteral("SpaceMouse"));
         ASSERT_TRUE(eventually([this] { return state().ends_with("far"); })) << state();
-        live(600);  // a press right after a change is for what was before
+        live(600);  // longer than a study takes no press: a press right after a change is for what
+                    // was before
         device.send({down});
-        live(100);
+        ASSERT_TRUE(runsFor(0.1));
         device.send({up});
-        live(100);
+        ASSERT_TRUE(runsFor(0.1));
     }
     EXPECT_EQ(readTrials(folder.path() / "out" / "trials.csv", study).size(), 2U);
 }

@@ -45,13 +45,13 @@ class SteadyLayout : public Window {};
 
 TEST_F(SteadyLayout, ARunWithAllItsNumbersAndCurvesLaysNoPanelOutInEachFrame) {
     openFlatScene();
-    live(500);
+    ASSERT_TRUE(runsFor(0.5));
     LayoutCounter count(window);
     child<QPushButton>("engage")->click();
     ASSERT_TRUE(eventually([this] { return inContact(); })) << state();
     // A slow machine draws few frames a second, and a run has some layouts of its own: wider texts.
     ASSERT_TRUE(eventually([&count] { return count.frames > 64; }));
-    live(1000);
+    ASSERT_TRUE(runsFor(1.0));
     child<QPushButton>("withdraw")->click();
     ASSERT_TRUE(eventually([this] { return far(); })) << state();
     EXPECT_GT(count.frames, 20);

@@ -15,7 +15,8 @@ namespace asperity::test {
 
 namespace {
 
-constexpr int kSettle = 600;  // [ms]: a press right after a change is for what was before
+/// Longer than a study takes no press: one right after a change is for what was before [ms].
+constexpr int kSettle = 600;
 
 }  // namespace
 
@@ -62,7 +63,7 @@ void WindowWithStudy::dragAcross() {
         const QPointF to = window.view().onScreen({target().x(), target().y(), here.z()});
         const QPoint start = window.view().rect().center();
         drag(start, start + (to - from).toPoint());
-        live(500);
+        ASSERT_TRUE(runsFor(0.5));
     }
     EXPECT_LT(missing(), 1.5_nm);
 }
@@ -70,7 +71,7 @@ void WindowWithStudy::dragAcross() {
 void WindowWithStudy::goDown() {
     for (int i = 0; i < 60 && !inContact(); ++i) {
         turnWheel(-1);
-        live(150);
+        ASSERT_TRUE(runsFor(0.15));
     }
     EXPECT_TRUE(inContact()) << state();
 }

@@ -83,7 +83,7 @@ TEST_F(WindowWithStudy, OnTheSimulatedDeviceHasItsScaleAndTheDeviceStays) {
 TEST_F(WindowWithStudy, AStruckOutTrialIsKeptWithItsReasonAndComesAgain) {
     start(shortStudy());
     pressButton();
-    live(200);
+    ASSERT_TRUE(runsFor(0.2));
     pressButton();
     QTest::mouseClick(child<QPushButton>("strikeOut"), Qt::LeftButton);
     auto* dialog = window.findChild<QInputDialog*>("strikeOutDialog");
@@ -96,7 +96,7 @@ TEST_F(WindowWithStudy, AStruckOutTrialIsKeptWithItsReasonAndComesAgain) {
     pressButton();
     EXPECT_NE(text("trialPlace").find("attempt 2"), std::string::npos) << text("trialPlace");
     pressButton();
-    live(200);
+    ASSERT_TRUE(runsFor(0.2));
     pressButton();
     ASSERT_EQ(trials().size(), 2U);
     EXPECT_TRUE(trials()[1].counts());
@@ -135,7 +135,7 @@ TEST_F(WindowWithStudy, TheLastTrialCanBeStruckOutUntilTheNextOneBegins) {
 TEST_F(WindowWithStudy, AFaultEndsItsTrialIsKeptAndTheTrialComesAgain) {
     start(shortStudy());
     pressButton();
-    live(100);
+    ASSERT_TRUE(runsFor(0.1));
     session.run()->takeDevice([] { return std::make_unique<LooseDevice>(); });
     ASSERT_TRUE(eventually([this] { return action().starts_with("Next"); })) << action();
     ASSERT_EQ(trials().size(), 1U);
@@ -148,7 +148,7 @@ TEST_F(WindowWithStudy, AFaultEndsItsTrialIsKeptAndTheTrialComesAgain) {
 TEST_F(WindowWithStudy, APauseEndsTheTrialAndGoingOnBringsItAgain) {
     start(shortStudy());
     pressButton();
-    live(100);
+    ASSERT_TRUE(runsFor(0.1));
     QTest::mouseClick(child<QPushButton>("pauseStudy"), Qt::LeftButton);
     EXPECT_TRUE(action().starts_with("Go on")) << action();
     ASSERT_EQ(trials().size(), 1U);
@@ -162,7 +162,7 @@ TEST_F(WindowWithStudy, ForcesThatAreSwitchedOffEndTheTrial) {
     choose("hand", "Simulated device");
     start(shortStudy());
     pressButton();
-    live(200);
+    ASSERT_TRUE(runsFor(0.2));
     press(Qt::Key_Escape);
     ASSERT_TRUE(eventually([this] { return action().starts_with("Next"); })) << action();
     EXPECT_EQ(trials().at(0).struckOut, "forces were switched off");

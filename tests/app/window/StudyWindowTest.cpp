@@ -27,21 +27,21 @@ TEST_F(WindowWithStudy, ItsKnobsAreLockedAndTheTipRestsUntilATrialBegins) {
         EXPECT_FALSE(child<QComboBox>(name)->isEnabled()) << name;
         EXPECT_NE(child<QComboBox>(name)->toolTip().indexOf("study"), -1) << name;
     }
-    live(50);
     for (const QAction* const entry :
          {window.menus().open, window.menus().record, window.menus().startPause,
           window.menus().tipControl, window.menus().clutch, window.menus().undo}) {
-        EXPECT_FALSE(entry->isEnabled()) << entry->text().toStdString();
+        EXPECT_TRUE(eventually([entry] { return !entry->isEnabled(); }))
+            << entry->text().toStdString();
     }
     const Vector3 before = tip();
     drag(window.view().rect().center(), window.view().rect().center() + QPoint(60, 0));
     turnWheel(-3);
-    live(600);
+    ASSERT_TRUE(runsFor(0.6));
     EXPECT_LT((tip() - before).norm(), 0.1_nm);
     SceneDescription other = session.run()->scene().description;
     other.tip.radius *= 2.0;
     session.edits().change("Tip radius", other);
-    live(600);
+    ASSERT_TRUE(runsFor(0.6));
     EXPECT_NE(session.run()->scene().description.tip.radius, other.tip.radius);
 }
 
@@ -70,7 +70,7 @@ TEST_F(WindowWithStudy, StartAndTargetAreInThePicture) {
         window.resize(size);
         start(high);
         ASSERT_TRUE(isAtStart());
-        live(300);
+        ASSERT_TRUE(runsFor(0.3));
         const QRectF seen = window.view().rect();
         EXPECT_TRUE(seen.contains(window.view().onScreen(tip())))
             << ::testing::PrintToString(window.view().onScreen(tip()).y());
@@ -89,10 +89,11 @@ TEST_F(WindowWithStudy, WithoutThePictureOfTheDeformationTheSurfaceIsDrawnAtRest
     EXPECT_FALSE(window.view().options().deformation);
     EXPECT_FALSE(window.menus().viewOptions().action(&ViewOptions::deformation).isEnabled());
     QTest::mouseClick(child<QPushButton>("leaveStudy"), Qt::LeftButton);
-    live(50);
+    EXPECT_TRUE(eventually([this] {
+        return window.menus().viewOptions().action(&ViewOptions::deformation).isEnabled();
+    }));
     EXPECT_TRUE(window.view().options().deformation);
     EXPECT_TRUE(window.second().isVisible());
-    EXPECT_TRUE(window.menus().viewOptions().action(&ViewOptions::deformation).isEnabled());
 }
 
 TEST_F(WindowWithStudy, ArrowsTurnTheView) {
@@ -136,7 +137,7 @@ TEST_F(WindowWithStudy, WithoutForcesNobodySwitchesThemOn) {
     QTest::mouseClick(child<QPushButton>("forces"), Qt::LeftButton);
     EXPECT_FALSE(session.run()->settings().forcesOn);
     pressButton();
-    live(300);
+    ASSERT_TRUE(runsFor(0.3));
     EXPECT_TRUE(isInTrial()) << "that they are off is no reason to end it";
     EXPECT_EQ(session.run()->loop().snapshot().sample.output.deviceForce, Vector3::Zero());
 }
@@ -144,8 +145,7 @@ TEST_F(WindowWithStudy, WithoutForcesNobodySwitchesThemOn) {
 TEST_F(WindowWithStudy, ASecondViewThatIsOpenedLaterShowsTheTarget) {
     start(shortStudy());
     window.menus().secondView->setChecked(true);
-    live(100);
-    ASSERT_TRUE(window.second().space().target().has_value());
+    ASSERT_TRUE(eventually([this] { return window.second().space().target().has_value(); }));
     EXPECT_EQ(window.second().space().target()->head<2>(), target().head<2>());
     QTest::mouseClick(child<QPushButton>("leaveStudy"), Qt::LeftButton);
     EXPECT_FALSE(window.second().space().target().has_value());

@@ -21,7 +21,7 @@ protected:
     void step(const std::string& name, const std::function<void()>& act) {
         watchdog_->enter(name);
         act();
-        live(400);
+        live(400);  // what the window does about it
     }
     std::filesystem::path tableScene() {
         return folder.write("table.toml", "[sample]\nfile = \"" + levelScan(folder, 64).string() +

@@ -149,7 +149,7 @@ TEST_F(ToolTips, EveryControlReadingPlotAndBannerHasOne) {
     for (const PanelSwitch& part : window.layout().switches()) {
         part.setShown(true);
     }
-    live(200);
+    ASSERT_TRUE(runsFor(0.2));
     EXPECT_GT(checkWidgets(window), 60);
 }
 

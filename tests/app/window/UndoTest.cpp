@@ -51,7 +51,7 @@ protected:
         ASSERT_TRUE(changeEnds());
     }
     std::string undoText() {
-        live(60);
+        EXPECT_TRUE(framesPass());
         return window.menus().undo->text().toStdString();
     }
     double height() {
@@ -73,7 +73,7 @@ TEST_F(Undo, LevelUndoRedo) {
     pressUndo();
     EXPECT_EQ(height(), before);
     EXPECT_EQ(child<LevelingEditor>("sample.level")->steps(), LevelingSteps{LevelingStep::Plane});
-    live(60);
+    ASSERT_TRUE(framesPass());
     EXPECT_EQ(window.menus().redo->text(), "&Redo Leveling: plane, zero");
     pressRedo();
     EXPECT_EQ(height(), after);

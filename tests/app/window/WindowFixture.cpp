@@ -12,8 +12,10 @@
 #include <QWheelEvent>
 #include <QtTest>
 
+#include <algorithm>
 #include <limits>
 #include <map>
+#include <utility>
 
 namespace asperity::test {
 
@@ -29,11 +31,45 @@ std::filesystem::path levelScan(ScratchFolder& folder, int side) {
     return folder.write("level" + count + ".gsf", bytes);
 }
 
-bool Window::eventually(const std::function<bool()>& holds, int milliseconds) {
-    return QTest::qWaitFor(holds, milliseconds);
+void Window::live(int milliseconds) { QTest::qWait(milliseconds); }
+
+bool Window::framesPass() {
+    long fetched = session.run()->fetchCost().ticks;
+    const auto isAnother = [&] {
+        return std::exchange(fetched, session.run()->fetchCost().ticks) != fetched;
+    };
+    return eventually(isAnother) && eventually(isAnother);
 }
 
-void Window::live(int milliseconds) { QTest::qWait(milliseconds); }
+bool Window::runsFor(double seconds) {
+    double ran = 0.0;
+    double last = tickTime();
+    const auto hasRun = [&] {
+        const double now = tickTime();
+        ran += std::max(0.0, now - last);  // another run begins at 0
+        last = now;
+        return ran >= seconds;
+    };
+    return eventually(hasRun) && framesPass();
+}
+
+bool Window::baseRests() {
+    constexpr double kRest = 0.2;       // [s]
+    constexpr double kUnmoved = 1e-14;  // [m]
+    Vector3 place = session.run()->basePosition();
+    double since = tickTime();
+    return eventually([&] {
+        const Vector3 here = session.run()->basePosition();
+        const double now = tickTime();
+        if ((here - place).norm() > kUnmoved || now < since) {
+            place = here;
+            since = now;
+        }
+        return now - since >= kRest;
+    });
+}
+
+double Window::tickTime() { return session.run()->loop().snapshot().sample.time; }
 
 void Window::SetUp() {
     for (const char* const home : {"XDG_CONFIG_HOME", "XDG_DATA_HOME"}) {

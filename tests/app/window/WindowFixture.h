@@ -2,6 +2,7 @@
 
 #include "app/session/Session.h"
 #include "tests/support/ScratchFolder.h"
+#include "tests/support/Waits.h"
 #include "ui/window/MainWindow.h"
 
 #include <QString>
@@ -9,7 +10,6 @@
 
 #include <gtest/gtest.h>
 
-#include <functional>
 #include <string>
 
 namespace asperity::test {
@@ -21,10 +21,15 @@ namespace asperity::test {
 /// the window shows.
 class Window : public ::testing::Test {
 protected:
-    /// Waits, while the window lives, until something holds; false: it never did.
-    static bool eventually(const std::function<bool()>& holds, int milliseconds = 20000);
-    /// Lets the window live for a while.
+    /// Lets the window live for a while, where nothing tells what it does.
     static void live(int milliseconds);
+    /// Waits until two frames have shown ticks that were made meanwhile; the loop is running.
+    [[nodiscard]] bool framesPass();
+    /// Waits until the loop has run for so long, by the time of its ticks, and frames have shown
+    /// it; the loop is running. [s]
+    [[nodiscard]] bool runsFor(double seconds);
+    /// Waits until the base of the tip has not moved for 0.2 s of ticks; the loop is running.
+    [[nodiscard]] bool baseRests();
 
     void SetUp() override;
 
@@ -63,6 +68,10 @@ protected:
     ScratchFolder folder;
     MainWindow window;
     Session session{window};
+
+private:
+    /// Of the latest tick [s].
+    double tickTime();
 };
 
 }  // namespace asperity::test
