@@ -22,7 +22,7 @@ namespace asperity {
 using Double4 [[gnu::vector_size(32)]] = double;
 using Long4 [[gnu::vector_size(32)]] = long;
 
-// Eight floats or ints, likewise.
+// Eight floats or ints in one register.
 constexpr int kFloatLanes = 8;
 using Float8 [[gnu::vector_size(32)]] = float;
 using Int8 [[gnu::vector_size(32)]] = int;

@@ -10,7 +10,7 @@
 
 namespace asperity {
 
-/// What the command line may change about a scene before it is built; empty: as the scene says.
+/// Overrides of a scene from the command line; an empty one keeps the value of the scene.
 struct SceneOverrides {
     std::string channel;
     std::optional<LevelingSteps> leveling;
@@ -21,7 +21,7 @@ struct SceneOverrides {
     std::optional<PixelRectangle> crop = {};      ///< the part of the map that is loaded
 };
 
-/// What a map is loaded by: as the scene says, but for the overrides.
+/// Returns the description of a sample with the overrides applied.
 [[nodiscard]] SampleDescription withOverrides(SampleDescription sample,
                                               const SceneOverrides& overrides);
 
@@ -38,7 +38,8 @@ enum class ModelFit : std::uint8_t { Now, Later };
 [[nodiscard]] LoadedScene loadScene(const SceneDescription& description,
                                     Progress* progress = nullptr);
 
-/// A copy of the same scan under another tip, lever, material or model, fitted anew now or later.
+/// Returns the scene on the same scan with another tip, lever, material or model; the terms of the
+/// model are found now or later.
 /// Reads nothing of the scene's description: that may change meanwhile.
 /// @throw Error as withDescription(); Canceled
 [[nodiscard]] LoadedScene withDescription(const LoadedScene& loaded,

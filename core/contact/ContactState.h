@@ -32,7 +32,7 @@ struct ContactMemory {
     double coordinate = 0.0;  ///< of the state on its law's curve; 0: none
 };
 
-/// Of a bonded tip whose place on the curve is not known.
+/// Memory of a bonded tip whose coordinate on the curve of the law is not known.
 inline constexpr ContactMemory kBondedMemory{ContactBranch::Bonded, 0.0};
 
 /// One equilibrium of tip and sample along the surface normal.

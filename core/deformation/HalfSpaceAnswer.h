@@ -11,7 +11,7 @@ namespace asperity {
 class HalfSpaceField;
 class PixelField;
 
-/// What is to be thought of an answer of the half-space.
+/// Whether an answer of the half-space can be used, and why not.
 enum class HalfSpaceVerdict : std::uint8_t {
     Valid,
     NotBonded,      ///< no contact: nothing to solve
@@ -53,8 +53,8 @@ struct HalfSpaceAnswer {
     [[nodiscard]] bool valid() const noexcept { return verdict == HalfSpaceVerdict::Valid; }
 };
 
-/// Whether a valid answer still shows what the surface does at a later state: as bonded, about as
-/// wide and about there.
+/// Returns whether a valid answer still describes the surface at a later state: the same branch, a
+/// contact of about the same width and position.
 [[nodiscard]] bool stillHolds(const HalfSpaceAnswer& answer, const TipState& now);
 
 }  // namespace asperity

@@ -10,7 +10,7 @@ namespace asperity {
 
 namespace {
 
-/// How many values are 0, the highest one, and between.
+/// Counts of values that are 0, the maximum, or between them.
 class EndCounts {
 public:
     void add(double value) {
