@@ -28,9 +28,13 @@ SCREEN = "1600x1000x24"
 
 
 def start(command, last_signal, **options):
-    """Starts a program, in a process group, that gets last_signal when this script ends."""
+    """Starts a program, in a process group, that gets last_signal when this script ends.
+
+    Not in a session: the first terminal that the leader of one opens, such as the one behind a virtual
+    device, becomes its own, and closing it ends the program by SIGHUP.
+    """
     return subprocess.Popen(["setpriv", "--pdeathsig", last_signal, *command],
-                            stdin=subprocess.DEVNULL, start_new_session=True, **options)
+                            stdin=subprocess.DEVNULL, process_group=0, **options)
 
 
 @contextlib.contextmanager

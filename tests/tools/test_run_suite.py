@@ -41,6 +41,10 @@ for test in tests:
         os.kill(os.getpid(), 11)
     if test == "Exits":
         sys.exit(0)
+    if test == "ClosesATerminal":
+        master, slave = os.openpty()
+        os.open(os.ttyname(slave), os.O_RDWR)
+        os.close(master)
     while test == "Hangs":
         time.sleep(1)
     tag = dict(Fails="failure", Skips="skipped").get(test.split("/")[0])
@@ -110,6 +114,10 @@ class RunSuite(unittest.TestCase):
         self.assertNotIn("printed by First", "\n".join(lines))
         self.assertEqual(self.count()[1][-4:], ["FAILED S.CrashesA", "FAILED S.Fails", "FAILED S.CrashesB",
                                                 "6 tests, 2 passed, 1 skipped, 3 failed"])
+
+    def test_a_terminal_that_closes_ends_no_test(self):
+        self.assertEqual(self.run_suite("First ClosesATerminal"),
+                         (0, ["a.S: 2 tests, 2 passed, 0 skipped, 0 failed"]))
 
     def test_names_a_test_that_ends_the_program(self):
         code, lines = self.run_suite("First Exits Last")
