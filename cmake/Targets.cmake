@@ -101,8 +101,10 @@ function(asperity_compile_options target)
                       "$<$<CXX_COMPILER_ID:GNU>:-Wno-restrict;-Wno-array-bounds;-Wno-stringop-overflow>"
                       -ffp-contract=off)
   if(ASPERITY_BATCH GREATER 1)
-    # GCC takes the sources of a batch for headers, whose types must not use an anonymous namespace.
-    target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
+    # In a batch a name of another source is shadowed, and GCC takes the sources for headers, whose types must
+    # not use an anonymous namespace. Of a source by itself, dev and tools/compile_alone.py warn of both.
+    target_compile_options(${target} PRIVATE -Wno-shadow
+                                             $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
   endif()
   target_include_directories(
     ${target} PUBLIC $<BUILD_INTERFACE:${asperity_top}>

@@ -27,7 +27,7 @@ ASPERITY_INLINE Float8 decodedShorts(Word8 codes) {
 }
 
 /// Bit k: lane k is set.
-ASPERITY_INLINE std::uint32_t bitsOf(Int8 lanes) {
+ASPERITY_INLINE std::uint32_t bitsOfEight(Int8 lanes) {
     Int8 bits = lanes & Int8{1, 2, 4, 8, 16, 32, 64, 128};
     bits |= __builtin_shufflevector(bits, bits, 4, 5, 6, 7, 0, 1, 2, 3);
     bits |= __builtin_shufflevector(bits, bits, 2, 3, 0, 1, 6, 7, 4, 5);
@@ -91,7 +91,7 @@ ASPERITY_WITH_AVX2 void boundRows(const CodedRows& coded, const RowQuery& query,
             const int to = row * BoundsWindow::kMaxBlocks + i;
             std::memcpy(window.nearest + to, &nearest, sizeof nearest);
             std::memcpy(window.bend + to, &known, sizeof known);
-            reaching |= BoundsWindow::Bits{bitsOf(nearest <= query.limit)}
+            reaching |= BoundsWindow::Bits{bitsOfEight(nearest <= query.limit)}
                         << static_cast<unsigned>(i);
         }
         const auto beyond = static_cast<unsigned>(BoundsWindow::kMaxBlocks - coded.columns);
