@@ -27,14 +27,15 @@ if(ASPERITY_SANITIZE)
   add_link_options(-fsanitize=${ASPERITY_SANITIZE})
 endif()
 
-# asperity_optimize_less(TARGET): -O1 for what runs once, as tests and the parsing of a command line:
-# it saves a third to a half of the compiler's time. What they call keeps its own optimization.
+# asperity_optimize_less(TARGET): -O1 for what runs once or waits for a user, as tests, the parsing of a
+# command line, dialogs: it saves a fifth to a half of the compiler's time. What they call keeps its own
+# optimization.
 function(asperity_optimize_less target)
   target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
 endfunction()
 
-# Compiles a target's sources in batches: files that include up to ASPERITY_BATCH sources each. Most of a
-# source's compile time is the same headers over and over. A batch includes from the top folder, so that
+# Compiles a target's sources in batches: files that include up to ASPERITY_BATCH sources each, or as many as
+# the target's property of that name says. Most of a source's compile time is the same headers over and over. A batch includes from the top folder, so that
 # it is the same text in every checkout and the compiler cache finds it. Apart stay sources with options
 # of their own and what the build writes (it changes at each commit).
 function(asperity_batch_sources target)
@@ -63,8 +64,12 @@ function(asperity_batch_sources target)
   if(count LESS 2)
     return()
   endif()
+  get_target_property(size ${target} ASPERITY_BATCH)
+  if(NOT size)
+    set(size ${ASPERITY_BATCH})
+  endif()
   # Of one size, so that no batch is much shorter than the others.
-  math(EXPR batches "(${count} + ${ASPERITY_BATCH} - 1) / ${ASPERITY_BATCH}")
+  math(EXPR batches "(${count} + ${size} - 1) / ${size}")
   foreach(batch RANGE 1 ${batches})
     math(EXPR first "${count} * (${batch} - 1) / ${batches}")
     math(EXPR number "${count} * ${batch} / ${batches} - ${first}")

@@ -29,7 +29,7 @@ std::vector<SampleMaterial> paperMaterials() {
              .workOfAdhesion = 0.022}};
 }
 
-HeightMap flatMap() {
+HeightMap flatHeights() {
     constexpr int kPixels = 64;
     constexpr double kPitch = 4e-9;
     HeightMap map{.columns = kPixels,
@@ -164,7 +164,7 @@ DeformationResult resultOf(const Site& site, DeformationModel model,
 std::vector<DeformationResult> studyDeformation(const Scene& scene, const DeformationPlan& plan,
                                                 Progress* progress) {
     constexpr double kReach = 3.0;  // of a patch in contact radii
-    const Scene level = buildScene(scene.description, flatMap());
+    const Scene level = buildScene(scene.description, flatHeights());
     std::vector<DeformationResult> results;
     double done = 0.0;
     for (const SampleMaterial& material : paperMaterials()) {

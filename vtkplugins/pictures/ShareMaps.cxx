@@ -23,7 +23,7 @@ constexpr double kNameWidth = 62.0;  // least distance of names
 constexpr double kNameHeight = 20.0;
 constexpr double kNameSize = 14.0;
 
-void check(const ShareMap& map) {
+void checkShareMap(const ShareMap& map) {
     if (map.columns.empty() || map.rows.empty() ||
         map.cells.size() != map.columns.size() * map.rows.size()) {
         throw Error("The map \"" + map.title +
@@ -130,7 +130,7 @@ void writeShareMaps(const std::filesystem::path& path, const ShareMapPage& page,
     if (page.maps.empty() || page.mapsPerRow < 1) {
         throw Error("A page of maps needs at least one map and one column.");
     }
-    std::for_each(page.maps.begin(), page.maps.end(), check);
+    std::for_each(page.maps.begin(), page.maps.end(), checkShareMap);
     OffscreenPicture picture(size);
     picture.paint([&](Painter& painter) { paintPage(painter, page, size); });
     picture.writePng(path);

@@ -30,20 +30,20 @@ constexpr std::array<std::string_view, 6> kAngstrom = {"\u00C5", "\u212B",   "A\
 constexpr std::array<std::string_view, 5> kDegree = {"deg", "\u00B0", "\u00BA", "degree",
                                                      "degrees"};
 
-bool contains(const auto& list, std::string_view text) {
+bool isListed(const auto& list, std::string_view text) {
     return std::find(list.begin(), list.end(), text) != list.end();
 }
 
 std::optional<PhysicalUnit> simpleUnit(std::string_view text) {
-    if (contains(kAngstrom, text)) {
+    if (isListed(kAngstrom, text)) {
         return PhysicalUnit{1e-10, "m"};
     }
-    if (contains(kDegree, text)) {
+    if (isListed(kDegree, text)) {
         return PhysicalUnit{1.0, "deg"};
     }
     for (const Prefix& prefix : kPrefixes) {
         if (text.starts_with(prefix.symbol) &&
-            contains(kBases, text.substr(prefix.symbol.size()))) {
+            isListed(kBases, text.substr(prefix.symbol.size()))) {
             return PhysicalUnit{prefix.factor, std::string(text.substr(prefix.symbol.size()))};
         }
     }
