@@ -3,6 +3,7 @@
 include(GNUInstallDirs)
 # By this file's own place: the plugin for ParaView is a project of its own over the same core.
 cmake_path(GET CMAKE_CURRENT_LIST_DIR PARENT_PATH asperity_top)
+include(${CMAKE_CURRENT_LIST_DIR}/Batches.cmake)
 set(core_folder ${asperity_top}/core)  # what others may link: cmake/Install.cmake
 
 set(CMAKE_CXX_STANDARD 20)
@@ -34,67 +35,6 @@ function(asperity_optimize_less target)
   target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
 endfunction()
 
-# Compiles a target's sources in batches: files that include up to ASPERITY_BATCH sources each, or as many as
-# the target's property of that name says. Most of a source's compile time is the same headers over and over. A batch includes from the top folder, so that
-# it is the same text in every checkout and the compiler cache finds it. Apart stay sources with options
-# of their own and what the build writes (it changes at each commit).
-function(asperity_batch_sources target)
-  get_target_property(sources ${target} SOURCES)
-  get_target_property(folder ${target} SOURCE_DIR)
-  set(batched)
-  foreach(source IN LISTS sources)
-    if(NOT source MATCHES "[.](cpp|cxx)$")
-      continue()
-    endif()
-    cmake_path(ABSOLUTE_PATH source BASE_DIRECTORY ${folder} NORMALIZE OUTPUT_VARIABLE file)
-    cmake_path(IS_PREFIX CMAKE_BINARY_DIR ${file} is_made)
-    set(apart ${is_made})
-    foreach(property COMPILE_OPTIONS COMPILE_DEFINITIONS)
-      get_source_file_property(own ${file} TARGET_DIRECTORY ${target} ${property})
-      if(own)
-        set(apart TRUE)
-      endif()
-    endforeach()
-    if(NOT apart)
-      list(APPEND batched ${file})
-    endif()
-  endforeach()
-
-  list(LENGTH batched count)
-  if(count LESS 2)
-    return()
-  endif()
-  get_target_property(size ${target} ASPERITY_BATCH)
-  if(NOT size)
-    set(size ${ASPERITY_BATCH})
-  endif()
-  # Of one size, so that no batch is much shorter than the others.
-  math(EXPR batches "(${count} + ${size} - 1) / ${size}")
-  foreach(batch RANGE 1 ${batches})
-    math(EXPR first "${count} * (${batch} - 1) / ${batches}")
-    math(EXPR number "${count} * ${batch} / ${batches} - ${first}")
-    list(SUBLIST batched ${first} ${number} members)
-    set(text "// Sources of ${target} that are compiled together (cmake/Targets.cmake).\n")
-    foreach(member IN LISTS members)
-      cmake_path(RELATIVE_PATH member BASE_DIRECTORY ${asperity_top} OUTPUT_VARIABLE included)
-      string(APPEND text "#include \"${included}\"\n")
-    endforeach()
-    set(file ${CMAKE_BINARY_DIR}/batches/${target}_${batch}.cpp)
-    file(CONFIGURE OUTPUT ${file} CONTENT "${text}" @ONLY)
-    target_sources(${target} PRIVATE ${file})
-  endforeach()
-  # Still of the target, for AUTOMOC to read, but not compiled by themselves.
-  set_source_files_properties(${batched} TARGET_DIRECTORY ${target} PROPERTIES HEADER_FILE_ONLY ON)
-endfunction()
-
-# asperity_batches(TARGET): as asperity_batch_sources() at the end of the folder's CMakeLists.txt, which may
-# give sources options of their own until then.
-function(asperity_batches target)
-  if(ASPERITY_BATCH GREATER 1)
-    cmake_language(EVAL CODE "cmake_language(DEFER CALL asperity_batch_sources ${target})")
-  endif()
-endfunction()
-
 function(asperity_compile_options target)
   # -ffp-contract=off: a recorded run replays to the same bits whatever the optimizer fuses.
   # -Wno-missing-field-initializers: designated initializers leave defaults to the members.
@@ -111,6 +51,8 @@ function(asperity_compile_options target)
     target_compile_options(${target} PRIVATE -Wno-shadow
                                              $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
   endif()
+  # GCC's garbage collection takes a tenth of its time: it begins at 400 MB.
+  target_compile_options(${target} PRIVATE "$<$<CXX_COMPILER_ID:GNU>:SHELL:--param ggc-min-heapsize=400000>")
   target_include_directories(
     ${target} PUBLIC $<BUILD_INTERFACE:${asperity_top}>
                      $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/asperity>)

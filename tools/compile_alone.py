@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Compiles, each by itself, the sources and headers that changed in the last 20 commits or are not
-committed, and a source that includes each such header. `release` and the gates compile sources in batches
-and from precompiled headers, where an include that is missing is not missed.
+committed, and a source that includes each such header. `release` and the gates compile sources in batches,
+where an include that is missing is not missed.
 Usage: compile_alone.py BUILD [COMMITS]    BUILD: the folder of the preset dev, configured"""
 
 import collections

@@ -16,8 +16,9 @@ set(ASPERITY_BATCH 3 CACHE STRING "")
 include(cmake/Targets.cmake)
 add_subdirectory(core)
 """
-LIBRARY = """asperity_library(asperity_base SOURCES One.cpp Two.cpp Alone.cpp)
-set_source_files_properties(Alone.cpp PROPERTIES COMPILE_OPTIONS -DALONE)
+LIBRARY = """asperity_library(asperity_base SOURCES One.cpp Two.cpp Alone.cpp Apart.cpp AlsoApart.cpp)
+set_source_files_properties(Alone.cpp PROPERTIES COMPILE_DEFINITIONS ALONE)
+set_source_files_properties(Apart.cpp AlsoApart.cpp PROPERTIES COMPILE_OPTIONS "-DAPART;-DBOTH")
 """
 
 
@@ -30,7 +31,7 @@ class Batches(unittest.TestCase):
     def checkout(self, name):
         top = self.folder / name
         (top / "core").mkdir(parents=True)
-        for copied in ("cmake/Targets.cmake", "tools/cached_compiler.sh", "tools/sanitizer_ignorelist.txt"):
+        for copied in ("cmake/Targets.cmake", "cmake/Batches.cmake", "tools/cached_compiler.sh", "tools/sanitizer_ignorelist.txt"):
             (top / copied).parent.mkdir(exist_ok=True)
             shutil.copy(TOP / copied, top / copied)
         (top / "CMakeLists.txt").write_text(PROJECT)
@@ -38,6 +39,9 @@ class Batches(unittest.TestCase):
         (top / "core/Text.h").write_text("#pragma once\n#include <string>\nstd::string text();\n")
         (top / "core/One.cpp").write_text('#include "core/Text.h"\nstd::string text() { return "one"; }\n')
         (top / "core/Two.cpp").write_text('#include "core/Text.h"\nstd::string two() { return text(); }\n')
+        for name in ("Apart", "AlsoApart"):
+            (top / f"core/{name}.cpp").write_text(
+                f"#if !defined(APART) || !defined(BOTH)\n#error\n#endif\nint {name}() {{ return 1; }}\n")
         (top / "core/Alone.cpp").write_text("#ifndef ALONE\n#error\n#endif\nint alone() { return 1; }\n")
         return top
 
@@ -59,18 +63,18 @@ class Batches(unittest.TestCase):
                 continue  # clang is a package of the gates
             with self.subTest(compiler=compiler):
                 compiled, _ = self.build(self.checkout(f"{compiler}/one"), compiler)
-                self.assertEqual(compiled, 2)  # a batch of two, and one with options of its own
+                self.assertEqual(compiled, 3)  # two batches of two, and one with definitions of its own
                 compiled, hits = self.build(self.checkout(f"{compiler}/two"), compiler)
-                self.assertEqual(compiled, 2)
-                self.assertGreaterEqual(hits, 2)
+                self.assertEqual(compiled, 3)
+                self.assertGreaterEqual(hits, 3)
 
     def test_include_from_the_top_folder(self):
         top = self.checkout("one")
         self.build(top, "g++")
-        texts = [file.read_text() for file in (top / "build/x/batches").iterdir()]
-        self.assertEqual(len(texts), 1)
-        self.assertEqual(re.findall(r'#include "(.*)"', texts[0]), ["core/One.cpp", "core/Two.cpp"])
-        self.assertNotIn(str(top), texts[0])
+        texts = [file.read_text() for file in sorted((top / "build/x/batches").iterdir())]
+        included = [re.findall(r'#include "(.*)"', text) for text in texts]
+        self.assertEqual(included, [["core/One.cpp", "core/Two.cpp"], ["core/Apart.cpp", "core/AlsoApart.cpp"]])
+        self.assertNotIn(str(top), "".join(texts))
 
 
 if __name__ == "__main__":

@@ -2,9 +2,8 @@
 
 #include "core/Error.h"
 #include "core/Vector.h"
+#include "core/surface/LeastSquares.h"
 #include "core/surface/leveling/CountedPixels.h"
-
-#include <Eigen/QR>
 
 namespace asperity {
 
@@ -87,8 +86,7 @@ PlaneFit planeOf(const BasicHeightMap<Heights>& map, Progress* progress) {
     const Vector2 center = sums.place / sums.count;
     const Eigen::Matrix2d spread = sums.square - sums.place * center.transpose();
     // The smallest solution: level across a line, should the pixels form one.
-    const Vector2 perPixel = Eigen::CompleteOrthogonalDecomposition<Eigen::Matrix2d>(spread).solve(
-        sums.tilt - center * sums.height);
+    const Vector2 perPixel = leastSquares(spread, sums.tilt - center * sums.height);
     return {.slopeX = perPixel.x() / map.pitchX,
             .slopeY = perPixel.y() / map.pitchY,
             .mean = origin + sums.height / sums.count,

@@ -1,9 +1,8 @@
 #include "core/surface/leveling/QuadraticFit.h"
 
+#include "core/surface/LeastSquares.h"
 #include "core/surface/leveling/CountedPixels.h"
 #include "core/surface/leveling/PlaneFit.h"
-
-#include <Eigen/QR>
 
 #include <utility>
 #include <vector>
@@ -85,8 +84,7 @@ QuadraticFit::QuadraticFit(const BasicHeightMap<Heights>& map, Progress* progres
     for (int row = 0; row < map.rows; ++row) {
         addRow(rows[static_cast<std::size_t>(row)], (middleRow_ - row) / halfRows_, normal, right);
     }
-    Vector6::Map(terms_.data()) =
-        Eigen::CompleteOrthogonalDecomposition<Matrix6>(normal).solve(right);
+    Vector6::Map(terms_.data()) = leastSquares(normal, right);
 }
 
 template QuadraticFit::QuadraticFit(const BasicHeightMap<std::vector<double>>&, Progress*);

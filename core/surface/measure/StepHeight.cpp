@@ -1,6 +1,6 @@
 #include "core/surface/measure/StepHeight.h"
 
-#include <Eigen/QR>
+#include "core/surface/LeastSquares.h"
 
 #include <algorithm>
 #include <cmath>
@@ -124,7 +124,7 @@ std::optional<StepHeight> gratingHeight(const Profile& profile) {
     for (const Plateau& plateau : plateaus) {
         samples += plateau.end - plateau.first;
     }
-    Eigen::MatrixX3d design(static_cast<Eigen::Index>(samples), 3);
+    Eigen::MatrixXd design(static_cast<Eigen::Index>(samples), 3);
     Eigen::VectorXd heights(static_cast<Eigen::Index>(samples));
     Eigen::Index line = 0;
     for (const Plateau& plateau : plateaus) {
@@ -135,7 +135,7 @@ std::optional<StepHeight> gratingHeight(const Profile& profile) {
             heights(line) = profile.heights[i] - *split;
         }
     }
-    const Eigen::Vector3d fit = design.colPivHouseholderQr().solve(heights);
+    const Eigen::Vector3d fit = leastSquares(design, heights);
     const double square = (heights - design * fit).squaredNorm();
     return StepHeight{.height = fit.z(),
                       .deviation = std::sqrt(square / static_cast<double>(samples)),

@@ -328,13 +328,16 @@ double statesIn(const std::string& output) {
 
 TEST(Extremes, EvaluatesAsManyStatesAsAreAskedForAndRefusesInTheWordsOfItsPage) {
     const test::ScratchFolder scratch;
-    const auto run =
-        test::runProgram("extremes --states 10000 --out " + scratch.file("out").string());
+    const std::filesystem::path out = scratch.file("out");
+    std::filesystem::create_directory(out);
+    const std::filesystem::path others = scratch.write("out/needs.csv", "of another command");
+    const auto run = test::runProgram("extremes --states 10000 --out " + out.string());
     ASSERT_EQ(run.exitCode, 0) << run.output;
     EXPECT_GT(readCsv(scratch.path() / "out/extremes.csv").rows(), 100U);
     EXPECT_GT(std::filesystem::file_size(scratch.path() / "out/extremes.png"), 5000U);
     EXPECT_GT(readCsv(scratch.path() / "out/coupling.csv").rows(), 20U);
     EXPECT_GT(std::filesystem::file_size(scratch.path() / "out/coupling.png"), 5000U);
+    EXPECT_EQ(test::contentOf(others), "of another command");
     EXPECT_NEAR(statesIn(run.output), 10000.0, 1000.0);
     std::ifstream file(test::dataFolder().string() + "/../docs/extremes.md");
     const std::string page{std::istreambuf_iterator<char>(file), {}};

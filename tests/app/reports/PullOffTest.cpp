@@ -12,6 +12,7 @@
 #include <cmath>
 #include <filesystem>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -79,7 +80,23 @@ TEST(PullOff, OfEveryShippedSceneIsWhereSignalsAndModelHoldTheTip) {
     EXPECT_GE(scenes, 5);
 }
 
-TEST(PullOff, OfEveryRealScanIsWhereSignalsAndModelHoldTheTip) {
+TEST(PullOff, OfARealScanOfEachFormatIsWhereSignalsAndModelHoldTheTip) {
+    ASPERITY_NEEDS_SHARED_DATA();
+    std::set<std::string> formats;
+    for (const auto& file : filesBelow(test::sharedData("afm"))) {
+        if (formats.contains(file.extension())) {
+            continue;
+        }
+        if (const std::optional<LoadedScene> loaded = readable(file)) {
+            SCOPED_TRACE(file.filename());
+            expectBothHold(*loaded);
+            formats.insert(file.extension());
+        }
+    }
+    EXPECT_GE(formats.size(), 7U);
+}
+
+TEST(PullOffLong, OfEveryRealScanIsWhereSignalsAndModelHoldTheTip) {
     ASPERITY_NEEDS_SHARED_DATA();
     int scans = 0;
     for (const auto& file : filesBelow(test::sharedData("afm"))) {
