@@ -28,12 +28,15 @@ enum class Validity : std::uint32_t {
     Implausible = 1U << 15U,     ///< the estimate breaks the friction law by more than 3 sigma
     UncertainPixel = 1U << 16U,  ///< the tip that recorded the scan may not have touched here
     SearchNotExhaustive =
-        1U << 17U,  ///< other places may be as near to the tip as the closest points found
+        1U << 17U,  ///< other places may bear as the contact points do, or are more than are summed
     LawOutOfRange = 1U << 18U,  ///< the contact law leaves out what acts here, see LawRange
     EstimateInconsistent =
         1U << 19U,               ///< friction law or noise are not as stated: InnovationMonitor
     StaleSignals = 1U << 20U,    ///< measured so long ago that the lever may have bent since
     VariedMaterial = 1U << 21U,  ///< the sample's material varies within the contact
+    OverlappingContacts = 1U << 22U,  ///< two contact circles overlap: they do not bear apart
+    InteractingContacts =
+        1U << 23U,  ///< contacts lower each other's surface by more than 5 % of the indentation
 };
 
 /// What a flag means for a result, the mildest first.
@@ -124,6 +127,12 @@ inline constexpr std::array kValidityTraits{
                    FlagBasis::Tick},
     ValidityTraits{Validity::VariedMaterial, "varied_material", "two materials in contact",
                    "the material varies by more than a tenth within the contact",
+                   Severity::Approximate, FlagBasis::Contact},
+    ValidityTraits{Validity::OverlappingContacts, "overlapping_contacts", "contacts overlap",
+                   "contact circles overlap: sum of forces not valid", Severity::Doubt,
+                   FlagBasis::Contact},
+    ValidityTraits{Validity::InteractingContacts, "interacting_contacts", "contacts interact",
+                   "contacts lower each other by over 5 % of the indentation",
                    Severity::Approximate, FlagBasis::Contact},
 };
 

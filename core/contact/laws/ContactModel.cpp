@@ -146,6 +146,22 @@ double ContactModel::pullOffApproach(double compliance) const noexcept {
            (soft * pull);
 }
 
+double ContactModel::attractionRange() const noexcept {
+    // Of four contact points that are left out, all together take a hundredth of the pull.
+    constexpr double kFaint = 1.0 / 400.0;
+    double range = std::max(-jumpInApproach(0.0), 0.0);
+    if (given_.options.meniscus.present()) {
+        range = std::max(range, given_.options.meniscus.range);
+    }
+    if (const AttractiveTail* const pull = tail()) {
+        const double strongest =
+            2.0 * std::numbers::pi * given_.pair.workOfAdhesion * given_.pair.tipRadius;
+        const double separation = pull->attraction().separationAt(-kFaint * strongest);
+        range = std::max(range, separation - kContactSeparation);
+    }
+    return range;
+}
+
 ContactState ContactModel::lastFar(double compliance) const noexcept {
     const double soft = nearestCompliance(compliance);
     if (given_.options.meniscus.present()) {

@@ -46,6 +46,11 @@ public:
     /// Approach of the undeflected tip at which it pulls off [m]; 0 without adhesion.
     [[nodiscard]] double pullOffApproach(double compliance) const noexcept;
 
+    /// Gap across which separate bodies act on each other [m]: up to it the tip may snap in, the
+    /// meniscus holds or the van der Waals tail pulls with a four-hundredth of the largest pull of
+    /// a rigid tip, 2 pi w R, or more. 0 without attraction.
+    [[nodiscard]] double attractionRange() const noexcept;
+
     /// The last stable state on the way in, before snap-in.
     [[nodiscard]] ContactState lastFar(double compliance) const noexcept;
     /// The last stable bonded state on the way out.

@@ -24,7 +24,9 @@ ClosestPoint localPointOn(const NurbsSurface& surface, const Vector3& query,
         return nearest;
     }
     const NurbsClosestPoints points =
-        nearestPoints(surface, query, {.within = kFartherPoint * std::abs(nearest.distance)});
+        nearestPoints(surface, query,
+                      {.within = kFartherPoint * std::abs(nearest.distance),
+                       .sameWithin = kSamePoint * std::abs(nearest.distance)});
     const auto away = [&](const NurbsClosestPoint& closest) {
         return std::hypot(closest.closest.point.x() - guess.x, closest.closest.point.y() - guess.y);
     };
