@@ -26,6 +26,7 @@ struct ContactCase {
     double cohesiveStress = 0.0;  ///< [Pa]
     double filmThickness = 0.0;   ///< [m]; 0: a half-space
     double poissonRatio = kNaN;   ///< of the film
+    double coneHalfAngle = 0.0;   ///< of the tip [rad]; 0: no cone
     double indentation = 0.0;     ///< [m]
     ContactBranch branch = ContactBranch::Far;
 };
@@ -71,6 +72,7 @@ ContactCase readCase(const CsvTable& table, std::size_t row) {
             .cohesiveStress = table.number(row, "sigma0_pa"),
             .filmThickness = numberOr(table, row, "film_thickness_m", 0.0),
             .poissonRatio = numberOr(table, row, "poisson_ratio", kNaN),
+            .coneHalfAngle = numberOr(table, row, "cone_half_angle_rad", 0.0),
             .indentation = table.number(row, "indentation_m"),
             .branch = wordIn(table, row, "branch", branchOf(table.text(row, "branch")),
                              "approach, retract")};
@@ -118,10 +120,15 @@ ContactAnswer answerTo(const ContactCase& asked) {
     if (sampleStatus != ContactStatus::Solved) {
         return {keyOf(sampleStatus)};
     }
+    const ContactStatus coneStatus = checkCone(asked.law, asked.pair, asked.coneHalfAngle);
+    if (coneStatus != ContactStatus::Solved) {
+        return {keyOf(coneStatus)};
+    }
     const ContactModel model(asked.law, asked.pair,
                              {.cohesiveStress = stress,
                               .filmThickness = asked.filmThickness,
-                              .film = {.poissonRatio = asked.poissonRatio}});
+                              .film = {.poissonRatio = asked.poissonRatio},
+                              .coneHalfAngle = asked.coneHalfAngle});
     const ContactMemory memory{asked.branch, 0.0};
     const ContactState state = model.equilibrium(asked.indentation, 0.0, memory);
     if (!state.solved()) {
@@ -183,7 +190,9 @@ void addContactCommand(CLI::App& program) {
         "),\nradius_m, e_star_pa, work_of_adhesion_j_m2, sigma0_pa (of the "
         "md models; of others the reach of adhesion, 0: 0.36 nm), indentation_m (< 0: a "
         "gap),\nbranch (approach, retract). Of a film on a "
-        "rigid base, too: film_thickness_m (0: a half-space),\npoisson_ratio (0 to 0.5).");
+        "rigid base, too: film_thickness_m (0: a half-space),\npoisson_ratio (0 to 0.5). Of a tip "
+        "whose sphere goes on as a cone (sneddon, jkr_sphere), too:\n"
+        "cone_half_angle_rad (0: no cone).");
     const auto files = std::make_shared<CaseFiles>();
     addCaseFiles(*command, *files);
     command->callback([files] { contact(*files); });

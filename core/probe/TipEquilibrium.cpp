@@ -265,7 +265,7 @@ private:
 
     /// Balances lever and contact at one closest point.
     void settle(TipContactPoint& closest) {
-        closest.place = surface_.localClosestPoint(center(), closest.place.guess());
+        closest.place = surface_.localContactPoint(center(), closest.place.guess());
         const Vector3& normal = closest.place.normal;
         closest.slip = slidingOf(normal, base_.velocity).slip();
         const Lever lever = leverOf(closest);

@@ -73,6 +73,17 @@ std::shared_ptr<const MaugisTable> tableFor(ContactLaw law, const ContactPair& p
 
 }  // namespace
 
+ContactStatus checkCone(ContactLaw law, const ContactPair& pair, double halfAngle) noexcept {
+    if (halfAngle == 0.0) {
+        return ContactStatus::Solved;
+    }
+    if (!isWithin(halfAngle, 0.01, 1.55)) {
+        return ContactStatus::ConeHalfAngleOutOfRange;
+    }
+    return leavesOutCone(law) && pair.workOfAdhesion >= kMinAdhesion ? ContactStatus::LawWithoutCone
+                                                                     : ContactStatus::Solved;
+}
+
 ContactModel::ContactModel(ContactLaw law, const ContactPair& pair, const ContactOptions& options)
     : ContactModel(checked(law, pair, options)) {}
 
@@ -87,6 +98,10 @@ ContactModel::Checked ContactModel::checked(ContactLaw law, const ContactPair& p
     }
     requirePair(pair, options.cohesiveStress);
     checkMeniscus(options.meniscus);
+    const ContactStatus cone = checkCone(law, pair, options.coneHalfAngle);
+    if (cone != ContactStatus::Solved) {
+        throw Error(std::string("contact: ") + nameOf(cone));
+    }
     return {law, pair, options, tableFor(law, pair, options), filmFor(law, options)};
 }
 

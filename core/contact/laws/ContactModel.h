@@ -16,6 +16,10 @@ class FilmTable;
 class MaugisTable;
 struct AdhesionSplit;
 
+/// What is wrong with the tip's cone under a law, or Solved. @param halfAngle [rad]; 0: no cone
+[[nodiscard]] ContactStatus checkCone(ContactLaw law, const ContactPair& pair,
+                                      double halfAngle) noexcept;
+
 /// One contact law by name for one material pair, in SI units: constant after construction (about a
 /// microsecond; the first of a film some 40 ms, see sharedFilmTable(), of a table some 0.2 s, see
 /// sharedMaugisTable()), no allocation, never throws after construction.
