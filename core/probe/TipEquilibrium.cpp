@@ -198,7 +198,7 @@ private:
         for (std::size_t i = 0; i < memory.pointCount; ++i) {
             const ClosestPointMemory& held = memory.points[i];
             if (!taken_[i] && held.contact.branch == ContactBranch::Bonded) {
-                const ClosestPoint place = surface_.localClosestPoint(lookedFrom_, held.guess);
+                const ClosestPoint place = surface_.localContactPoint(lookedFrom_, held.guess);
                 if (place.converged && !isKnown(place, points_.size())) {
                     addPoint(place, memory);
                 }
