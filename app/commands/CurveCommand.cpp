@@ -16,7 +16,9 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <array>
 #include <iostream>
+#include <limits>
 #include <memory>
 
 namespace asperity {
@@ -55,16 +57,50 @@ std::string jumpText(const char* name, const std::optional<TipJump>& jump) {
                      jump->after.energyLost);
 }
 
+ValidityFlags flagsOf(const CurveResult& result, const ForceCurvePoint& point) {
+    return contactValidity(result.asked.model, point.state, result.asked.material);
+}
+
+/// "large_contact at base 1.2 to 3.4 nm: contact radius above ...".
+void addFlagged(const CurveResult& result, std::vector<std::string>& lines) {
+    constexpr double kNone = std::numeric_limits<double>::infinity();
+    std::array<double, kValidityFlagCount> lowest;
+    std::array<double, kValidityFlagCount> highest;
+    lowest.fill(kNone);
+    highest.fill(-kNone);
+    for (const auto* way : {&result.curve.approach, &result.curve.retract}) {
+        for (const ForceCurvePoint& point : *way) {
+            const ValidityFlags flags = flagsOf(result, point);
+            for (std::size_t i = 0; i < kValidityFlagCount; ++i) {
+                if (flags.has(kValidityTraits[i].flag)) {
+                    lowest[i] = std::min(lowest[i], point.basePosition);
+                    highest[i] = std::max(highest[i], point.basePosition);
+                }
+            }
+        }
+    }
+    for (std::size_t i = 0; i < kValidityFlagCount; ++i) {
+        if (lowest[i] <= highest[i]) {
+            lines.push_back(formatted("  %s at base %.4g to %.4g nm: %s", kValidityTraits[i].key,
+                                      lowest[i] * 1e9, highest[i] * 1e9, kValidityTraits[i].words));
+        }
+    }
+}
+
 std::vector<std::string> summary(const CurveResult& result) {
     const CurveCase& asked = result.asked;
     const std::string parameters =
-        formatted("%s: R %.4g nm, E* %.6g GPa, w %.4g J/m^2, lever %.4g N/m along the normal",
+        formatted("%s: R %.4g nm, E* %.6g GPa, w %.4g J/m^2, lever %.4g N/m "
+                  "along the normal",
                   asked.material.name.c_str(), asked.model.pair().tipRadius * 1e9,
                   asked.model.pair().reducedModulus * 1e-9, asked.model.pair().workOfAdhesion,
                   1.0 / asked.compliance);
-    return {parameters, "  law " + std::string(keyOf(asked.model.law())) + " (" + asked.why + ")",
-            "  " + jumpText("snap-in", result.curve.snapIn),
-            "  " + jumpText("pull-off", result.curve.pullOff)};
+    std::vector<std::string> lines{
+        parameters, "  law " + std::string(keyOf(asked.model.law())) + " (" + asked.why + ")",
+        "  " + jumpText("snap-in", result.curve.snapIn),
+        "  " + jumpText("pull-off", result.curve.pullOff)};
+    addFlagged(result, lines);
+    return lines;
 }
 
 void writeWay(CsvWriter& csv, const CurveResult& result, const char* way,
@@ -75,8 +111,7 @@ void writeWay(CsvWriter& csv, const CurveResult& result, const char* way,
         csv.add(point.basePosition).add(state.indentation).add(state.force);
         csv.add(state.force * result.asked.compliance).add(state.contactRadius);
         csv.add(state.cohesiveRadius).add(keyOf(state.region()));
-        csv.add(validityText(contactValidity(result.asked.model, state, result.asked.material)))
-            .endRow();
+        csv.add(validityText(flagsOf(result, point))).endRow();
     }
 }
 
@@ -160,8 +195,8 @@ void curve(const CurveOptions& options) {
 }  // namespace
 
 void addCurveCommand(CLI::App& program) {
-    CLI::App* command = program.add_subcommand(
-        "curve", "Compute approach and retract of a tip on a lever, with snap-in and pull-off");
+    CLI::App* command = program.add_subcommand("curve", "Compute approach and retract of a tip "
+                                                        "on a lever, with snap-in and pull-off");
     const auto options = std::make_shared<CurveOptions>();
     addCurveRequest(*command, options->request);
     command->add_option("--points", options->points, "number of points on each branch")

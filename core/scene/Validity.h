@@ -9,7 +9,7 @@ namespace asperity {
 
 /// What a result does not hold for, or what to mind about it. The force goes on; people are told.
 enum class Validity : std::uint32_t {
-    LargeContact = 1U << 0U,  ///< contact radius over tip radius > 0.3: beyond the half-space
+    LargeContact = 1U << 0U,  ///< contact radius > 0.3 effective radii: beyond linear elasticity
     OutsideScan = 1U << 1U,   ///< the closest point lies outside the scan
     FilledPixel = 1U << 2U,   ///< the pixel under the tip held no data
     ClosestPointNotFound = 1U << 3U,  ///< closest point did not converge
@@ -64,8 +64,8 @@ struct ValidityTraits {
 /// By bit.
 inline constexpr std::array kValidityTraits{
     ValidityTraits{Validity::LargeContact, "large_contact", "contact radius > 0.3 R",
-                   "contact radius above 0.3 tip radii: beyond half-space theory", Severity::Doubt,
-                   FlagBasis::Contact},
+                   "contact radius above 0.3 effective radii: strain beyond linear elasticity",
+                   Severity::Doubt, FlagBasis::Contact},
     ValidityTraits{Validity::OutsideScan, "outside_scan", "tip outside the scan",
                    "tip outside the scan", Severity::Invalid, FlagBasis::Tick},
     ValidityTraits{Validity::FilledPixel, "filled_pixel", "no data here: filled in",

@@ -114,6 +114,16 @@ TEST_F(CurveCommand, TellsTheJumpsInAFewWords) {
     }
 }
 
+/// The summary says of the whole curve what the table says of each point.
+TEST_F(CurveCommand, SaysWhatTheLawDoesNotHoldFor) {
+    (void)tableOf("--material silicon_oxide --law hertz --points 20");
+    EXPECT_NE(said.find("law_out_of_range at base "), std::string::npos) << said;
+    (void)tableOf("--material silicone_rubber --law split_sphere --points 20");
+    EXPECT_EQ(said.find("law_out_of_range"), std::string::npos) << said;
+    EXPECT_NE(said.find("large_contact at base "), std::string::npos) << said;
+    EXPECT_NE(said.find("strain beyond linear elasticity"), std::string::npos) << said;
+}
+
 TEST_F(CurveCommand, KeepsTheTableApartFromWhatItSays) {
     const auto run = test::runProgram("curve --points 10 2>/dev/null | cat");
     const CsvTable table(run.output, "output");
