@@ -94,7 +94,7 @@ ContactStatus filmStatus(ContactLaw law, const ContactCase& asked) {
     return checkFilm(asked.filmThickness, asked.poissonRatio);
 }
 
-/// What the law does not hold for at a state, the worst first, joined by '|'; "ok": nothing.
+/// Why the law does not hold at a state, the worst reason first, joined by '|'; else "ok".
 std::string statusOf(const ContactModel& model, const ContactState& state) {
     const double radius = model.pair().tipRadius;
     const bool isSphereZone = isSphere(model.law()) && model.cohesiveStress() > 0.0;

@@ -63,7 +63,7 @@ double scaleOf(const Heights& heights) {
     return scale;
 }
 
-/// How far rounding can put a pixel that was touched below the level of the tip [m]: its height may
+/// By how much rounding can lower a touched pixel against the tip's surface [m]: its height may
 /// come from a pixel of the image that was rounded down, the level from one that was rounded up.
 template <class Heights>
 double roundingOf(const Heights& image, const Heights& surface, double tipRadius) {
