@@ -22,10 +22,10 @@ double smallFor(const VerticalPath& path, double length) {
     return length * std::min(1.0, path.instrument().system().tipRadius() / kBlunt);
 }
 
-/// How near the base goes to a jump where the law knows the rest [m]: a five-hundredth of a way
+/// How near the base goes to a jump where the law knows the rest [m]: a hundredth of a way
 /// that is sampled. It may come back by as much.
 double nearOn(const VerticalPath& path, double maxStep) {
-    constexpr double kOfStep = 1.0 / 16.0;
+    constexpr double kOfStep = 1.0 / 4.0;
     return std::isfinite(maxStep) ? kOfStep * std::abs(maxStep) : smallFor(path, 2e-11);
 }
 
