@@ -21,6 +21,8 @@ constexpr const char* kCasesHelp =
     "  friction_coefficient,shear_strength_pa,contact_area_m2\n"
     "  normal_force_model_n,normal_force_sigma_n\n"
     "                           normal force of a contact model, with its standard deviation\n"
+    "normal_deviation_rad, which a table need not have, is the standard deviation of the normal's\n"
+    "direction about each axis across it; without it the normal counts as exact.\n"
     "With inv_ols_m_v and lateral_sensitivity_rad_v in the probe file, vertical_v,lateral_v,\n"
     "sigma_vertical_v,sigma_lateral_v may stand in place of the four columns in radians.\n"
     "All vectors and the covariance are in the lab frame. Added are fx_n,fy_n,fz_n,cxx_n2,cyy_n2,\n"

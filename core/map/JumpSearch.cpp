@@ -16,16 +16,18 @@ constexpr int kMaxJumpHalvings = 60;
 
 enum class Way : std::int8_t { Down = -1, Up = 1 };
 
-/// A length that is small for tips of 15 nm or more, and under a sharper one as much smaller [m].
+/// A length that is small for a tip of 15 nm, and for another one in proportion: right at a jump
+/// the force goes as the root of the distance, so that a fixed one would show at another scale [m].
 double smallFor(const VerticalPath& path, double length) {
-    constexpr double kBlunt = 15e-9;  // [m]
-    return length * std::min(1.0, path.instrument().system().tipRadius() / kBlunt);
+    constexpr double kUsualRadius = 15e-9;  // [m]
+    return length * path.instrument().system().tipRadius() / kUsualRadius;
 }
 
-/// How near the base goes to a jump where the law knows the rest [m]: a hundredth of a way
-/// that is sampled. It may come back by as much.
+/// How near the base goes to a jump where the law knows the rest [m]. On a way that is sampled
+/// nearer than its shortest step: from farther off that step would go on from there, and back, and
+/// rounding would say at which of the two the search ends.
 double nearOn(const VerticalPath& path, double maxStep) {
-    constexpr double kOfStep = 1.0 / 4.0;
+    constexpr double kOfStep = 0.5 * kShortest;
     return std::isfinite(maxStep) ? kOfStep * std::abs(maxStep) : smallFor(path, 2e-11);
 }
 

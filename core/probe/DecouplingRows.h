@@ -3,6 +3,7 @@
 #include "core/probe/ForceDecoupling.h"
 #include "core/probe/Sliding.h"
 
+#include <algorithm>
 #include <cmath>
 
 /// What decoupling and innovation monitor share: the friction law as an observation with a standard
@@ -43,6 +44,40 @@ inline constexpr double kMinFrictionShare = 0.04;
 [[nodiscard]] inline double frictionScale(const DecouplingInput& in) noexcept {
     return (in.frictionCoefficient * std::abs(in.normalForceModel)) + adhesiveFriction(in) +
            kMinFriction;
+}
+
+/// What a normal that may be turned adds to the errors of planarity, friction law and contact
+/// model: standard deviations, or their opposites [N].
+struct NormalErrors {
+    double across = 0.0;  ///< of the force across the plane of normal and friction
+    double along = 0.0;   ///< of the friction law; the same turn is in `normal`, with opposite sign
+    double normal = 0.0;  ///< of the contact model
+    double apart = 0.0;   ///< of the friction law, and of nothing else
+};
+
+/// @param geometry of `in`
+/// Source: docs/theory.md 6.7.
+[[nodiscard]] inline NormalErrors normalErrors(const DecouplingInput& in,
+                                               const ContactGeometry& geometry) noexcept {
+    const Sliding& sliding = geometry.sliding;
+    const double deviation = in.normalDeviation;
+    if (deviation == 0.0) {
+        return {};
+    }
+    const double load = in.normalForceModel;
+    const double law = (in.frictionCoefficient * load) + adhesiveFriction(in);
+    const double friction = sliding.certainty * std::max(0.0, law);
+    // Over sqrt(v_t^2 + v0^2): a motion that is nearly normal hardly says where the tip slides.
+    const double normalSpeed = in.velocity.dot(in.normal.normalized());
+    const double turn = deviation * normalSpeed * sliding.doubt / kRestSpeed;
+    const double aside = turn / std::hypot(1.0, turn);
+    const double ofUnknownLoad = deviation * in.normalForceSigma;
+    const double ofUnknownFriction = kFrictionLawDefect * friction * aside;
+    return {.across = std::hypot((deviation * load) + (friction * aside),
+                                 std::hypot(ofUnknownLoad, ofUnknownFriction)),
+            .along = deviation * (load + (sliding.certainty * in.frictionCoefficient * friction)),
+            .normal = deviation * friction,
+            .apart = std::hypot(friction * aside * aside, ofUnknownLoad)};
 }
 
 }  // namespace asperity::decoupling

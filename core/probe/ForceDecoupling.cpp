@@ -21,6 +21,8 @@ using decoupling::geometryOf;
 using decoupling::kFrictionLawDefect;
 using decoupling::kMinFriction;
 using decoupling::kPlanarityDefect;
+using decoupling::NormalErrors;
+using decoupling::normalErrors;
 
 constexpr double kNearSingularCondition = 100.0;
 constexpr double kSingularCondition = 1e15;  // what rounding leaves of an exactly singular system
@@ -44,7 +46,8 @@ bool inputIsUsable(const DecouplingInput& in) noexcept {
            in.normal.norm() >= kMinNormal && usable(in.velocity) &&
            notNegative(in.frictionCoefficient) && notNegative(in.shearStrength) &&
            notNegative(in.contactArea) && usable(in.normalForceModel) &&
-           isDeviation(in.normalForceSigma) && notNegative(in.frictionLawError);
+           isDeviation(in.normalForceSigma) && notNegative(in.frictionLawError) &&
+           isWithin(in.normalDeviation, 0.0, kMaxNormalDeviation);
 }
 
 /// Ratio of the singular values of the 2x2 system (N, T) -> force-equivalent signals.
@@ -73,6 +76,11 @@ struct WhitenedSystem {
     void set(int row, const Vector3& direction, double value, double sigma) noexcept {
         rows.row(row) = direction.transpose() / sigma;
         values(row) = value / sigma;
+    }
+    /// Adds a share of another row.
+    void add(int row, double share, int other) noexcept {
+        rows.row(row) += share * rows.row(other);
+        values(row) += share * values(other);
     }
 };
 
@@ -104,14 +112,26 @@ WhitenedSystem whitenedSystem(const Cantilever& cantilever, const DecouplingInpu
     const Vector3 planeNormal = normal.cross(sliding.friction);
     const Vector3 frictionLaw = sliding.friction - (law * in.frictionCoefficient * normal);
 
+    const NormalErrors errors = normalErrors(in, geometry);
+    // Of the friction law apart from the turn that it shares with the contact model, and with it.
+    const double lawAlone =
+        std::hypot(std::hypot(lawDeviation(sliding, scale), in.frictionLawError), errors.apart);
+    const double lawSigma = std::hypot(lawAlone, errors.along);
+    // Of the contact model once the friction law is known.
+    const double modelSigma =
+        std::hypot(in.normalForceSigma, errors.normal * (lawAlone / lawSigma));
+
     WhitenedSystem system;
     system.set(0, Vector3(cantilever.couplingRatio(), 0.0, 1.0), in.signals.bending / cz,
                in.sigma.bending / cz);
     system.set(1, Vector3::UnitY(), in.signals.torsion / cy, in.sigma.torsion / cy);
-    system.set(2, planeNormal, 0.0, scale * std::hypot(g * kPlanarityDefect, sliding.doubt));
-    system.set(3, frictionLaw, law * adhesiveFriction(in),
-               std::hypot(lawDeviation(sliding, scale), in.frictionLawError));
-    system.set(4, normal, in.normalForceModel, in.normalForceSigma);
+    system.set(2, planeNormal, 0.0,
+               std::hypot(scale * std::hypot(g * kPlanarityDefect, sliding.doubt), errors.across));
+    system.set(3, frictionLaw, law * adhesiveFriction(in), lawSigma);
+    system.set(4, normal, in.normalForceModel, modelSigma);
+    if (errors.normal != 0.0) {
+        system.add(4, errors.normal * (errors.along / lawSigma) / modelSigma, 3);
+    }
     return system;
 }
 
@@ -133,9 +153,11 @@ Plausibility plausibilityOf(const DecouplingInput& in, const ContactGeometry& ge
     const Vector3& n = geometry.normal;
     const Vector3& f = geometry.sliding.friction;
     const double normalForce = force.dot(n);
+    const NormalErrors errors = normalErrors(in, geometry);
     // The model is part of the estimate: what they may differ by is the rest of its variance.
     const double variance = n.dot(covariance * n);
-    const double modelVariance = in.normalForceSigma * in.normalForceSigma;
+    const double modelVariance =
+        (in.normalForceSigma * in.normalForceSigma) + (errors.normal * errors.normal);
     const double rest = std::sqrt(std::max(0.0, modelVariance - variance));
     Plausibility plausibility;
     plausibility.contradictsModel =
@@ -147,10 +169,13 @@ Plausibility plausibilityOf(const DecouplingInput& in, const ContactGeometry& ge
     const double law = (in.frictionCoefficient * normalForce) + adhesiveFriction(in);
     const Vector3 excess = law > 0.0 ? Vector3(f - (in.frictionCoefficient * n)) : f;
     // The law itself holds to a share only, and at rest friction may have any direction.
-    const double sigma =
-        std::hypot(deviationAlong(covariance, excess), lawDeviation(sliding, scale));
+    const double sigma = std::hypot(
+        deviationAlong(covariance, excess),
+        std::hypot(lawDeviation(sliding, scale), std::hypot(errors.along, errors.apart)));
     plausibility.pushesAlong =
-        friction < -(kMinFriction + (kPlausibleSigmas * sliding.doubt * scale));
+        friction <
+        -(kMinFriction + std::hypot(kPlausibleSigmas * sliding.doubt * scale,
+                                    kPlausibleSigmas * std::hypot(errors.along, errors.apart)));
     plausibility.excessFriction =
         std::abs(friction) - std::max(0.0, law) > kPlausibleSigmas * sigma;
     return plausibility;

@@ -11,11 +11,18 @@
 
 namespace asperity {
 
+/// A normal that is less certain has no direction, and what it does to the force is not linear
+/// [rad].
+inline constexpr double kMaxNormalDeviation = 1.0;
+
 /// What is known at one instant besides the signals; vectors in the lab frame.
 struct DecouplingInput {
     LeverSignals signals;
-    LeverSignals sigma;                  ///< standard deviation of the signals [rad], > 0
-    Vector3 normal = Vector3::UnitZ();   ///< out of the sample; of any length from 1e-30 on
+    LeverSignals sigma;                 ///< standard deviation of the signals [rad], > 0
+    Vector3 normal = Vector3::UnitZ();  ///< out of the sample; of any length from 1e-30 on
+    /// Standard deviation of the normal's direction about each axis across it [rad], 0 to
+    /// kMaxNormalDeviation.
+    double normalDeviation = 0.0;
     Vector3 velocity = Vector3::Zero();  ///< of the tip relative to the sample [m/s]
     double frictionCoefficient = 0.0;    ///< mu
     double shearStrength = 0.0;          ///< tau [Pa]
@@ -71,7 +78,7 @@ struct ForceEstimate {
 /// Force by weighted least squares of signals, planarity, friction law and contact model:
 /// continuous in every direction of motion and at rest. Where the contact model pulls so hard that
 /// mu N + tau A < 0, the friction law fades into T = 0 (docs/theory.md 8), over one standard
-/// deviation of N. No allocation. Source: docs/theory.md 6.5.
+/// deviation of N. No allocation. Source: docs/theory.md 6.5, 6.7.
 [[nodiscard]] ForceEstimate estimateForce(const Cantilever& cantilever,
                                           const DecouplingInput& input) noexcept;
 

@@ -14,6 +14,8 @@ using decoupling::ContactGeometry;
 using decoupling::frictionScale;
 using decoupling::kFrictionLawDefect;
 using decoupling::kPlanarityDefect;
+using decoupling::NormalErrors;
+using decoupling::normalErrors;
 
 constexpr double kFalseAlarms = 1e-4;       // [1/s]
 constexpr double kNormalWander = 0.05;      // [s] in which the defect of N changes by one unit
@@ -30,6 +32,8 @@ constexpr double kNoiseStays = 1.25;        // likewise, once it was passed
 constexpr double kNoiseScatter = 0.3;       // of the mean, that noise as stated can reach
 constexpr double kMeanScatter = 9.0;        // variances of a defect that count for nothing
 constexpr double kSlides = 0.5;             // weight of the slip direction from which it counts
+
+double squareOf(double value) noexcept { return value * value; }
 
 /// How one signal, as a force, answers to the two defects.
 struct SignalRow {
@@ -67,6 +71,11 @@ SignalRows rowsOf(const Cantilever& cantilever, const DecouplingInput& in,
     // What neither defect stands for: friction across the motion, and in any direction at rest.
     const double aside =
         frictionScale(in) * std::hypot(sliding.certainty * kPlanarityDefect, sliding.doubt);
+    // Nor for a normal that is turned about either axis.
+    const NormalErrors errors = normalErrors(in, geometry);
+    const Vector3 turnedAlong =
+        (errors.along * sliding.friction) - (errors.normal * geometry.normal);
+    const Vector3 turnedAcross = errors.across * geometry.normal.cross(sliding.friction);
     const auto bend = [kappa](const Vector3& force) { return (kappa * force.x()) + force.z(); };
     const double bendingNoise = in.sigma.bending / cantilever.bendingPerFz();
     const double torsionNoise = in.sigma.torsion / cantilever.torsionPerFy();
@@ -74,11 +83,13 @@ SignalRows rowsOf(const Cantilever& cantilever, const DecouplingInput& in,
     rows.bending = {.normal = bend(perNormal),
                     .friction = bend(perFriction),
                     .innovation = (in.signals.bending / cantilever.bendingPerFz()) - bend(expected),
-                    .variance = (bendingNoise * bendingNoise) + (kappa * kappa * aside * aside)};
+                    .variance = (bendingNoise * bendingNoise) + (kappa * kappa * aside * aside) +
+                                squareOf(bend(turnedAlong)) + squareOf(bend(turnedAcross))};
     rows.torsion = {.normal = perNormal.y(),
                     .friction = perFriction.y(),
                     .innovation = (in.signals.torsion / cantilever.torsionPerFy()) - expected.y(),
-                    .variance = (torsionNoise * torsionNoise) + (aside * aside)};
+                    .variance = (torsionNoise * torsionNoise) + (aside * aside) +
+                                squareOf(turnedAlong.y()) + squareOf(turnedAcross.y())};
     return rows;
 }
 

@@ -30,6 +30,25 @@ PlanarForce planarForce(const Cantilever& cantilever, const LeverSignals& signal
     return result;
 }
 
+namespace {
+
+/// What a turn of the normal by its deviation, about each of two axes, does to the force.
+void addNormalDeviation(const Cantilever& cantilever, const DecouplingInput& input,
+                        const Vector3& normal, ForceEstimate& estimate) noexcept {
+    if (input.normalDeviation == 0.0) {
+        return;
+    }
+    const Vector3 first = normal.unitOrthogonal();
+    for (const Vector3& axis : {first, Vector3(normal.cross(first))}) {
+        const Vector3 turned = (normal + input.normalDeviation * axis).normalized();
+        const PlanarForce planar = planarForce(cantilever, input.signals, turned, input.velocity);
+        const Vector3 change = planar.force - estimate.force;
+        estimate.covariance += change * change.transpose();
+    }
+}
+
+}  // namespace
+
 ForceEstimate planarEstimate(const Cantilever& cantilever, const DecouplingInput& input) noexcept {
     const Vector3 normal = input.normal.normalized();
     const auto forceOf = [&](const LeverSignals& signals) {
@@ -44,7 +63,9 @@ ForceEstimate planarEstimate(const Cantilever& cantilever, const DecouplingInput
     if (planar.singular) {
         const double sigma = input.normalForceSigma;
         estimate.force = input.normalForceModel * normal;
-        estimate.covariance = sigma * sigma * normal * normal.transpose();
+        const double aside = input.normalDeviation * input.normalForceModel;
+        estimate.covariance = (sigma * sigma * normal * normal.transpose()) +
+                              (aside * aside * (Matrix3::Identity() - normal * normal.transpose()));
         estimate.condition = std::numeric_limits<double>::infinity();
         const bool slides = slidingOf(normal, input.velocity).certainty > 0.0;
         estimate.kind = slides ? DecouplingCase::NearSingular : DecouplingCase::NoSliding;
@@ -54,6 +75,7 @@ ForceEstimate planarEstimate(const Cantilever& cantilever, const DecouplingInput
         const Vector3 byTorsion = forceOf({.torsion = input.sigma.torsion}).force;
         estimate.force = planar.force;
         estimate.covariance = byBending * byBending.transpose() + byTorsion * byTorsion.transpose();
+        addNormalDeviation(cantilever, input, normal, estimate);
     }
     estimate.deflection = cantilever.compliance() * estimate.force;
     return estimate;

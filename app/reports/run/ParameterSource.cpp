@@ -62,11 +62,13 @@ ParameterSources::ParameterSources(const SceneDescription& scene)
     , probe_(probeFileOf(scene)) {}
 
 std::string ParameterSources::sourceOf(const SceneField& field) const {
-    const bool isNoise = std::string(field.key) == "signal_noise_rad";  // no probe file has it
+    const std::string key = field.key;
+    // No probe file has these.
+    const bool isOfEstimator = key == "signal_noise_rad" || key == "normal_deviation_rad";
     if (field.group == SceneGroup::Material && !material_.empty()) {
         return "library: " + material_;
     }
-    if (field.group == SceneGroup::Probe && !probe_.empty() && !isNoise) {
+    if (field.group == SceneGroup::Probe && !probe_.empty() && !isOfEstimator) {
         return "library: " + probe_;
     }
     return isSame(field.get(scene_), field.get(defaults_)) ? "default" : "scene";

@@ -89,11 +89,15 @@ std::vector<DecouplingInput> inputsOf(const CsvTable& table, const MeasuredSlope
     const std::vector<double> area = table.numbers("contact_area_m2");
     const std::vector<double> model = table.numbers("normal_force_model_n");
     const std::vector<double> sigma = table.numbers("normal_force_sigma_n");
+    const std::vector<double> deviation = table.has("normal_deviation_rad")
+                                              ? table.numbers("normal_deviation_rad")
+                                              : std::vector<double>(table.rows(), 0.0);
     std::vector<DecouplingInput> inputs;
     for (std::size_t row = 0; row < table.rows(); ++row) {
         inputs.push_back({.signals = slopes.signals[row],
                           .sigma = slopes.sigma[row],
                           .normal = normal[row],
+                          .normalDeviation = deviation[row],
                           .velocity = velocity[row],
                           .frictionCoefficient = friction[row],
                           .shearStrength = strength[row],

@@ -161,6 +161,7 @@ void readProbeSection(TomlSection section, SceneDescription& scene) {
     scene.probe = probe.lever;
     scene.detector = probe.detector;
     scene.signalSigma = section.number("signal_noise_rad", scene.signalSigma);
+    scene.normalDeviation = section.number("normal_deviation_rad", scene.normalDeviation);
     section.refuseUnknownKeys();
 }
 
@@ -290,6 +291,7 @@ toml::table sampleTable(const SampleDescription& sample) {
 toml::table probeSectionTable(const SceneDescription& scene) {
     toml::table table = probeTable({scene.probe, scene.detector});
     table.insert("signal_noise_rad", scene.signalSigma);
+    table.insert("normal_deviation_rad", scene.normalDeviation);
     return table;
 }
 

@@ -44,6 +44,20 @@ TEST(HapticTick, LoadsTheLeverOnAFlatSample) {
     EXPECT_NEAR(deepest.model.force.z(), deepest.model.contact.force, 1e-20);
 }
 
+/// A doubtful normal moves nothing but the estimate, and widens its covariance across the normal by
+/// the load's part along it.
+TEST(HapticTick, EstimatesLessSurelyOnADoubtfulNormal) {
+    SceneDescription description = test::plainScene();
+    const auto exact = approachAndRetract(buildScene(description, test::flatMap()), 2.0_nm);
+    description.normalDeviation = 0.05;
+    const auto doubtful = approachAndRetract(buildScene(description, test::flatMap()), 2.0_nm);
+    const TickOutput& before = exact[1000].output;
+    const TickOutput& after = doubtful[1000].output;
+    EXPECT_EQ(after.model.force, before.model.force);
+    EXPECT_GT(after.estimate.covariance(0, 0), before.estimate.covariance(0, 0));
+    EXPECT_TRUE(after.estimate.plausibility.holds());
+}
+
 TEST(HapticTick, AChangedGainMovesNothingByItself) {
     const Scene scene = buildScene(test::plainScene(), test::flatMap());
     TickMemory memory;

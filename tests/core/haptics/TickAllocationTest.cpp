@@ -42,6 +42,15 @@ TEST(TickAllocation, TickAndSimulatedInstrumentAllocateNothingInAnyState) {
     expectNoAllocation(buildScene(test::plainScene(), test::hillyMap()));
 }
 
+TEST(TickAllocation, NorDoesANormalThatIsNotExact) {
+    SceneDescription description = test::plainScene();
+    description.normalDeviation = 0.05;
+    for (const DecouplingModel model : kValues<DecouplingModel>) {
+        description.choices.decoupling = model;
+        expectNoAllocation(buildScene(description, test::hillyMap()));
+    }
+}
+
 TEST(TickAllocation, NorDoesAShape) {
     SceneDescription description = test::plainScene();
     description.sample.shape = ShapeDescription{.kind = ShapeKind::Sphere};

@@ -6,7 +6,9 @@
 #include <Eigen/LU>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <numbers>
 #include <string>
 #include <vector>
@@ -206,6 +208,82 @@ TEST(DecouplingNoise, HardlyEverRaisesAFlag) {
     // Three tests beyond 3 sigma of noise: at most 0.8 % of the draws.
     EXPECT_LT(flagged, 120);
     EXPECT_GT(flagged, 0) << "noise of 10,000 draws goes beyond 3 sigma now and then";
+}
+
+/// A normal that is off by its deviation, in a world that is otherwise as imperfect as stated: the
+/// force belongs to the true normal, the estimate to the assumed one.
+double chiSquareOfTurnedNormals(const Place& place, double turned, double stated) {
+    constexpr int kDraws = 4000;
+    const Cantilever lever = leverAt(place);
+    Random random(13);
+    double sum = 0.0;
+    for (int i = 0; i < kDraws; ++i) {
+        const Vector3 first = place.normal.unitOrthogonal();
+        const Vector3 second = place.normal.cross(first);
+        Place truth = place;
+        truth.normal =
+            (place.normal + turned * random.normal() * first + turned * random.normal() * second)
+                .normalized();
+        const ImperfectWorld world(lever, inputAt(truth));
+        DecouplingInput input;
+        const Vector3 force = world.draw(random, input);
+        input.normal = place.normal;
+        input.normalDeviation = stated;
+        const ForceEstimate estimate = estimateForce(lever, input);
+        const Vector3 error = estimate.force - force;
+        sum += error.dot(estimate.covariance.llt().solve(error)) / kDraws;
+    }
+    return sum / 3.0;
+}
+
+/// Places where the tip slides, one of them by a steep approach to a slope.
+std::vector<Place> slidingPlaces() {
+    std::vector<Place> sliding{{.name = "steep approach",
+                                .normal = Vector3(0.3, -0.2, 1.0).normalized(),
+                                .velocity = -1e-6 * Vector3::UnitZ()}};
+    for (const Place& place : places()) {
+        if (place.velocity.cross(place.normal).norm() > 1e-7) {
+            sliding.push_back(place);
+        }
+    }
+    return sliding;
+}
+
+TEST(DecouplingNoise, CountsTheNormalsDeviation) {
+    constexpr double kDegree = pi / 180.0;
+    ASSERT_GE(slidingPlaces().size(), 12U);
+    double worstWithout = 0.0;
+    for (const Place& place : slidingPlaces()) {
+        for (const double deviation : {0.3 * kDegree, 1.0 * kDegree, 3.0 * kDegree}) {
+            SCOPED_TRACE(place.name + ", " + std::to_string(deviation));
+            const double stated = chiSquareOfTurnedNormals(place, deviation, deviation);
+            // 4,000 draws scatter by 0.013: five of these, and a turn's second order.
+            EXPECT_NEAR(stated, 1.0, 0.1);
+            worstWithout = std::max(worstWithout, chiSquareOfTurnedNormals(place, deviation, 0.0));
+        }
+    }
+    EXPECT_GT(worstWithout, 10.0) << "the normal taken for exact";
+    std::printf("normal 3 degrees off, taken for exact: chi^2 / 3 up to %.1f\n", worstWithout);
+}
+
+TEST(DecouplingNoise, WithAnExactNormalIsAsBeforeToTheBit) {
+    for (const Place& place : places()) {
+        DecouplingInput input = inputAt(place);
+        const ForceEstimate before = estimateForce(leverAt(place), input);
+        input.normalDeviation = 1e-300;  // goes through every term, and adds nothing
+        const ForceEstimate after = estimateForce(leverAt(place), input);
+        EXPECT_EQ(before.force, after.force) << place.name;
+        EXPECT_EQ(before.covariance, after.covariance) << place.name;
+    }
+}
+
+TEST(DecouplingNoise, RefusesANormalWithoutDirection) {
+    const Place place = places().front();
+    for (const double deviation : {-1e-3, 1.5, std::nan("")}) {
+        DecouplingInput input = inputAt(place);
+        input.normalDeviation = deviation;
+        EXPECT_EQ(estimateForce(leverAt(place), input).kind, DecouplingCase::InvalidInput);
+    }
 }
 
 }  // namespace

@@ -143,6 +143,22 @@ TEST_F(DecouplingFile, RepeatsTheInputAndAddsTheContractsColumns) {
     EXPECT_EQ(out.text(0, "shear_strength_pa"), "5e7") << "as it was written";
 }
 
+/// The column is optional: 0 is the same as none, and a doubtful normal widens the covariance.
+TEST_F(DecouplingFile, TakesADeviationOfTheNormal) {
+    std::string header = kHeader;
+    std::string row = kGoodRow;
+    header.pop_back();
+    row.pop_back();
+    const CsvTable out = tableFor("", header + ",normal_deviation_rad\n" + row + ",0\n" + row +
+                                          ",0.05\n" + row + ",-0.05\n");
+    const CsvTable without = tableFor("", std::string(kHeader) + kGoodRow);
+    for (const char* const column : {"fx_n", "fy_n", "fz_n", "cxx_n2", "cyy_n2", "czz_n2"}) {
+        EXPECT_EQ(out.number(0, column), without.number(0, column)) << column;
+    }
+    EXPECT_GT(out.number(1, "cxx_n2"), 1.5 * out.number(0, "cxx_n2"));
+    EXPECT_EQ(out.text(2, "case"), "invalid_input");
+}
+
 TEST_F(DecouplingFile, NamesRowsThatAreNoMeasurement) {
     const std::string good = kGoodRow;
     std::string cases = std::string(kHeader) + good;

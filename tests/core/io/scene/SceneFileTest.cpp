@@ -193,6 +193,7 @@ TEST_F(SceneFile, ComesBackTheSameFromItsOwnText) {
     scene.detector.invOls = 42e-9;
     scene.detector.lateralCrossTalk = -0.02;
     scene.truth.temperature = 296.15;
+    scene.normalDeviation = 0.02;
     scene.sample.imagingTipRadius = 8e-9;
     scene.sample.erode = true;
     scene.choices.law = ContactLaw::Hertz;
@@ -281,6 +282,8 @@ TEST_F(SceneFile, RefusesMistakesWithTheirPlace) {
         {std::string(sample) + "size_x_m = \"5um\"\nsize_y_m = 1e-6\n", "a number"},
         {std::string(sample) + "z_scale_m = 0\n", "z_scale_m"},
         {std::string(sample) + "z_scale_m = nan\n", "z_scale_m"},
+        {std::string(sample) + "[probe]\nnormal_deviation_rad = -0.01\n", "normal_deviation_rad"},
+        {std::string(sample) + "[probe]\nnormal_deviation_rad = 1.5\n", "normal_deviation_rad"},
         {"[sample]\nshape = \"sphere\"\nsize_x_m = 1e-6\nsize_y_m = 1e-6\n", "size_x_m"},
         {std::string(sample) + "erode = true\n", "erode needs imaging_tip_radius_m"},
         {std::string(sample) + "erode = 1\n", "true or false"},

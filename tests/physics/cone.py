@@ -1,0 +1,132 @@
+#!/usr/bin/env python3
+"""A cone with a spherical apex, elastic and with JKR's adhesion, by quadrature over the tip's profile
+(docs/theory.md 4.8, first line) beside `asperity contact`. Usage: cone.py ASPERITY"""
+
+import sys
+
+import mpmath
+from mpmath import mp, mpf
+
+from common import Checks, Program, bisected
+
+RADIUS, MODULUS = mpf("30e-9"), mpf("1.333e6")
+
+
+class Tip:
+    """Sphere of RADIUS up to where it touches a cone of this half angle [rad]; 0: the sphere alone."""
+
+    def __init__(self, half_angle):
+        self.half_angle = mpf(half_angle)
+        self.joint = RADIUS * mpmath.cos(self.half_angle) if half_angle else RADIUS
+        self.slope_beyond = mpmath.cot(self.half_angle) if half_angle else None
+
+    def integral(self, contact, weight):
+        """int_0^a weight(r) f'(r) / sqrt(a^2 - r^2) dr with r = a sin(t), to rounding."""
+        def sphere(t):
+            r = contact * mpmath.sin(t)
+            return weight(r) * r / mpmath.sqrt(RADIUS**2 - r**2)
+
+        def cone(t):
+            return weight(contact * mpmath.sin(t)) * self.slope_beyond
+        if contact <= self.joint:
+            return mpmath.quad(sphere, [0, mp.pi / 2])
+        joint = mpmath.asin(self.joint / contact)
+        return mpmath.quad(sphere, [0, joint]) + mpmath.quad(cone, [joint, mp.pi / 2])
+
+    def elastic(self, contact):
+        """(indentation, force) without adhesion."""
+        return (contact * self.integral(contact, lambda r: mpf(1)),
+                2 * MODULUS * self.integral(contact, lambda r: r**2))
+
+    def jkr(self, contact, work):
+        depth, force = self.elastic(contact)
+        return (depth - mpmath.sqrt(2 * mp.pi * contact * work / MODULUS),
+                force - mpmath.sqrt(8 * mp.pi * work * MODULUS * contact**3))
+
+
+def case(model, half_angle, work, depth):
+    return {"model": model, "radius_m": RADIUS, "e_star_pa": MODULUS,
+            "work_of_adhesion_j_m2": work, "sigma0_pa": 0, "indentation_m": depth,
+            "branch": "retract", "cone_half_angle_rad": half_angle}
+
+
+def states():
+    """(model, half angle, w, contact radius): the widest contact at its indentation of each."""
+    for half_angle in (10, 18, 35, 60):
+        joint = mpmath.cos(mpmath.radians(half_angle))
+        for share in ("0.3", "0.9", "0.9999", "1.0001", "1.1", "2", "10", "100"):
+            yield "sneddon", half_angle, 0, mpf(share) * joint * RADIUS
+        for work in ("1e-5", "1e-3"):
+            # Beyond the joint from where d(delta)/da has passed its dip (4.8).
+            for share in ("0.6", "3", "10", "100"):
+                yield "jkr_sphere", half_angle, mpf(work), mpf(share) * joint * RADIUS
+
+
+def is_widest(tip, contact, work):
+    """Whether no wider contact has the same indentation, so that this one is stable at it."""
+    # Beyond ten joints elastic indentation grows with a, and adhesion's part with its root only.
+    depths = [tip.jkr(contact, work)[0]]
+    while contact < 10 * tip.joint:
+        contact *= mpf("1.1")
+        depths.append(tip.jkr(contact, work)[0])
+    return all(after > depths[0] for after in depths[1:])
+
+
+def check_states(checks, program):
+    kept, cases = [], []
+    for model, degrees, work, contact in states():
+        half_angle = mpmath.radians(degrees)
+        tip = Tip(half_angle)
+        depth, force = tip.jkr(contact, mpf(work))
+        if work == 0 or is_widest(tip, contact, mpf(work)):
+            kept.append((model, degrees, work, contact, depth, force))
+            cases.append(case(model, float(half_angle), work, depth))
+    checks.holds("states that are stable", len(kept) >= 48, len(kept))
+    cases = [{key: value if isinstance(value, str) else mpmath.nstr(mpf(value), 20)
+              for key, value in one.items()} for one in cases]
+    for (model, degrees, work, contact, depth, force), row in zip(kept, program.contact(cases)):
+        name = f"{model}, {degrees} degrees, w {float(work):g}, a {float(contact):.4g} m"
+        # The depth is written to 20 digits and read in double: its rounding, 1e-16 of it, changes
+        # the force by 2 a E* of it.
+        size = max(abs(force), 2 * contact * MODULUS * abs(depth))
+        checks.near(name + ": force", row["force_n"], force, 1e-9, size)
+        checks.near(name + ": contact radius", row["contact_radius_m"], contact, 1e-9)
+        wide = contact > mpf("0.3") * RADIUS
+        checks.holds(name + ": strain", ("large_contact" in row["status"]) == wide, row["status"])
+
+
+def check_limits(checks, program):
+    """The same program against closed forms: slope, Sneddon's cone, sphere alone."""
+    half_angle = float(mpmath.radians(18))
+    tip = Tip(half_angle)
+    depth = tip.elastic(mpf("2.5") * RADIUS)[0]
+    step = depth * mpf("1e-4")
+    low, high = program.contact([case("sneddon", half_angle, 0, float(depth + sign * step))
+                                 for sign in (-1, 1)])
+    slope = (mpf(high["force_n"]) - mpf(low["force_n"])) / (2 * step)
+    checks.near("dP/ddelta against 2 a E*", slope, 5 * RADIUS * MODULUS, 1e-6)
+
+    far = mpf(3000) * RADIUS
+    row, = program.contact([case("sneddon", half_angle, 0, float(far))])
+    # delta = (pi/2) a cot(alpha) and P = (2/pi) E* delta^2 tan(alpha). The sphere's apex lies
+    # R (1 / sin(alpha) - 1) above that of the sharp cone, 0.75e-3 of this depth.
+    checks.near("Sneddon's cone", row["force_n"], 2 / mp.pi * MODULUS * far**2 * mpmath.tan(half_angle),
+                2e-3)
+
+    depth = RADIUS / 2
+    contact = bisected(lambda a: a * mpmath.atanh(a / RADIUS) - depth, 0, RADIUS * (1 - mpf(10)**-20))
+    force = MODULUS * ((RADIUS**2 + contact**2) * mpmath.atanh(contact / RADIUS) - contact * RADIUS)
+    row, = program.contact([case("sneddon", 0, 0, float(depth))])
+    checks.near("sphere alone", row["force_n"], force, 1e-9)
+
+
+def main(path):
+    checks = Checks()
+    program = Program(path)
+    check_states(checks, program)
+    check_limits(checks, program)
+    checks.finish()
+
+
+if __name__ == "__main__":
+    main(sys.argv[1])
