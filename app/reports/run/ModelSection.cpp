@@ -15,11 +15,13 @@ namespace {
 std::vector<RecordedTerm> settledTerms(const SceneNeeds& needs) {
     std::vector<RecordedTerm> terms;
     for (const TermNeed& need : needs.terms) {
-        terms.push_back({.name = nameOf(need.term),
-                         .on = need.on,
-                         .overruled = true,
-                         .effect = need.effect,
-                         .why = whyOf(need, needs)});
+        terms.push_back(
+            {.name = nameOf(need.term),
+             .on = need.on,
+             .overruled = true,
+             .effect = need.effect,
+             .quantity = isOfSurface(need.term) ? "displacement" : nameOf(need.quantity),
+             .why = whyOf(need, needs)});
     }
     return terms;
 }
@@ -30,13 +32,18 @@ std::string effectText(double effect) {
 }
 
 PageTable termTable(const std::vector<RecordedTerm>& terms) {
-    PageTable table{
-        .columns = {{"Term"}, {"In the model"}, {"Effect", true}, {"Decided by"}, {"Why"}},
-        .rows = {}};
+    PageTable table{.columns = {{"Term"},
+                                {"In the model"},
+                                {"Effect", true},
+                                {"Changes most"},
+                                {"Decided by"},
+                                {"Why"}},
+                    .rows = {}};
     for (const RecordedTerm& term : terms) {
         table.rows.push_back({{term.name},
                               {term.on ? "yes" : "left out"},
                               {effectText(term.effect)},
+                              {term.effect > 0.0 ? term.quantity : ""},
                               {term.overruled ? "scene" : "fit"},
                               {term.why}});
     }
@@ -54,9 +61,11 @@ void addModel(PageContent& page, const ReportedRun& run) {
     page.addList(run.summary ? run.summary->notes : notesOn(loaded));
     page.addTable(termTable(isRecorded ? run.summary->terms : settledTerms(loaded.needs)));
     page.addParagraph(
-        "Effect: what leaving the term out changes of the force in sampled runs, as a share; of "
-        "the last two of the displacement of the surface. Fit: the term is in where that exceeds "
-        "the tolerance of the scene. Scene: it decides itself.");
+        "Effect: what leaving the term out changes of the quantity that it changes most, as a "
+        "share "
+        "of that, in sampled runs and force curves; of positions as a share of the base's travel "
+        "from setpoint to pull-off. Fit: the term is in where that exceeds the tolerance of the "
+        "scene. Scene: it decides itself.");
     if (!isRecorded) {
         page.addParagraph(
             "The run has no summary with the reasons: these are the choices that its scene keeps.");
