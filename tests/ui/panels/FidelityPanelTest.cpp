@@ -88,7 +88,8 @@ TEST_F(FidelityPanelTest, NamesTheErrorOfTheLaw) {
     measured.lawErrors[JudgedQuantity::SnapInPosition] = 0.052;
     measured.lawMisses = {ModelTerm::SphereCorrection};
     panel.showModel(measured, {});
-    EXPECT_TRUE(textOf(panel, "fidelitySummary").contains(QStringLiteral("within 5.2 % (snap-in position)")));
+    EXPECT_TRUE(textOf(panel, "fidelitySummary")
+                    .contains(QStringLiteral("within 5.2 % (snap-in position)")));
     EXPECT_TRUE(textOf(panel, "fidelitySummary").contains(QStringLiteral("sphere correction")));
 }
 
