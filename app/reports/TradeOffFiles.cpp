@@ -170,11 +170,12 @@ void writeTradeOff(const std::filesystem::path& folder, const TradeOff& study) {
 }
 
 void writeNeeds(const std::filesystem::path& path, const SceneNeeds& needs) {
-    CsvWriter csv(path,
-                  {title("what the scene requires of its model; times are of this machine"),
-                   "effect: what leaving the term out changes of the quantity that changes most, or "
-                   "of the surface, as a share"},
-                  {"term", "on", "overruled", "effect", "quantity", "time_s", "why"});
+    CsvWriter csv(
+        path,
+        {title("what the scene requires of its model; times are of this machine"),
+         "effect: what leaving the term out changes of the quantity that changes most, or "
+         "of the surface, as a share"},
+        {"term", "on", "overruled", "effect", "quantity", "time_s", "why"});
     for (const TermNeed& need : needs.terms) {
         csv.add(nameOf(need.term)).add(need.on ? 1.0 : 0.0).add(need.overruled ? 1.0 : 0.0);
         csv.add(need.effect);

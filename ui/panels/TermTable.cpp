@@ -38,8 +38,9 @@ QString effectText(const TermNeed& need) {
         return QStringLiteral("–");
     }
     const QString number = percentText(need.effect);
-    return isOfSurface(need.term) ? TermTable::tr("%1 % of the indentation").arg(number)
-                                  : TermTable::tr("%1 %, %2").arg(number, coreWords(nameOf(need.quantity)));
+    return isOfSurface(need.term)
+               ? TermTable::tr("%1 % of the indentation").arg(number)
+               : TermTable::tr("%1 %, %2").arg(number, coreWords(nameOf(need.quantity)));
 }
 
 QString termTimeText(const TermNeed& need) {
