@@ -25,7 +25,6 @@ RecordedTerm termFrom(const Json& term) {
             .on = term.value("on", false),
             .overruled = term.value("overruled", false),
             .effect = term.value("effect", 0.0),
-            .quantity = term.value("quantity", ""),
             .why = term.value("why", "")};
 }
 

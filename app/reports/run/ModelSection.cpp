@@ -15,13 +15,11 @@ namespace {
 std::vector<RecordedTerm> settledTerms(const SceneNeeds& needs) {
     std::vector<RecordedTerm> terms;
     for (const TermNeed& need : needs.terms) {
-        terms.push_back(
-            {.name = nameOf(need.term),
-             .on = need.on,
-             .overruled = true,
-             .effect = need.effect,
-             .quantity = isOfSurface(need.term) ? "displacement" : nameOf(need.quantity),
-             .why = whyOf(need, needs)});
+        terms.push_back({.name = nameOf(need.term),
+                         .on = need.on,
+                         .overruled = true,
+                         .effect = need.effect,
+                         .why = whyOf(need, needs)});
     }
     return terms;
 }
@@ -32,18 +30,13 @@ std::string effectText(double effect) {
 }
 
 PageTable termTable(const std::vector<RecordedTerm>& terms) {
-    PageTable table{.columns = {{"Term"},
-                                {"In the model"},
-                                {"Effect", true},
-                                {"Changes most"},
-                                {"Decided by"},
-                                {"Why"}},
-                    .rows = {}};
+    PageTable table{
+        .columns = {{"Term"}, {"In the model"}, {"Effect", true}, {"Decided by"}, {"Why"}},
+        .rows = {}};
     for (const RecordedTerm& term : terms) {
         table.rows.push_back({{term.name},
                               {term.on ? "yes" : "left out"},
                               {effectText(term.effect)},
-                              {term.effect > 0.0 ? term.quantity : ""},
                               {term.overruled ? "scene" : "fit"},
                               {term.why}});
     }
