@@ -61,7 +61,7 @@ RULES = {
     "core/haptics/bench": f"{LOOP} core/haptics core/haptics/device",
     "core/haptics/blackbox": f"{LOOP} core/haptics",
     "core/experiment": f"{LOOP} core/haptics/",
-    "core/fidelity": ENGINE,
+    "core/fidelity": f"{ENGINE} core/map",
     "core/studies": MODEL,
     "core/studies/extremes": f"{MODEL} core/studies",
     "core/io": "core",

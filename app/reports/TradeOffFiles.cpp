@@ -170,14 +170,17 @@ void writeTradeOff(const std::filesystem::path& folder, const TradeOff& study) {
 }
 
 void writeNeeds(const std::filesystem::path& path, const SceneNeeds& needs) {
-    CsvWriter csv(path,
-                  {title("what the scene requires of its model; times are of this machine"),
-                   "effect: what leaving the term out changes, as a share of the force or of the "
-                   "indentation"},
-                  {"term", "on", "overruled", "effect", "time_s", "why"});
+    CsvWriter csv(
+        path,
+        {title("what the scene requires of its model; times are of this machine"),
+         "effect: what leaving the term out changes of the quantity that changes most, or "
+         "of the surface, as a share"},
+        {"term", "on", "overruled", "effect", "quantity", "time_s", "why"});
     for (const TermNeed& need : needs.terms) {
         csv.add(nameOf(need.term)).add(need.on ? 1.0 : 0.0).add(need.overruled ? 1.0 : 0.0);
-        csv.add(need.effect).add(need.time).add(whyOf(need, needs));
+        csv.add(need.effect);
+        csv.add(isOfSurface(need.term) ? "displacement" : keyOf(need.quantity));
+        csv.add(need.time).add(whyOf(need, needs));
         csv.endRow();
     }
     csv.close();

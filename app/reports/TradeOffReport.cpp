@@ -23,6 +23,11 @@ std::string forceDoubtText(const TradeOffReference& reference) {
     return text.empty() ? "it leaves nothing out" : text;
 }
 
+/// What a term changes most.
+const char* quantityOf(const TermNeed& need) {
+    return isOfSurface(need.term) ? "surface" : need.effect > 0.0 ? nameOf(need.quantity) : "";
+}
+
 const char* surfaceDoubtText(SurfaceDoubt doubt) {
     static constexpr std::array kTexts{"the half-space of half as many pixels a side against it",
                                        "the half-space of half as many pixels a side is not valid",
@@ -126,15 +131,16 @@ void printTradeOff(const TradeOff& study, double tolerance) {
 
 void printNeeds(const SceneNeeds& needs) {
     std::printf(
-        "what the scene requires, within %.3g %%: terms left out automatically change forces "
-        "by %.2g %%, a tick takes %.2f us instead of %.2f us; %s\n",
-        needs.tolerance * 100.0, needs.forceError * 100.0, needs.modelTick * 1e6,
-        needs.fullTick * 1e6, forceErrorText(needs).c_str());
+        "what the scene requires, within %.3g %% in each quantity: terms left out automatically "
+        "change the %s most, by %.2g %%, a tick takes %.2f us instead of %.2f us; %s\n",
+        needs.tolerance * 100.0, nameOf(needs.modelErrors.worstQuantity()),
+        needs.modelErrors.worst() * 100.0, needs.modelTick * 1e6, needs.fullTick * 1e6,
+        modelErrorText(needs).c_str());
     for (const TermNeed& need : needs.terms) {
         const char* unit = isOfSurface(need.term) ? "ms a patch" : "us a tick";
         const double time = need.time * (isOfSurface(need.term) ? 1e3 : 1e6);
-        std::printf("  %-21s %-4s %8.3g %%  %+7.2f %-10s  %s%s\n", nameOf(need.term),
-                    need.on ? "on" : "off", need.effect * 100.0, time, unit,
+        std::printf("  %-21s %-4s %8.3g %%  %-21s %+7.2f %-10s  %s%s\n", nameOf(need.term),
+                    need.on ? "on" : "off", need.effect * 100.0, quantityOf(need), time, unit,
                     whyOf(need, needs).c_str(), need.overruled ? " (set by the scene)" : "");
     }
     std::printf("\n");

@@ -12,7 +12,7 @@ struct RecordedTerm {
     std::string name;
     bool on = false;
     bool overruled = false;  ///< by the scene
-    double effect = 0.0;     ///< of leaving it out, as a share of the force
+    double effect = 0.0;     ///< of leaving it out, as a share of what it changes most
     std::string why;
 };
 

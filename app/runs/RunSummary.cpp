@@ -46,7 +46,8 @@ OrderedJson termJson(const TermNeed& need, const SceneNeeds& needs) {
             {"on", need.on},
             {"overruled", need.overruled},
             {"why", whyOf(need, needs)},
-            {"effect", need.effect}};
+            {"effect", need.effect},
+            {"quantity", isOfSurface(need.term) ? "displacement" : nameOf(need.quantity)}};
 }
 
 /// Times are not in it: a run's summary is the same on every machine.
@@ -55,12 +56,19 @@ OrderedJson modelJson(const SceneNeeds& needs) {
     for (const TermNeed& need : needs.terms) {
         terms.push_back(termJson(need, needs));
     }
-    OrderedJson model = {
-        {"tolerance", needs.tolerance}, {"force_error", nullptr}, {"terms", terms}};
+    OrderedJson model = {{"tolerance", needs.tolerance}, {"error", nullptr}, {"terms", terms}};
     if (needs.measured) {
-        model["force_error"] = needs.totalError();
-        model["force_error_left_out"] = needs.wholeError;
-        model["force_error_law"] = needs.lawError;
+        const QuantityErrors total = needs.totalErrors();
+        const JudgedQuantity worst = total.worstQuantity();
+        model["error"] = total.worst();
+        model["error_quantity"] = nameOf(worst);
+        model["error_left_out"] = needs.wholeErrors[worst];
+        model["error_law"] = needs.lawErrors[worst];
+        OrderedJson errors = OrderedJson::object();
+        for (const JudgedQuantity quantity : kValues<JudgedQuantity>) {
+            errors[keyOf(quantity)] = total[quantity];
+        }
+        model["errors"] = errors;
     }
     return model;
 }

@@ -1,17 +1,20 @@
 // What leaving terms out gains: ticks of 200 random scenes with everything against ticks with what
-// each scene requires, in turns; and how far the force moves at places that SceneNeeds did not look
-// at.
+// each scene requires, in turns; how far the force moves at places that SceneNeeds did not look at;
+// and the stated errors of fifteen scenes beside the true ones.
 
 #include "bench/BenchMain.h"
 #include "bench/BenchRows.h"
+#include "core/FormattedText.h"
 #include "core/fidelity/SampledRuns.h"
 #include "core/fidelity/SceneNeeds.h"
 #include "tests/core/fidelity/RandomScene.h"
+#include "tests/core/fidelity/StatedErrors.h"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
+#include <string>
 #include <vector>
 
 namespace asperity {
@@ -52,7 +55,7 @@ Gain gainOf(Scene& scene) {
         const ModelRun less = runModel(scene, runs);
         whole.push_back(quantile(all.times, 0.5));
         required.push_back(quantile(less.times, 0.5));
-        gain.moved = forceShare(less, all);
+        gain.moved = forceShare(less.states, all.states);
     }
     gain.tickRatio = quantile(required, 0.5) / quantile(whole, 0.5);
     return gain;
@@ -90,6 +93,31 @@ void print(const std::vector<Gain>& gains, double tolerance, const BenchOptions&
              options);
 }
 
+/// As the table in docs/tradeoff.md.
+void printStatedErrors() {
+    const auto text = [](double error, const QuantityErrors& errors) {
+        return formatted("%.2g %% (%s)", error * 100.0, nameOf(errors.worstQuantity()));
+    };
+    std::printf("| scene | left out | stated error | true error | fit |\n|---|---|---|---|---|\n");
+    for (const test::StatedErrorScene& each : test::statedErrorScenes()) {
+        using Clock = std::chrono::steady_clock;
+        Scene scene = buildScene(each.description);
+        const auto start = Clock::now();
+        const SceneNeeds needs = fitModel(scene);
+        const double time = std::chrono::duration<double>(Clock::now() - start).count();
+        std::string out;
+        for (const TermNeed& need : needs.terms) {
+            const bool isOut = !need.on && need.possible && !isOfSurface(need.term);
+            out += isOut ? (out.empty() ? "" : ", ") + std::string(nameOf(need.term)) : "";
+        }
+        const QuantityErrors stated = needs.totalErrors();
+        const QuantityErrors error = test::trueErrors(scene, needs);
+        std::printf("| %s | %s | %s | %s | %.0f ms |\n", each.name.c_str(), out.c_str(),
+                    text(needs.statedError(), stated).c_str(), text(error.worst(), error).c_str(),
+                    time * 1e3);
+    }
+}
+
 int run(int argc, char** argv) {
     BenchOptions options;
     CLI::App app("What leaving terms out gains, and how long finding out takes");
@@ -104,6 +132,7 @@ int run(int argc, char** argv) {
         gains.push_back(gainOf(scene));
     }
     print(gains, tolerance, options);
+    printStatedErrors();
     return 0;
 }
 

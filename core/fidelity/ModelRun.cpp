@@ -9,15 +9,11 @@
 
 namespace asperity {
 
-namespace {
-
 void throwIfCanceled(const Progress* progress) {
     if (progress != nullptr && progress->isCanceled()) {
         throw Canceled();
     }
 }
-
-}  // namespace
 
 ModelInputs recordInputs(const Scene& scene, const DevicePath& path, double duration,
                          const Progress* progress) {

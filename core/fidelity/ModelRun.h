@@ -9,6 +9,9 @@
 
 namespace asperity {
 
+/// @param progress may be null @throw Canceled
+void throwIfCanceled(const Progress* progress);
+
 /// A run of the scene along a path, recorded once, so that several models can work on the same
 /// inputs; a tick an element.
 struct ModelInputs {

@@ -1,88 +1,118 @@
 #include "core/fidelity/SampledRuns.h"
 
+#include "core/fidelity/SampledPlaces.h"
 #include "core/scene/BelievedModel.h"
 
 #include <algorithm>
-#include <numeric>
-#include <utility>
+#include <cmath>
+#include <cstddef>
+#include <span>
 
 namespace asperity {
 
 namespace {
 
 constexpr int kTicksAPath = 120;
-/// Runs that take less are timed in turns; of others the reference need not run again [s].
-constexpr double kQuickRuns = 0.02;
-/// Of the ticks: one in which a jump comes a little earlier is no other feeling.
-constexpr double kAllButJumps = 0.97;
-/// A force of the separate tip that is this share of those in contact is felt as well as these.
-constexpr double kFaint = 0.1;
+
+/// Whether the same contact points bear a force.
+bool isHeldAlike(const TipState& a, const TipState& b) {
+    return (a.contact.contactRadius > 0.0) == (b.contact.contactRadius > 0.0) &&
+           a.points == b.points;
+}
+
+QuantityErrors cycleErrors(const std::optional<SampledCycle>& cycle,
+                           const SampledCycle& reference) {
+    if (cycle) {
+        return errorsOf(*cycle, reference);
+    }
+    QuantityErrors nothing;  // to be read, where there is something
+    for (const JudgedQuantity quantity : kValues<JudgedQuantity>) {
+        nothing[quantity] = 1.0;
+    }
+    return nothing;
+}
 
 }  // namespace
 
-double forceShare(const ModelRun& run, const ModelRun& reference) {
-    const double scale = forceScale(reference);
-    std::vector<double> touching;
-    std::vector<double> apart;
-    for (std::size_t i = 0; i < reference.states.size(); ++i) {
-        const bool touches = reference.states[i].contact.contactRadius > 0.0;
-        const double error = (run.states[i].force - reference.states[i].force).norm();
-        (touches ? touching : apart).push_back(error);
+double forceShare(std::span<const TipState> run, std::span<const TipState> reference) {
+    const auto differs = [&](std::size_t tick) {
+        return tick < run.size() && !isHeldAlike(run[tick], reference[tick]);
+    };
+    ForceSquares squares;
+    for (std::size_t i = 0; i < run.size(); ++i) {
+        const double error = (run[i].force - reference[i].force).squaredNorm();
+        squares.reference += reference[i].force.squaredNorm();
+        if (!differs(i)) {
+            squares.heldAlike += error;
+        } else if (differs(i - 1) || differs(i + 1)) {
+            squares.heldByOne += error;
+        }
     }
-    return scale > 0.0 ? std::max(quantile(std::move(touching), kAllButJumps) / scale,
-                                  quantile(std::move(apart), kAllButJumps) / (kFaint * scale))
-                       : 0.0;
+    return squares.share();
 }
 
 SampledRuns::SampledRuns(Scene& scene, double longestTick, const Progress* progress)
     : scene_(scene), progress_(progress) {
-    const ForceModelOptions reference = scene.model;
     setModel(scene, usualModel(scene.description));  // the runs are the same whatever the reference
     const double duration = kTicksAPath * scene.timeStep();
-    const Vector2 size(scene.surface.sizeX(), scene.surface.sizeY());
-    const auto record = [&](const DevicePath& path) {
-        runs_.push_back(recordInputs(scene, path, duration, progress_));
-    };
-    record(slidePath(scene, {.duration = duration}));
-    last_ = runModel(scene, runs_, progress_);
-    slow_ = tickTime() > longestTick;
+    addRun(slidePath(scene, {.duration = duration}));
+    usualTickTime_ = quantile(runModel(scene, runs_, progress_).times, 0.5);
+    slow_ = usualTickTime_ > longestTick;
     if (slow_) {
         return;
     }
+    const Vector2 size(scene.surface.sizeX(), scene.surface.sizeY());
+    double depth = PathPlan{}.indentation;
     for (const Vector2& share : {Vector2(0.31, 0.62), Vector2(0.71, 0.27)}) {
-        const Vector2 place = share.cwiseProduct(size);
-        record(slidePath(scene, {.duration = duration, .place = place}));
+        depth *= 0.5;  // the less a slide presses, the more adhesion weighs in its force
+        addRun(slidePath(
+            scene,
+            {.duration = duration, .indentation = depth, .place = share.cwiseProduct(size)}));
     }
-    record(rasterPath(scene, {.duration = duration}));
-    refer(reference);
+    addRun(rasterPath(scene, {.duration = duration}));
+    places_ = sampledPlaces(scene);
 }
 
-double SampledRuns::error(const ForceModelOptions& model) {
-    last_ = runWith(model);
-    return forceShare(last_, reference_);
+void SampledRuns::addRun(const DevicePath& path) {
+    runs_.push_back(recordInputs(scene_, path, kTicksAPath * scene_.timeStep(), progress_));
 }
 
-ModelDifference SampledRuns::between(const ForceModelOptions& with,
-                                     const ForceModelOptions& without) {
-    const ModelRun less = runWith(without);
-    const bool isQuick = std::accumulate(less.times.begin(), less.times.end(), 0.0) < kQuickRuns;
-    const bool isKnown = !isQuick && ofForce(with) == ofForce(referred_);
-    ModelDifference difference{.with = isKnown ? reference_ : runWith(with)};
-    difference.effect = forceShare(less, difference.with);
-    difference.time = quantile(difference.with.times, 0.5) - quantile(less.times, 0.5);
-    setModel(scene_, with);
-    return difference;
-}
-
-void SampledRuns::refer(const ForceModelOptions& model) {
-    referred_ = model;
-    reference_ = runWith(model);
-    last_ = reference_;
-}
-
-ModelRun SampledRuns::runWith(const ForceModelOptions& model) const {
+const ModelSample& SampledRuns::of(const ForceModelOptions& model) {
     setModel(scene_, model);
-    return runModel(scene_, runs_, progress_);
+    const ForceModelOptions same = ofForce(model);
+    const auto known = std::ranges::find(samples_, same, &ModelSample::model);
+    if (known != samples_.end()) {
+        return *known;
+    }
+    ModelSample sample{
+        .model = same, .run = runModel(scene_, runs_, progress_), .tickTime = 0.0, .cycles = {}};
+    sample.tickTime = quantile(sample.run.times, 0.5);
+    for (const Vector2& place : places_) {
+        throwIfCanceled(progress_);
+        sample.cycles.push_back(sampleCycle(scene_, place, scene_.description.setpoint));
+    }
+    return samples_.emplace_back(std::move(sample));
+}
+
+QuantityErrors SampledRuns::errors(const ForceModelOptions& model,
+                                   const ForceModelOptions& reference) {
+    const ModelSample& exact = of(reference);
+    const ModelSample& sample = of(model);
+    QuantityErrors errors;
+    for (std::size_t i = 0; i < exact.cycles.size(); ++i) {
+        if (exact.cycles[i]) {
+            errors.raiseTo(cycleErrors(sample.cycles[i], *exact.cycles[i]));
+        }
+    }
+    std::size_t first = 0;
+    for (const ModelInputs& run : runs_) {
+        const std::size_t ticks = run.inputs.size();
+        const double share = forceShare(std::span(sample.run.states).subspan(first, ticks),
+                                        std::span(exact.run.states).subspan(first, ticks));
+        errors[JudgedQuantity::RunForce] = std::max(errors[JudgedQuantity::RunForce], share);
+        first += ticks;
+    }
+    return errors;
 }
 
 }  // namespace asperity

@@ -1,64 +1,65 @@
 #pragma once
 
+#include "core/fidelity/JudgedQuantity.h"
 #include "core/fidelity/ModelRun.h"
+#include "core/fidelity/SampledCycle.h"
 #include "core/scene/Scene.h"
 
+#include <list>
+#include <optional>
+#include <span>
 #include <vector>
 
 namespace asperity {
 
-/// By how much the force of a run differs from that of another in all but 3 % of the ticks, as a
-/// share of that one's root mean square; of the separate tip, whose forces are faint and felt all
-/// the same, as a share of a tenth of that. 0 where there is no force.
-[[nodiscard]] double forceShare(const ModelRun& run, const ModelRun& reference);
-
-/// What a part of the model does: the difference between the model with it and without.
-struct ModelDifference {
-    ModelRun with;
-    double effect = 0.0;  ///< of the force, see forceShare()
-    double time = 0.0;    ///< that a tick takes longer with it; of this machine [s]
+/// What a model makes of the sampled runs and cycles of a scene.
+struct ModelSample {
+    ForceModelOptions model;  ///< as ofForce() has it
+    ModelRun run;             ///< all runs in a row
+    double tickTime = 0.0;    ///< median of a tick in them; of this machine [s]
+    std::vector<std::optional<SampledCycle>> cycles;  ///< a place each, see sampleCycle()
 };
 
-/// Short runs over a scene on which its models are compared: approach, slide and retract at the
-/// highest feature and at two more places, and lines to and fro around the first. The inputs are
-/// those of the scene's usual model; the model that the scene has at first is the reference.
+/// Runs and cycles over a scene on which its models are compared. Runs: approach, slide and retract
+/// at the highest feature and, half and a quarter as deep, at two more places, and lines to and fro
+/// around the first; the inputs are those of the scene's usual model. Cycles to the scene's
+/// setpoint: at sampledPlaces().
 class SampledRuns {
 public:
     /// @param scene       must outlive this; its model is changed and left changed
     /// @param longestTick of which somebody would wait for more runs [s]
-    /// @param progress    may be null, must outlive this; asked at every tick whether the work is
-    ///                    canceled. @throw Canceled, as all that runs a model
+    /// @param progress    may be null, must outlive this; asked at every tick and cycle whether the
+    ///                    work is canceled. @throw Canceled, as all that runs a model
     SampledRuns(Scene& scene, double longestTick, const Progress* progress = nullptr);
 
     /// Whether ticks take longer than that here; then there is one run only, of the usual model.
     [[nodiscard]] bool isSlow() const noexcept { return slow_; }
+    /// Median of a tick of the usual model in the first run [s].
+    [[nodiscard]] double usualTickTime() const noexcept { return usualTickTime_; }
 
-    /// By how much the force differs from the reference, see forceShare(). Sets the scene's model.
-    [[nodiscard]] double error(const ForceModelOptions& model);
+    /// What a model makes of them, computed once for each model. Sets the scene's model. Stays
+    /// where it is as long as this lives.
+    [[nodiscard]] const ModelSample& of(const ForceModelOptions& model);
 
-    /// The same between two models; times are taken in turns. The scene has the model `with` then.
-    [[nodiscard]] ModelDifference between(const ForceModelOptions& with,
-                                          const ForceModelOptions& without);
-
-    /// Makes another model the reference. Sets the scene's model.
-    void refer(const ForceModelOptions& model);
-
-    /// Median of a tick in the last run [s].
-    [[nodiscard]] double tickTime() const { return quantile(last_.times, 0.5); }
-
-    /// The reference, all runs in a row.
-    [[nodiscard]] const ModelRun& reference() const noexcept { return reference_; }
+    /// The error of each quantity, the worst of all runs and cycles. Sets the scene's model.
+    [[nodiscard]] QuantityErrors errors(const ForceModelOptions& model,
+                                        const ForceModelOptions& reference);
 
 private:
-    [[nodiscard]] ModelRun runWith(const ForceModelOptions& model) const;
+    void addRun(const DevicePath& path);
 
     Scene& scene_;
     const Progress* progress_;
     std::vector<ModelInputs> runs_;
-    ForceModelOptions referred_;  ///< of the reference
-    ModelRun reference_;
-    ModelRun last_;
+    std::vector<Vector2> places_;
+    std::list<ModelSample> samples_;
+    double usualTickTime_ = 0.0;
     bool slow_ = false;
 };
+
+/// The error of the force of a run against that of another, see ForceSquares. A tick in which one
+/// of them holds the tip and the other does not does not count where those beside it agree: there a
+/// jump comes by a fraction of a tick earlier, and only a cycle says by which, see SampledCycle.
+[[nodiscard]] double forceShare(std::span<const TipState> run, std::span<const TipState> reference);
 
 }  // namespace asperity

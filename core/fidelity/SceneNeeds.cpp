@@ -23,17 +23,16 @@ bool tipFitsEverywhere(const Scene& scene) {
 /// Decides about the terms of the force.
 class ForceNeeds {
 public:
-    /// @param scene has the full model
     ForceNeeds(Scene& scene, SceneNeeds& needs, double longestTick, Progress* progress)
         : scene_(scene), needs_(needs), progress_(progress), runs_(scene, longestTick, progress) {}
 
     [[nodiscard]] bool isSlow() const { return runs_.isSlow(); }
-    [[nodiscard]] double tickTime() const { return runs_.tickTime(); }
-    [[nodiscard]] const ModelRun& reference() const { return runs_.reference(); }
+    [[nodiscard]] double usualTickTime() const { return runs_.usualTickTime(); }
+    /// Of the full model. Sets the scene's model.
+    [[nodiscard]] const ModelRun& reference() { return runs_.of(needs_.full).run; }
 
     void decide(bool tipFits) {
         chooseLawOfAll();
-        needs_.fullTick = runs_.tickTime();
         for (TermNeed& need : needs_.terms) {
             const auto done = static_cast<double>(&need - needs_.terms.data());
             reportTo(progress_, done / static_cast<double>(needs_.terms.size()));
@@ -48,8 +47,9 @@ public:
             }
         }
         leaveOut();
-        needs_.forceError = runs_.error(needs_.model);
-        needs_.modelTick = runs_.tickTime();
+        needs_.modelErrors = runs_.errors(needs_.model, needs_.full);
+        needs_.fullTick = runs_.of(needs_.full).tickTime;
+        needs_.modelTick = runs_.of(needs_.model).tickTime;
         measureError();
     }
 
@@ -60,16 +60,20 @@ private:
         if (!need.possible) {
             return;
         }
+        const QuantityErrors errors = errorsWithout(need.term, needs_.full);
+        need.effect = errors.worst();
+        need.quantity = errors.worstQuantity();
         const TermPair models = pairOf(need.term, needs_.full);
-        const ModelDifference difference = runs_.between(models.with, models.without);
-        need.effect = difference.effect;
-        need.time = difference.time;
-        need.fact = factOf(need.term, scene_, difference.with);
+        const double less = runs_.of(models.without).tickTime;
+        const ModelSample& more = runs_.of(models.with);  // the scene has the term then
+        need.time = more.tickTime - less;
+        need.fact = factOf(need.term, scene_, more.run);
     }
 
-    [[nodiscard]] double effectOf(ModelTerm term, const ForceModelOptions& model) {
+    /// What leaving the term out changes, see TermNeed::effect.
+    [[nodiscard]] QuantityErrors errorsWithout(ModelTerm term, const ForceModelOptions& model) {
         const TermPair models = pairOf(term, model);
-        return runs_.between(models.with, models.without).effect;
+        return runs_.errors(models.without, models.with);
     }
 
     [[nodiscard]] bool saysLaw() const {
@@ -84,7 +88,6 @@ private:
         if (!saysLaw()) {
             needs_.full = withBestLaw(needs_.full);
         }
-        runs_.refer(needs_.full);
     }
 
     [[nodiscard]] ForceModelOptions withBestLaw(const ForceModelOptions& model) {
@@ -92,28 +95,35 @@ private:
         return isWide ? model : withLawThatLeavesOutLeast(model);
     }
 
+    /// Laws are compared by the force along the runs: by its worst quantity the faintest adhesion
+    /// would outweigh everything, since without it there is no pull-off at all.
     [[nodiscard]] ForceModelOptions withLawThatLeavesOutLeast(const ForceModelOptions& model) {
-        std::vector<std::pair<ModelTerm, double>> effects;
+        std::vector<std::pair<ModelTerm, QuantityErrors>> effects;
         for (const ModelTerm term : kModelTerms) {
             if ((isOfLaw(term) || term == ModelTerm::SampleCurvature) &&
                 isPossible(term, scene_.description)) {
-                effects.emplace_back(term, effectOf(term, model));
+                effects.emplace_back(term, errorsWithout(term, model));
             }
         }
-        const auto leftOutBy = [&effects](const ForceModelOptions& candidate) {
+        const auto leftOutBy = [&effects](const ForceModelOptions& candidate, const auto& valueOf) {
             double most = 0.0;
-            for (const auto& [term, effect] : effects) {
-                most = std::max(most, has(candidate, term) ? 0.0 : effect);
+            for (const auto& [term, errors] : effects) {
+                most = std::max(most, has(candidate, term) ? 0.0 : valueOf(errors));
             }
             return most;
         };
+        const auto worstOf = [](const QuantityErrors& errors) { return errors.worst(); };
+        const auto forceOf = [](const QuantityErrors& errors) {
+            return errors[JudgedQuantity::RunForce];
+        };
         ForceModelOptions best = model;
-        if (leftOutBy(best) <= needs_.tolerance) {
+        if (leftOutBy(best, worstOf) <= needs_.tolerance) {
             return best;
         }
         for (const ModelTerm term : {ModelTerm::SphereCorrection, ModelTerm::FilmBase}) {
             const ForceModelOptions other = with(model, term);
-            if (isPossible(term, scene_.description) && leftOutBy(other) < leftOutBy(best)) {
+            if (isPossible(term, scene_.description) &&
+                leftOutBy(other, forceOf) < leftOutBy(best, forceOf)) {
                 best = other;
             }
         }
@@ -129,7 +139,8 @@ private:
             changed = false;
             for (const ModelTerm term : free_) {
                 const ForceModelOptions less = without(needs_.model, term);
-                if (has(needs_.model, term) && runs_.error(less) <= needs_.tolerance) {
+                if (has(needs_.model, term) &&
+                    runs_.errors(less, needs_.full).worst() <= needs_.tolerance) {
                     needs_.model = less;
                     changed = true;
                 }
@@ -151,17 +162,14 @@ private:
 
     void measureError() {
         const ForceModelOptions whole = theWhole();
-        const bool isFull = ofForce(whole) == ofForce(needs_.full);
-        needs_.wholeError = isFull ? needs_.forceError : runs_.between(whole, needs_.model).effect;
-        double sum = 0.0;
+        needs_.wholeErrors = runs_.errors(needs_.model, whole);
         for (const ModelTerm term : missingTerms(whole, scene_.description)) {
-            const double effect = isFull ? need(term).effect : effectOf(term, whole);
-            sum += effect * effect;
-            if (effect > 0.0) {
+            const QuantityErrors errors = errorsWithout(term, whole);
+            needs_.lawErrors.addSquares(errors);
+            if (errors.worst() > 0.0) {
                 needs_.lawMisses.push_back(term);
             }
         }
-        needs_.lawError = std::sqrt(sum);
         needs_.measured = true;
     }
 
@@ -227,7 +235,7 @@ SceneNeeds fitModel(Scene& scene, double longestTick, Progress* progress) {
     ProgressPart forcePart(progress, 0.0, 0.7);
     ForceNeeds force(scene, needs, longestTick, &forcePart);
     if (force.isSlow()) {
-        needs.fullTick = needs.modelTick = force.tickTime();
+        needs.fullTick = needs.modelTick = force.usualTickTime();
     } else {
         ProgressPart surfacePart(progress, 0.7, 1.0);
         decideAll(scene, force, needs, &surfacePart);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/Progress.h"
+#include "core/fidelity/JudgedQuantity.h"
 #include "core/fidelity/SurfaceNeeds.h"
 #include "core/scene/ModelTerm.h"
 #include "core/scene/Scene.h"
@@ -26,9 +27,10 @@ struct TermNeed {
     bool possible = true;          ///< false: the sample has nothing to put in
     std::optional<TermFact> fact;  ///< none: of the surface, not possible, or not measured
     /// What leaving it out of the model changes that has it and all terms that it does not exclude:
-    /// the force in the sampled run, see SampledRuns; of terms of the surface its displacement, as
-    /// a share of the indentation.
+    /// the quantity that changes most, see QuantityErrors and SampledRuns; of terms of the surface
+    /// its displacement, as a share of the indentation.
     double effect = 0.0;
+    JudgedQuantity quantity = JudgedQuantity::PullOffForce;  ///< that; of terms of the force
     double time = 0.0;  ///< that it costs a tick, or a patch, likewise; of this machine [s]
 };
 
@@ -37,19 +39,26 @@ struct SceneNeeds {
     std::vector<TermNeed> terms;  ///< in the order of kModelTerms
     ForceModelOptions full;       ///< with every term that can be in
     ForceModelOptions model;      ///< with those that matter
-    double tolerance = 0.0;       ///< of forces and of indentations, as a share
+    double tolerance = 0.0;       ///< of each quantity and of indentations, as a share
     bool pending = false;         ///< all that follows, and what a term is worth, is not known yet
-    double forceError = 0.0;      ///< of `model` against `full`, as TermNeed::effect
+    QuantityErrors modelErrors;   ///< of `model` against `full`, as TermNeed::effect
     bool measured = false;        ///< whether the next three are known
-    double wholeError = 0.0;      ///< of `model` against the whole, which the scene cannot overrule
-    double lawError = 0.0;        ///< of the whole: terms that its law has no room for
-    std::vector<ModelTerm> lawMisses;  ///< those of them that move the force
+    QuantityErrors wholeErrors;   ///< of `model` against the whole, which no scene can overrule
+    QuantityErrors lawErrors;     ///< of the whole: terms that its law has no room for
+    std::vector<ModelTerm> lawMisses;  ///< those of them that change a quantity
     double fullTick = 0.0;             ///< median of a tick with everything [s]
     double modelTick = 0.0;            ///< and of one with what matters [s]
     SurfaceNeeds surface;              ///< once `measured`
 
-    /// Of `model` against what the tip would feel if a contact law had every term.
-    [[nodiscard]] double totalError() const { return wholeError + lawError; }
+    /// Of `model` against what a user would read if a contact law had every term.
+    [[nodiscard]] QuantityErrors totalErrors() const {
+        QuantityErrors total = wholeErrors;
+        total.add(lawErrors);
+        return total;
+    }
+    /// Their worst, as a user is told: rounded up to two digits, more than which the positions and
+    /// steps of the samples do not hold.
+    [[nodiscard]] double statedError() const { return roundedUp(totalErrors().worst()); }
 };
 
 /// What is known of a scene before its model is fitted: that has everything.
@@ -57,16 +66,16 @@ struct SceneNeeds {
 
 inline constexpr double kLongestTick = 1e-3;  ///< of scenes whose model is fitted [s]
 
-/// Finds the terms that change forces or displacements by more than the scene's tolerance, and
-/// gives the scene the model of these alone.
+/// Finds the terms that change any of the judged quantities, or displacements, by more than the
+/// scene's tolerance, and gives the scene the model of these alone.
 ///
-/// On sampled runs (approaches at the highest feature and two more places, a raster) it leaves out
-/// one term after another, the least effect first, as long as each alone and all together stay
-/// within the tolerance. Terms that the description settles stay as they are. The search for other
-/// closest points stays wherever the scan has a hollow that the tip does not fit, whatever the runs
-/// meet. The error is that of the model against the whole model (wholeModel(), under the law that
-/// leaves out least), and that of the whole by each term that its law has no room for, weighed by
-/// the same pairs of models as in TickStudy and added as squares. Decisions are reproducible, times
+/// On sampled runs and cycles (SampledRuns) it leaves out one term after another, the least effect
+/// first, as long as each alone and all together stay within the tolerance in every quantity. Terms
+/// that the description settles stay as they are. The search for other closest points stays
+/// wherever the scan has a hollow that the tip does not fit, whatever the runs meet. The error is
+/// that of the model against the whole model (wholeModel(), under the law that leaves out least),
+/// and that of the whole by each term that its law has no room for, weighed by the same pairs of
+/// models as in TickStudy and added as squares. Decisions are reproducible, times
 /// are of this machine. Where a tick takes longer than `longestTick` [s] everything is left on.
 /// @param progress may be null @throw Error as setModel(); Canceled: the scene's model is any then
 SceneNeeds fitModel(Scene& scene, double longestTick = kLongestTick, Progress* progress = nullptr);

@@ -77,10 +77,11 @@ std::string reasonText(const TermNeed& need, const SceneNeeds& needs) {
                                   : whyImpossible(need.term);
 }
 
-/// Two digits without a power of ten; what is not zero is not shown as zero.
+/// Two digits without a power of ten, rounded up: the error is within what is said, and what is not
+/// zero is not shown as zero.
 std::string percent(double share) {
     constexpr double kMinShown = 1e-4;
-    const double shown = share > 0.0 ? 100.0 * std::max(share, kMinShown) : 0.0;
+    const double shown = share > 0.0 ? 100.0 * std::max(roundedUp(share), kMinShown) : 0.0;
     return formatted(shown < 99.5 ? "%.2g %%" : "%.0f %%", shown);
 }
 
@@ -132,21 +133,25 @@ std::string whyOf(const TermNeed& need, const SceneNeeds& needs) {
     return why;
 }
 
-std::string forceErrorText(const SceneNeeds& needs) {
+std::string modelErrorText(const SceneNeeds& needs) {
     if (needs.pending) {
-        return "error of the forces not measured yet";
+        return "error not measured yet";
     }
     if (!needs.measured) {
-        return "error of the forces not measured";
+        return "error not measured";
     }
-    std::string text =
-        "forces within " + percent(needs.totalError()) + " of their rms in 97 ticks of 100";
-    if (needs.lawError > 0.0) {
+    const QuantityErrors total = needs.totalErrors();
+    const JudgedQuantity worst = total.worstQuantity();
+    if (total.worst() == 0.0) {
+        return "no error by what is left out";
+    }
+    std::string text = "within " + percent(total.worst()) + " (" + nameOf(worst) + ")";
+    if (needs.lawErrors[worst] > 0.0) {
         std::string missed;
         std::ranges::for_each(needs.lawMisses, [&](ModelTerm term) { list(missed, term); });
-        text += ": " + percent(needs.wholeError) + " by what is left out, " +
-                percent(needs.lawError) + " by what no contact law combines with the rest (" +
-                missed + ")";
+        text += ": " + percent(needs.wholeErrors[worst]) + " by what is left out, " +
+                percent(needs.lawErrors[worst]) +
+                " by what no contact law combines with the rest (" + missed + ")";
     }
     return text;
 }
@@ -160,7 +165,7 @@ std::string modelNote(const SceneNeeds& needs) {
         }
     }
     const std::string tolerance = formatted(" (tolerance %.2g %%)", 100.0 * needs.tolerance);
-    return "model: " + forceErrorText(needs) + tolerance +
+    return "model: " + modelErrorText(needs) + tolerance +
            (out.empty() ? ", nothing left out" : "; left out: " + out);
 }
 

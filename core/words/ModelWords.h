@@ -28,10 +28,10 @@ namespace asperity {
 /// Why a term cannot be in at all, see TermNeed::possible, in one clause.
 [[nodiscard]] const char* whyImpossible(ModelTerm term) noexcept;
 
-/// The error of a model's force and what makes it up, in one clause: "forces within 5.4 % of their
-/// rms in 97 ticks of 100: 0.2 % by what is left out, 5.2 % by what no contact law combines with
-/// the rest (sphere correction)".
-[[nodiscard]] std::string forceErrorText(const SceneNeeds& needs);
+/// The error of what a user reads, by the quantity that is worst, and what makes it up, in one
+/// clause: "within 5.4 % (pull-off force): 0.2 % by what is left out, 5.2 % by what no contact law
+/// combines with the rest (sphere correction)".
+[[nodiscard]] std::string modelErrorText(const SceneNeeds& needs);
 
 /// The same with the terms that the model leaves out, but for those its law has no room for: they
 /// are told with the error.

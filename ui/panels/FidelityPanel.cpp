@@ -97,7 +97,8 @@ QWidget* FidelityPanel::termCard() {
     tolerance_->setRange(0.0, 100.0);
     tolerance_->setDecimals(2);
     tolerance_->setSuffix(tr(" %"));
-    tolerance_->setToolTip(tr("Error of forces and surface allowed for all terms left out"));
+    tolerance_->setToolTip(tr("Error of each force, work, stiffness and position, and of the "
+                              "surface, that terms left out may cause"));
     guardFromWheel(*tolerance_);
     automatic_->setToolTip(
         tr("Law, terms, closest points and deformation as the scene requires within 5 %"));
@@ -159,7 +160,7 @@ void FidelityPanel::showModel(const SceneNeeds& needs, const ModelChoices& choic
                           ? tr("Finding out what this scene requires; until then the model has "
                                "everything.")
                           : tr("Model: %1; a tick takes %2 µs instead of %3 µs.")
-                                .arg(coreWords(forceErrorText(needs)))
+                                .arg(coreWords(modelErrorText(needs)))
                                 .arg(1e6 * needs.modelTick, 0, 'f', 2)
                                 .arg(1e6 * needs.fullTick, 0, 'f', 2));
     now_ = ofForce(needs.model);

@@ -32,14 +32,15 @@ std::optional<bool> choiceOf(int item) {
 
 bool isMeasured(const TermNeed& need) { return need.effect != 0.0 || need.time != 0.0; }
 
-/// "7.0 % of the force".
+/// "7.0 %, pull-off force".
 QString effectText(const TermNeed& need) {
     if (!isMeasured(need)) {
         return QStringLiteral("–");
     }
     const QString number = percentText(need.effect);
-    return isOfSurface(need.term) ? TermTable::tr("%1 % of the indentation").arg(number)
-                                  : TermTable::tr("%1 % of the force").arg(number);
+    return isOfSurface(need.term)
+               ? TermTable::tr("%1 % of the indentation").arg(number)
+               : TermTable::tr("%1 %, %2").arg(number, coreWords(nameOf(need.quantity)));
 }
 
 QString termTimeText(const TermNeed& need) {

@@ -54,9 +54,10 @@ void addModel(PageContent& page, const ReportedRun& run) {
     page.addList(run.summary ? run.summary->notes : notesOn(loaded));
     page.addTable(termTable(isRecorded ? run.summary->terms : settledTerms(loaded.needs)));
     page.addParagraph(
-        "Effect: what leaving the term out changes of the force in sampled runs, as a share; of "
-        "the last two of the displacement of the surface. Fit: the term is in where that exceeds "
-        "the tolerance of the scene. Scene: it decides itself.");
+        "Effect: what leaving the term out changes of the quantity that it changes most, in "
+        "sampled runs and force curves, as a share of that; of a position as a share of the base's "
+        "travel from setpoint to pull-off. Fit: the term is in where that exceeds the tolerance "
+        "of the scene. Scene: it decides itself.");
     if (!isRecorded) {
         page.addParagraph(
             "The run has no summary with the reasons: these are the choices that its scene keeps.");

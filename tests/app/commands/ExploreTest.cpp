@@ -229,16 +229,19 @@ TEST(ExploreModel, TellsTheWholeErrorOfItsForces) {
                                       scratch.file("out").string() + " --duration 0.2");
     ASSERT_EQ(run.exitCode, 0) << run.output;
     const nlohmann::json model = summaryOf(scratch.file("out"))["model"];
-    const double error = model["force_error"];
-    EXPECT_DOUBLE_EQ(error, model["force_error_left_out"].get<double>() +
-                                model["force_error_law"].get<double>());
+    const double error = model["error"];
+    EXPECT_DOUBLE_EQ(error,
+                     model["error_left_out"].get<double>() + model["error_law"].get<double>());
+    EXPECT_GE(model["errors"]["pull_off_force"].get<double>(), 1.0) << "without adhesion none";
+    EXPECT_EQ(model["error_quantity"], "rms force of a run");
+    EXPECT_EQ(model["errors"]["rms_force"], error);
     for (const auto& term : model["terms"]) {
         if (term["term"] == "adhesion") {
             EXPECT_FALSE(term["on"]);
             EXPECT_GT(error, 0.5 * term["effect"].get<double>());
         }
     }
-    EXPECT_NE(run.output.find("model: forces within "), std::string::npos);
+    EXPECT_NE(run.output.find("model: within "), std::string::npos);
     EXPECT_EQ(run.output.find("of the whole"), std::string::npos);
 }
 

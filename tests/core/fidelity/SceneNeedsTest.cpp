@@ -1,6 +1,9 @@
 #include "core/fidelity/SceneNeeds.h"
 
 #include "core/Units.h"
+#include "core/fidelity/ModelRun.h"
+#include "core/fidelity/SampledCycle.h"
+#include "core/haptics/DevicePath.h"
 #include "core/words/ModelWords.h"
 #include "tests/support/CanceledAfter.h"
 #include "tests/support/TestScenes.h"
@@ -98,6 +101,8 @@ TEST(SceneNeeds, AThinFilmNeedsItsBaseAndAThickOneDoesNot) {
 TEST(SceneNeeds, SaysWhatKeepsATermOutThatMatters) {
     SceneDescription description = test::plainScene();
     description.sample.material.filmThickness = 3.0_nm;
+    description.sample.material.workOfAdhesion = 1e-3;
+    description.truth.material = description.sample.material;
     Scene scene = buildScene(description, test::flatMap());
     const SceneNeeds needs = fitModel(scene);
     ASSERT_EQ(scene.model.law, ContactLaw::HertzFilm);
@@ -112,13 +117,15 @@ TEST(SceneNeeds, SaysWhatKeepsATermOutThatMatters) {
 }
 
 /// By terms of the force that the sample has and the full model has not.
-double errorOfMissing(const SceneNeeds& needs, const SceneDescription& description) {
-    double sum = 0.0;
+std::vector<ModelTerm> missing(const SceneNeeds& needs, const SceneDescription& description) {
+    std::vector<ModelTerm> terms;
     for (const TermNeed& need : needs.terms) {
-        const bool missing = !has(needs.full, need.term) && isPossible(need.term, description);
-        sum += missing && !isOfSurface(need.term) ? need.effect * need.effect : 0.0;
+        if (!has(needs.full, need.term) && isPossible(need.term, description) &&
+            !isOfSurface(need.term)) {
+            terms.push_back(need.term);
+        }
     }
-    return std::sqrt(sum);
+    return terms;
 }
 
 TEST(SceneNeeds, TheErrorCountsWhatTheLawHasNoRoomFor) {
@@ -126,11 +133,15 @@ TEST(SceneNeeds, TheErrorCountsWhatTheLawHasNoRoomFor) {
     const SceneNeeds needs = fitModel(scene);
     ASSERT_TRUE(needs.measured);
     ASSERT_EQ(needs.full.law, ContactLaw::Split);
-    EXPECT_GT(needs.lawError, 0.0);
-    EXPECT_DOUBLE_EQ(needs.lawError, errorOfMissing(needs, scene.description));
+    EXPECT_EQ(missing(needs, scene.description), std::vector{ModelTerm::SphereCorrection});
     EXPECT_EQ(needs.lawMisses, std::vector{ModelTerm::SphereCorrection});
-    EXPECT_EQ(needs.wholeError, needs.forceError);
-    EXPECT_EQ(needs.totalError(), needs.wholeError + needs.lawError);
+    EXPECT_GT(needs.lawErrors.worst(), 0.0);
+    EXPECT_DOUBLE_EQ(needs.lawErrors.worst(), needOf(needs, ModelTerm::SphereCorrection).effect);
+    EXPECT_EQ(needs.wholeErrors, needs.modelErrors);
+    for (const JudgedQuantity quantity : kValues<JudgedQuantity>) {
+        EXPECT_EQ(needs.totalErrors()[quantity],
+                  needs.wholeErrors[quantity] + needs.lawErrors[quantity]);
+    }
 }
 
 TEST(SceneNeeds, RubberOnHillsIsKnownNoBetterThanItsCurvature) {
@@ -144,8 +155,8 @@ TEST(SceneNeeds, RubberOnHillsIsKnownNoBetterThanItsCurvature) {
     EXPECT_EQ(scene.model.law, ContactLaw::SphereSplit);
     EXPECT_TRUE(needOf(needs, ModelTerm::VanDerWaalsTail).on);
     EXPECT_EQ(needs.lawMisses, std::vector{ModelTerm::SampleCurvature});
-    EXPECT_EQ(needs.lawError, needOf(needs, ModelTerm::SampleCurvature).effect);
-    EXPECT_GT(needs.lawError, needs.tolerance);
+    EXPECT_EQ(needs.lawErrors.worst(), needOf(needs, ModelTerm::SampleCurvature).effect);
+    EXPECT_GT(needs.lawErrors.worst(), needs.tolerance);
 }
 
 TEST(SceneNeeds, WhatTheSceneOverrulesIsAnErrorToo) {
@@ -155,8 +166,8 @@ TEST(SceneNeeds, WhatTheSceneOverrulesIsAnErrorToo) {
         Scene scene = buildScene(description, test::hillyMap());
         const SceneNeeds needs = fitModel(scene);
         EXPECT_TRUE(needs.measured);
-        EXPECT_LE(needs.forceError, needs.tolerance) << "what is left out automatically";
-        return needs.totalError();
+        EXPECT_LE(needs.modelErrors.worst(), needs.tolerance) << "what is left out automatically";
+        return needs.totalErrors()[JudgedQuantity::RunForce];
     };
     const double hertz = errorOf([](SceneDescription& d) { d.choices.law = ContactLaw::Hertz; });
     const double jkr = errorOf([](SceneDescription& d) { d.choices.law = ContactLaw::Jkr; });
@@ -166,6 +177,62 @@ TEST(SceneNeeds, WhatTheSceneOverrulesIsAnErrorToo) {
         EXPECT_GT(error, 0.05);
     }
     EXPECT_GT(hertz, jkr);
+}
+
+/// Pull-off of the fitted model at the highest feature [N].
+double fittedPullOff(const Scene& scene) {
+    const Vector2 top = pathStart(scene, {}).head<2>();
+    const auto cycle = sampleCycle(scene, top, scene.description.setpoint);
+    return cycle ? cycle->pullOffForce : 0.0;
+}
+
+Scene oxideSphere() {
+    SceneDescription description = test::plainScene();
+    description.sample.shape = ShapeDescription{.kind = ShapeKind::Sphere, .radius = 100.0_nm};
+    SampleMaterial& material = description.sample.material;
+    material.elastic = {.youngsModulus = 70e9, .poissonRatio = 0.27};
+    material.workOfAdhesion = 0.2;
+    material.friction.coefficient = 0.2;
+    description.truth.material = material;
+    return buildScene(description);
+}
+
+/// The jump lay in ticks that did not count: "within 4.7 %" had a pull-off that was 14.7 % off.
+TEST(SceneNeeds, ASphereThatIsNotMuchLargerThanTheTipNeedsItsCurvature) {
+    Scene scene = oxideSphere();
+    const SceneNeeds needs = fitModel(scene);
+    EXPECT_TRUE(needOf(needs, ModelTerm::SampleCurvature).on);
+    EXPECT_GT(needOf(needs, ModelTerm::SampleCurvature).effect, 0.14);
+    EXPECT_NEAR(fittedPullOff(scene), 15.61_nN, 0.01 * 15.61_nN);
+    EXPECT_LE(needs.modelErrors.worst(), needs.tolerance);
+}
+
+/// The model held the tip for seven ticks after the sample let it go, and pushed the device.
+TEST(SceneNeeds, TheFittedModelReleasesTheTipWithTheSample) {
+    Scene scene = oxideSphere();
+    (void)fitModel(scene);
+    constexpr double kDuration = 0.5;  // [s]
+    const ModelInputs run =
+        recordInputs(scene, slidePath(scene, {.duration = kDuration}), kDuration);
+    const ModelRun model = runModel(scene, {run});
+    const auto pulled = std::ranges::min_element(run.trueForces, {},
+                                                 [](const Vector3& force) { return force.z(); });
+    ASSERT_LT(pulled->z(), -10.0_nN);
+    const auto release = static_cast<std::size_t>(pulled - run.trueForces.begin());
+    for (std::size_t tick = release + 3; tick < model.states.size(); ++tick) {
+        EXPECT_LT(model.states[tick].force.norm(), 1.0_nN) << tick - release;
+    }
+}
+
+/// Adhesion was left out "within 4.9 %" since the sampled runs press hard.
+TEST(SceneNeeds, AdhesionStaysHoweverHardTheRunsPress) {
+    SceneDescription description = test::plainScene();
+    description.tip.radius = 2.0_nm;
+    Scene scene = buildScene(description, test::flatMap());
+    const SceneNeeds needs = fitModel(scene);
+    EXPECT_TRUE(needOf(needs, ModelTerm::Adhesion).on);
+    EXPECT_GT(fittedPullOff(scene), 0.5_nN);
+    EXPECT_EQ(needOf(needs, ModelTerm::Adhesion).effect, 1.0) << "no pull-off without it";
 }
 
 TEST(SceneNeeds, AFitReportsProgressAndCanBeCanceled) {

@@ -9,38 +9,60 @@
 namespace asperity {
 namespace {
 
-TEST(ForceErrorText, NamesWhatTheLawMisses) {
-    SceneNeeds needs{.measured = true, .wholeError = 0.002, .lawError = 0.052};
+QuantityErrors errorOf(JudgedQuantity quantity, double error) {
+    QuantityErrors errors;
+    errors[quantity] = error;
+    return errors;
+}
+
+TEST(ModelErrorText, NamesTheWorstQuantityAndWhatTheLawMisses) {
+    SceneNeeds needs{.measured = true,
+                     .wholeErrors = errorOf(JudgedQuantity::PullOffForce, 0.002),
+                     .lawErrors = errorOf(JudgedQuantity::PullOffForce, 0.052)};
+    needs.wholeErrors[JudgedQuantity::Stiffness] = 0.05;
     needs.lawMisses = {ModelTerm::SphereCorrection};
-    EXPECT_EQ(
-        forceErrorText(needs),
-        "forces within 5.4 % of their rms in 97 ticks of 100: 0.2 % by what is left out, 5.2 % by "
-        "what no contact law combines with the rest (sphere correction)");
+    EXPECT_EQ(modelErrorText(needs),
+              "within 5.4 % (pull-off force): 0.2 % by what is left out, 5.2 % by what no contact "
+              "law combines with the rest (sphere correction)");
+    needs.wholeErrors[JudgedQuantity::Stiffness] = 0.06;
+    EXPECT_EQ(modelErrorText(needs), "within 6 % (contact stiffness)");
 }
 
-TEST(ForceErrorText, SaysWhereNothingWasMeasured) {
-    EXPECT_EQ(forceErrorText({}), "error of the forces not measured");
+TEST(ModelErrorText, SaysWhereNothingWasMeasured) {
+    EXPECT_EQ(modelErrorText({}), "error not measured");
+    EXPECT_EQ(modelErrorText({.pending = true}), "error not measured yet");
 }
 
-TEST(ForceErrorText, DoesNotRoundAnErrorToNone) {
-    EXPECT_EQ(forceErrorText({.measured = true}),
-              "forces within 0 % of their rms in 97 ticks of 100");
-    EXPECT_EQ(forceErrorText({.measured = true, .wholeError = 1e-7}),
-              "forces within 0.01 % of their rms in 97 ticks of 100");
-    EXPECT_EQ(forceErrorText({.measured = true, .wholeError = 2.96}),
-              "forces within 296 % of their rms in 97 ticks of 100");
+TEST(ModelErrorText, DoesNotRoundAnErrorToNone) {
+    const auto textOf = [](double error) {
+        return modelErrorText(
+            {.measured = true, .wholeErrors = errorOf(JudgedQuantity::RunForce, error)});
+    };
+    EXPECT_EQ(textOf(0.0), "no error by what is left out");
+    EXPECT_EQ(textOf(1e-7), "within 0.01 % (rms force of a run)");
+    EXPECT_EQ(textOf(2.96), "within 300 % (rms force of a run)");
+}
+
+TEST(ModelErrorText, RoundsUp) {
+    const auto textOf = [](double error) {
+        return modelErrorText(
+            {.measured = true, .wholeErrors = errorOf(JudgedQuantity::Stiffness, error)});
+    };
+    EXPECT_EQ(textOf(0.03101), "within 3.2 % (contact stiffness)");
+    EXPECT_EQ(textOf(0.0995), "within 10 % (contact stiffness)");
+    EXPECT_EQ(textOf(0.9901), "within 100 % (contact stiffness)");
+    EXPECT_EQ(textOf(0.2), "within 20 % (contact stiffness)");
 }
 
 TEST(ModelNote, ListsWhatIsLeftOutButForWhatTheLawMisses) {
     SceneNeeds needs{.tolerance = 0.05, .lawMisses = {ModelTerm::SphereCorrection}};
-    EXPECT_EQ(modelNote(needs),
-              "model: error of the forces not measured (tolerance 5 %), nothing left out");
+    EXPECT_EQ(modelNote(needs), "model: error not measured (tolerance 5 %), nothing left out");
     needs.terms = {{.term = ModelTerm::SphereCorrection, .on = false},
                    {.term = ModelTerm::Friction, .on = false},
                    {.term = ModelTerm::Torsion},
                    {.term = ModelTerm::MountTilt, .on = false}};
-    EXPECT_EQ(modelNote(needs), "model: error of the forces not measured (tolerance 5 %); left "
-                                "out: friction, mount tilt");
+    EXPECT_EQ(modelNote(needs),
+              "model: error not measured (tolerance 5 %); left out: friction, mount tilt");
 }
 
 TEST(ForceModelOptions, AreNamedByWhatDiffersFromTheUsual) {

@@ -37,6 +37,7 @@ SceneNeeds needs() {
                       .on = false,
                       .fact = TermFact{0.3, 2e6},
                       .effect = 0.0123,
+                      .quantity = JudgedQuantity::PullOffForce,
                       .time = 0.52_us};
     needs.terms[9].effect = 0.25;
     needs.terms[9].time = 1.5_ms;
@@ -73,7 +74,7 @@ protected:
 TEST_F(FidelityPanelTest, ShowsWhatEachTermIsWorth) {
     EXPECT_EQ(cell(5, 0), QStringLiteral("friction"));
     EXPECT_EQ(cell(5, 2), QStringLiteral("off"));
-    EXPECT_EQ(cell(5, 3), QStringLiteral("1.2 % of the force"));
+    EXPECT_EQ(cell(5, 3), QStringLiteral("1.2 %, pull-off force"));
     EXPECT_EQ(cell(5, 4), QStringLiteral("0.52 µs a tick"));
     EXPECT_EQ(cell(5, 5), QStringLiteral("friction coefficient 0.3, shear strength 2 MPa"));
     EXPECT_EQ(cell(9, 3), QStringLiteral("25 % of the indentation"));
@@ -84,10 +85,11 @@ TEST_F(FidelityPanelTest, ShowsWhatEachTermIsWorth) {
 TEST_F(FidelityPanelTest, NamesTheErrorOfTheLaw) {
     SceneNeeds measured = needs();
     measured.measured = true;
-    measured.lawError = 0.052;
+    measured.lawErrors[JudgedQuantity::SnapInPosition] = 0.052;
     measured.lawMisses = {ModelTerm::SphereCorrection};
     panel.showModel(measured, {});
-    EXPECT_TRUE(textOf(panel, "fidelitySummary").contains(QStringLiteral("forces within 5.2 %")));
+    EXPECT_TRUE(textOf(panel, "fidelitySummary")
+                    .contains(QStringLiteral("within 5.2 % (snap-in position)")));
     EXPECT_TRUE(textOf(panel, "fidelitySummary").contains(QStringLiteral("sphere correction")));
 }
 

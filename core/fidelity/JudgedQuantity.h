@@ -1,0 +1,106 @@
+#pragma once
+
+#include "core/EnumTable.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+
+namespace asperity {
+
+/// What a user reads off an approach and retract or off a run, and a model is judged by.
+enum class JudgedQuantity : std::uint8_t {
+    PullOffForce,     ///< the strongest pull of the retract
+    PullOffPosition,  ///< of the base where the tip pulls off
+    SnapInForce,      ///< the pull just after snap-in
+    SnapInPosition,   ///< of the base where the tip snaps in
+    Indentation,      ///< at the setpoint
+    Stiffness,        ///< at the setpoint, of the main contact
+    SeparationWork,   ///< area between the retract and zero force, where it pulls
+    RunForce,         ///< root mean square along a run, its jumps included
+};
+
+template <>
+inline constexpr auto kEnumTable<JudgedQuantity> = std::to_array<EnumRow<JudgedQuantity>>(
+    {{JudgedQuantity::PullOffForce, "pull_off_force", "pull-off force"},
+     {JudgedQuantity::PullOffPosition, "pull_off_position", "pull-off position"},
+     {JudgedQuantity::SnapInForce, "snap_in_force", "snap-in force"},
+     {JudgedQuantity::SnapInPosition, "snap_in_position", "snap-in position"},
+     {JudgedQuantity::Indentation, "indentation", "indentation"},
+     {JudgedQuantity::Stiffness, "stiffness", "contact stiffness"},
+     {JudgedQuantity::SeparationWork, "separation_work", "work of separation"},
+     {JudgedQuantity::RunForce, "rms_force", "rms force of a run"}});
+
+/// The error of each quantity as a share, >= 0: of itself, of a position of the base's travel from
+/// the setpoint to the pull-off. That is how long the curve of the retract is in contact, so that
+/// the share is the one by which the curve looks shifted; it scales with the scene.
+class QuantityErrors {
+public:
+    double& operator[](JudgedQuantity quantity) noexcept {
+        return errors_[static_cast<std::size_t>(quantity)];
+    }
+    double operator[](JudgedQuantity quantity) const noexcept {
+        return errors_[static_cast<std::size_t>(quantity)];
+    }
+
+    [[nodiscard]] JudgedQuantity worstQuantity() const noexcept {
+        const auto* const worst = std::max_element(errors_.begin(), errors_.end());
+        return static_cast<JudgedQuantity>(worst - errors_.begin());
+    }
+    [[nodiscard]] double worst() const noexcept { return (*this)[worstQuantity()]; }
+
+    /// Of each quantity the larger one.
+    void raiseTo(const QuantityErrors& other) noexcept {
+        combine(other, [](double a, double b) { return std::max(a, b); });
+    }
+    /// Of errors that are independent: the root of the sum of squares.
+    void addSquares(const QuantityErrors& other) noexcept {
+        combine(other, [](double a, double b) { return std::hypot(a, b); });
+    }
+    void add(const QuantityErrors& other) noexcept {
+        combine(other, [](double a, double b) { return a + b; });
+    }
+
+    bool operator==(const QuantityErrors&) const = default;
+
+private:
+    template <class Combine>
+    void combine(const QuantityErrors& other, const Combine& combined) noexcept {
+        for (std::size_t i = 0; i < errors_.size(); ++i) {
+            errors_[i] = combined(errors_[i], other.errors_[i]);
+        }
+    }
+
+    std::array<double, kEnumTable<JudgedQuantity>.size()> errors_{};
+};
+
+/// The error to two digits, the next larger ones; >= 0.
+[[nodiscard]] inline double roundedUp(double error) noexcept {
+    constexpr double kRounding = 1e-9;  // of binary numbers: 0.054 is 0.054
+    if (!(error > 0.0)) {
+        return 0.0;
+    }
+    const double unit = std::pow(10.0, std::floor(std::log10(error)) - 1.0);
+    return std::ceil((error / unit) - kRounding) * unit;
+}
+
+/// Squares of the difference of two forces along a run or a curve, and of the reference itself, in
+/// any unit.
+struct ForceSquares {
+    double heldAlike = 0.0;  ///< of the difference where both hold the tip, or both do not
+    double heldByOne = 0.0;  ///< where one has jumped and the other has not
+    double reference = 0.0;
+
+    /// The error of the rms force as a share: the root mean square of the difference over that of
+    /// the reference, and of a jump that comes earlier or later the share of the mean square that
+    /// lies between the two. That is as small as the jump's displacement. The root of it is not: it
+    /// would make 10 % of the force of a displacement that nobody sees, 1 % of the curve.
+    /// 0 where there is no force.
+    [[nodiscard]] double share() const noexcept {
+        return reference > 0.0 ? std::sqrt(heldAlike / reference) + (heldByOne / reference) : 0.0;
+    }
+};
+
+}  // namespace asperity

@@ -1,0 +1,55 @@
+#pragma once
+
+#include "core/Vector.h"
+#include "core/fidelity/JudgedQuantity.h"
+#include "core/scene/Scene.h"
+
+#include <optional>
+#include <vector>
+
+namespace asperity {
+
+/// The force along z over the height of the base, piece by piece a straight line; 0 outside it.
+class ForceLine {
+public:
+    struct Point {
+        double base = 0.0;   ///< [m]
+        double force = 0.0;  ///< along z [N]
+    };
+
+    /// @param points in rising order; a jump is two points at one height
+    explicit ForceLine(std::vector<Point> points) : points_(std::move(points)) {}
+
+    [[nodiscard]] double at(double base) const noexcept;  ///< [N]
+    [[nodiscard]] const std::vector<Point>& points() const noexcept { return points_; }
+
+private:
+    std::vector<Point> points_;
+};
+
+/// What a model says of an approach until the force along z is the setpoint, and of the retract
+/// until the tip is free, see JudgedQuantity. Forces along z, pulls > 0.
+struct SampledCycle {
+    double pullOffForce = 0.0;    ///< [N]
+    double pullOffBase = 0.0;     ///< height of the base where the tip pulls off [m]
+    double snapInForce = 0.0;     ///< [N]
+    double snapInBase = 0.0;      ///< likewise [m]
+    double setpointBase = 0.0;    ///< and at the setpoint [m]
+    double indentation = 0.0;     ///< at the setpoint [m]
+    double pulled = 0.0;          ///< by how much the indentation falls until the pull-off [m]
+    double stiffness = 0.0;       ///< at the setpoint [N/m]
+    double separationWork = 0.0;  ///< [J]
+    double setpoint = 0.0;        ///< [N]
+    ForceLine approach;
+    ForceLine retract;
+};
+
+/// Runs a cycle of the scene's model. None: the tip does not engage there, or stays bonded.
+/// @param place of the base, world x, y [m] @param setpoint [N]
+[[nodiscard]] std::optional<SampledCycle> sampleCycle(const Scene& scene, const Vector2& place,
+                                                      double setpoint);
+
+/// The errors of one model's cycle against that of another at the same place.
+[[nodiscard]] QuantityErrors errorsOf(const SampledCycle& cycle, const SampledCycle& reference);
+
+}  // namespace asperity
