@@ -11,6 +11,7 @@
 #include "core/contact/laws/ForceCurve.h"
 #include "core/contact/laws/LawChoice.h"
 #include "core/io/tables/CsvWriter.h"
+#include "core/scene/AttractionValidity.h"
 #include "core/scene/ContactValidity.h"
 #include "vtkplugins/pictures/Charts.h"
 
@@ -67,6 +68,12 @@ std::vector<std::string> summary(const CurveResult& result) {
             "  " + jumpText("pull-off", result.curve.pullOff)};
 }
 
+ValidityFlags flagsOf(const CurveCase& asked, const ContactState& state) {
+    ValidityFlags flags = contactValidity(asked.model, state, asked.material);
+    flags.add(attractionValidity(asked.model, state, asked.compliance));
+    return flags;
+}
+
 void writeWay(CsvWriter& csv, const CurveResult& result, const char* way,
               const std::vector<ForceCurvePoint>& points) {
     for (const ForceCurvePoint& point : points) {
@@ -75,8 +82,7 @@ void writeWay(CsvWriter& csv, const CurveResult& result, const char* way,
         csv.add(point.basePosition).add(state.indentation).add(state.force);
         csv.add(state.force * result.asked.compliance).add(state.contactRadius);
         csv.add(state.cohesiveRadius).add(keyOf(state.region()));
-        csv.add(validityText(contactValidity(result.asked.model, state, result.asked.material)))
-            .endRow();
+        csv.add(validityText(flagsOf(result.asked, state))).endRow();
     }
 }
 

@@ -1,9 +1,35 @@
 #include "core/scene/TipValidity.h"
 
 #include "core/contact/laws/LawChoice.h"
+#include "core/scene/AsperityValidity.h"
+#include "core/scene/AttractionValidity.h"
 #include "core/scene/ContactValidity.h"
 
 namespace asperity {
+
+namespace {
+
+/// What the law of the tip's place does not hold for; nothing where no law acts, which saves making
+/// it.
+ValidityFlags lawValidity(const ProbeSystem& system, const SampleMaterial& material,
+                          const TipState& state) noexcept {
+    const ContactState& contact = state.contact;
+    const Vector3& normal = state.closest.normal;
+    const double compliance = normal.dot(system.cantilever.compliance() * normal);
+    const bool touches = contact.contactRadius > 0.0;
+    ValidityFlags flags;
+    if (!touches && !isPulledByFar(contact, compliance)) {
+        return flags;
+    }
+    const ContactModel model = contactModelAt(system, state);
+    flags.add(attractionValidity(model, contact, compliance));
+    if (touches) {
+        flags.add(contactValidity(model, contact, material));
+    }
+    return flags;
+}
+
+}  // namespace
 
 ValidityFlags tipValidity(const Scene& scene, const ProbeSystem& system,
                           const SampleMaterial& material, const TipState& state) noexcept {
@@ -29,8 +55,10 @@ ValidityFlags tipValidity(const Scene& scene, const ProbeSystem& system,
             Validity::VariedMaterial,
             system.field != nullptr &&
                 system.field->variesWithin(closest.x(), closest.y(), state.contact.contactRadius));
-        flags.add(contactValidity(contactModelAt(system, state), state.contact, material));
     }
+    flags.set(Validity::LargeDeflection, system.cantilever.isBentTooFar(state.force));
+    flags.add(lawValidity(system, material, state));
+    flags.add(asperityValidity(scene, system, state));
     return flags;
 }
 

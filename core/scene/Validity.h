@@ -34,6 +34,12 @@ enum class Validity : std::uint32_t {
         1U << 19U,               ///< friction law or noise are not as stated: InnovationMonitor
     StaleSignals = 1U << 20U,    ///< measured so long ago that the lever may have bent since
     VariedMaterial = 1U << 21U,  ///< the sample's material varies within the contact
+    UnresolvedCurvature = 1U << 22U,  ///< pixels or smoothing blur the curvature: AsperityValidity
+    BeyondAsperity = 1U << 23U,       ///< the contact is wider than what it stands on
+    BodyAttraction = 1U << 24U,       ///< the sample beside the asperity attracts, too
+    RetardedAttraction = 1U << 25U,   ///< van der Waals attraction is retarded across this gap
+    LargeDeflection = 1U << 26U,      ///< the lever is bent so far that it is no longer linear
+    StrengthLimited = 1U << 27U,      ///< pull-off follows the strength of adhesion, not its work
 };
 
 /// What a flag means for a result, the mildest first.
@@ -125,6 +131,24 @@ inline constexpr std::array kValidityTraits{
     ValidityTraits{Validity::VariedMaterial, "varied_material", "two materials in contact",
                    "the material varies by more than a tenth within the contact",
                    Severity::Approximate, FlagBasis::Contact},
+    ValidityTraits{Validity::UnresolvedCurvature, "unresolved_curvature", "curvature unresolved",
+                   "pixels and smoothing blur the curvature here: radius over a tenth off",
+                   Severity::Approximate, FlagBasis::Contact},
+    ValidityTraits{Validity::BeyondAsperity, "beyond_asperity", "contact > asperity",
+                   "contact wider than the asperity: radius over a tenth off",
+                   Severity::Approximate, FlagBasis::Contact},
+    ValidityTraits{Validity::BodyAttraction, "body_attraction", "sample beside attracts",
+                   "attraction of the sample beside the asperity is left out",
+                   Severity::Approximate, FlagBasis::Tick},
+    ValidityTraits{Validity::RetardedAttraction, "retarded_attraction", "attraction retarded",
+                   "van der Waals attraction is retarded across this gap: weaker than modeled",
+                   Severity::Approximate, FlagBasis::Tick},
+    ValidityTraits{Validity::LargeDeflection, "large_deflection", "lever bent too far",
+                   "lever bent by over a fifth of its length: no longer linear", Severity::Doubt,
+                   FlagBasis::Tick},
+    ValidityTraits{Validity::StrengthLimited, "strength_limited", "strength sets pull-off",
+                   "adhesion limited by strength: JKR would misread the pull-off force",
+                   Severity::Notice, FlagBasis::Contact},
 };
 
 inline constexpr std::size_t kValidityFlagCount = kValidityTraits.size();
