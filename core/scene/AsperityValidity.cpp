@@ -6,6 +6,7 @@
 #include "core/surface/TangentFrame.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -13,9 +14,18 @@ namespace asperity {
 
 namespace {
 
-constexpr double kMaxChange = 0.1;      // of the effective radius
-constexpr double kBluntTip = 1.5;       // tip radius over effective radius
-constexpr int kDirections = 8;          // around the contact
+constexpr double kMaxChange = 0.1;  // of the effective radius
+constexpr double kBluntTip = 1.5;   // tip radius over effective radius
+/// Directions around the contact, unit vectors in its plane: six, so that what varies as the first
+/// to fifth harmonic of the angle has no part in their mean.
+constexpr double kHalfRoot3 = 0.5 * std::numbers::sqrt3;
+constexpr std::array<std::array<double, 2>, 6> kDirections{{{1.0, 0.0},
+                                                            {0.5, kHalfRoot3},
+                                                            {-0.5, kHalfRoot3},
+                                                            {-1.0, 0.0},
+                                                            {-0.5, -kHalfRoot3},
+                                                            {0.5, -kHalfRoot3}}};
+constexpr double kShare = 1.0 / static_cast<double>(kDirections.size());
 constexpr double kSquare = 1.0 / 12.0;  // variance of a pixel's square, of its side squared
 
 /// Effective radius of a surface's own height and derivatives.
@@ -70,11 +80,11 @@ public:
         : surface_(scene.surface)
         , frame_(tangentFrame(state.closest.point, state.closest.normal)) {}
 
-    /// Height above the plane along its normal [m], at a distance [m] in one of kDirections.
-    [[nodiscard]] double height(double distance, int direction) const noexcept {
-        const double angle = 2.0 * std::numbers::pi * direction / kDirections;
-        const Vector3 place = frame_.origin + distance * (std::cos(angle) * frame_.along +
-                                                          std::sin(angle) * frame_.across);
+    /// Height above the plane along its normal [m], at a distance [m].
+    [[nodiscard]] double height(double distance,
+                                const std::array<double, 2>& direction) const noexcept {
+        const Vector3 place =
+            frame_.origin + distance * (direction[0] * frame_.along + direction[1] * frame_.across);
         return (surface_.at(place.x(), place.y()).height - place.z()) * frame_.normal.z();
     }
 
@@ -88,12 +98,12 @@ bool isBeyondAsperity(const Surroundings& around, const TipState& state) noexcep
     constexpr double kRim = 0.8546;  // (8/15)^(1/4): what r^4 weighs under a flat punch's pressure
     const double distance = kRim * state.contact.contactRadius;
     double sum = 0.0;
-    for (int i = 0; i < kDirections; ++i) {
-        sum += around.height(distance, i);
+    for (const auto& direction : kDirections) {
+        sum += around.height(distance, direction);
     }
     const PrincipalCurvatures& bend = state.closest.curvatures;
     const double square = distance * distance;
-    const double left = sum / kDirections + 0.25 * (bend.largest + bend.smallest) * square;
+    const double left = sum * kShare + 0.25 * (bend.largest + bend.smallest) * square;
     return std::abs(left) > kMaxChange * square / (2.0 * state.effectiveRadius);
 }
 
@@ -115,10 +125,10 @@ double attractionBeside(const Surroundings& around, const TipState& state,
         const double square = distance * distance;
         const double cap = square / (tipRadius + std::sqrt((tipRadius * tipRadius) - square));
         double ring = 0.0;
-        for (int i = 0; i < kDirections; ++i) {
-            ring += traction(cap - around.height(distance, i));
+        for (const auto& direction : kDirections) {
+            ring += traction(cap - around.height(distance, direction));
         }
-        sum += (ring / kDirections - traction(square / (2.0 * radius))) * square;
+        sum += (ring * kShare - traction(square / (2.0 * radius))) * square;
     }
     return sum * kSpacing * (8.0 / 3.0) / (kContactSeparation * radius);
 }

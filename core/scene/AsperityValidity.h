@@ -6,7 +6,7 @@
 namespace asperity {
 
 /// Returns where the topography under a tip is not what one effective radius makes of it. Nothing
-/// for exact shapes and models without the sample's curvature. No allocation, at most some 120
+/// for exact shapes and models without the sample's curvature. No allocation, at most some 100
 /// look-ups of the surface.
 ///
 /// - curvature unresolved: what smoothing and pixels have blurred, to first order l^2/2 times the
