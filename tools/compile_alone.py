@@ -75,12 +75,21 @@ class Users:
         return own
 
 
+def is_first_in_its_source(header, sources):
+    """Whether a header's own source is among these and begins with it: then that compiles it alone, too."""
+    own = pathlib.Path(header).with_suffix(".cpp").as_posix()
+    return own in sources and INCLUDES.findall((TOP / own).read_text())[:1] == [header]
+
+
 def works_for(files, commands, users, folder):
-    """(name, source, arguments) of each compilation; a header is compiled by a source with it alone."""
+    """(name, source, arguments) of each compilation; a header is compiled by its own source or by one with it
+    alone."""
     sources, works = {file for file in files if file in commands}, []
     for file in files:
         if pathlib.Path(file).suffix in HEADERS and (user := users.of(file, sources)):
             sources.add(user)
+            if is_first_in_its_source(file, sources):
+                continue
             alone = folder / (file.replace("/", "_") + ".cpp")
             if not alone.exists():
                 alone.write_text(f'#include "{file}"\n')

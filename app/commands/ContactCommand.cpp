@@ -6,6 +6,7 @@
 #include "core/contact/laws/ContactModel.h"
 #include "core/contact/laws/LawChoice.h"
 #include "core/io/tables/CaseTable.h"
+#include "core/scene/LawRange.h"
 
 #include <limits>
 #include <memory>
@@ -25,6 +26,7 @@ struct ContactCase {
     double cohesiveStress = 0.0;  ///< [Pa]
     double filmThickness = 0.0;   ///< [m]; 0: a half-space
     double poissonRatio = kNaN;   ///< of the film
+    double coneHalfAngle = 0.0;   ///< of the tip [rad]; 0: no cone
     double indentation = 0.0;     ///< [m]
     ContactBranch branch = ContactBranch::Far;
 };
@@ -70,13 +72,18 @@ ContactCase readCase(const CsvTable& table, std::size_t row) {
             .cohesiveStress = table.number(row, "sigma0_pa"),
             .filmThickness = numberOr(table, row, "film_thickness_m", 0.0),
             .poissonRatio = numberOr(table, row, "poisson_ratio", kNaN),
+            .coneHalfAngle = numberOr(table, row, "cone_half_angle_rad", 0.0),
             .indentation = table.number(row, "indentation_m"),
             .branch = wordIn(table, row, "branch", branchOf(table.text(row, "branch")),
                              "approach, retract")};
 }
 
-bool usesStress(ContactLaw law) {
-    return traitsOf(law).attraction == Attraction::Zone && !hasTail(law);
+/// The stress of the pair's attraction [Pa]: where the law has no zone of its own, it only says how
+/// far the attraction reaches, and may be left open by a stress of 0.
+double stressOf(const ContactCase& asked) {
+    const bool isZone = traitsOf(asked.law).attraction == Attraction::Zone;
+    const bool isStated = isZone ? !hasTail(asked.law) : asked.cohesiveStress > 0.0;
+    return isStated ? asked.cohesiveStress : asked.pair.workOfAdhesion / kCohesiveRange;
 }
 
 /// The law of a film needs one.
@@ -87,22 +94,24 @@ ContactStatus filmStatus(ContactLaw law, const ContactCase& asked) {
     return checkFilm(asked.filmThickness, asked.poissonRatio);
 }
 
+/// Why the law does not hold at a state, the worst reason first, joined by '|'; else "ok".
 std::string statusOf(const ContactModel& model, const ContactState& state) {
     const double radius = model.pair().tipRadius;
     const bool isSphereZone = isSphere(model.law()) && model.cohesiveStress() > 0.0;
-    if (isSphereZone && state.cohesiveRadius >= radius) {
-        return "cohesive_zone_at_equator";
-    }
-    // Of the two, what is wrong by more comes first.
-    if (state.contactRadius > model.widestFilmContact()) {
-        return "thin_film";
-    }
-    return isLargeContact(state.contactRadius, radius) ? "large_contact" : "ok";
+    const bool isAtEquator = isSphereZone && state.cohesiveRadius >= radius;
+    std::string status;
+    const auto add = [&](bool applies, const char* word) {
+        status += applies ? (status.empty() ? "" : "|") + std::string(word) : "";
+    };
+    add(isAtEquator, "cohesive_zone_at_equator");
+    add(state.contactRadius > model.widestFilmContact(), "thin_film");
+    add(!isAtEquator && leavesLawsRange(model, state), "law_out_of_range");
+    add(isLargeContact(state.contactRadius, radius), "large_contact");
+    return status.empty() ? "ok" : status;
 }
 
 ContactAnswer answerTo(const ContactCase& asked) {
-    const double stress =
-        usesStress(asked.law) ? asked.cohesiveStress : asked.pair.workOfAdhesion / kCohesiveRange;
+    const double stress = stressOf(asked);
     const ContactStatus pairStatus = checkPair(asked.pair, stress);
     if (pairStatus != ContactStatus::Solved) {
         return {keyOf(pairStatus)};
@@ -111,10 +120,15 @@ ContactAnswer answerTo(const ContactCase& asked) {
     if (sampleStatus != ContactStatus::Solved) {
         return {keyOf(sampleStatus)};
     }
+    const ContactStatus coneStatus = checkCone(asked.law, asked.pair, asked.coneHalfAngle);
+    if (coneStatus != ContactStatus::Solved) {
+        return {keyOf(coneStatus)};
+    }
     const ContactModel model(asked.law, asked.pair,
                              {.cohesiveStress = stress,
                               .filmThickness = asked.filmThickness,
-                              .film = {.poissonRatio = asked.poissonRatio}});
+                              .film = {.poissonRatio = asked.poissonRatio},
+                              .coneHalfAngle = asked.coneHalfAngle});
     const ContactMemory memory{asked.branch, 0.0};
     const ContactState state = model.equilibrium(asked.indentation, 0.0, memory);
     if (!state.solved()) {
@@ -140,9 +154,10 @@ std::vector<std::string> commentsFor(const std::string& cases) {
         "SI units, as each column's name ends; force > 0 is repulsive, indentation < 0 a gap",
         "state: far, cohesive (zone without contact), contact; lambda: transition parameter, 0 "
         "for laws without a cohesive zone",
-        "status: ok; large_contact (a/R above 0.3, evaluated formally); thin_film (beyond what the "
-        "law holds for, evaluated formally); cohesive_zone_at_equator; else why there is no "
-        "answer"};
+        "status: ok; or joined by '|', all evaluated formally: cohesive_zone_at_equator; thin_film "
+        "(beyond what the law holds for); law_out_of_range (the law leaves out adhesion, or its "
+        "range, that acts here); large_contact (a/R above 0.3: strain beyond linear elasticity, "
+        "whichever law); else why there is no answer"};
 }
 
 void contact(const CaseFiles& files) {
@@ -173,8 +188,11 @@ void addContactCommand(CLI::App& program) {
     command->footer(
         "Columns of the cases:\nmodel (" + keyList<ContactLaw>() +
         "),\nradius_m, e_star_pa, work_of_adhesion_j_m2, sigma0_pa (of the "
-        "md models), indentation_m (< 0: a gap),\nbranch (approach, retract). Of a film on a "
-        "rigid base, too: film_thickness_m (0: a half-space),\npoisson_ratio (0 to 0.5).");
+        "md models; of others the reach of adhesion, 0: 0.36 nm), indentation_m (< 0: a "
+        "gap),\nbranch (approach, retract). Of a film on a "
+        "rigid base, too: film_thickness_m (0: a half-space),\npoisson_ratio (0 to 0.5). Of a tip "
+        "whose sphere goes on as a cone (sneddon, jkr_sphere), too:\n"
+        "cone_half_angle_rad (0: no cone).");
     const auto files = std::make_shared<CaseFiles>();
     addCaseFiles(*command, *files);
     command->callback([files] { contact(*files); });

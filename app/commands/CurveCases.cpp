@@ -10,8 +10,10 @@ namespace asperity {
 
 namespace {
 
-constexpr double kMinStiffness = 1e-6;  // [N/m]
-constexpr double kMaxStiffness = 1e12;  // [N/m]
+constexpr double kMinStiffness = 1e-6;       // [N/m]
+constexpr double kMaxStiffness = 1e12;       // [N/m]
+constexpr double kMinReducedModulus = 1.0;   // [Pa]
+constexpr double kMaxReducedModulus = 1e13;  // [Pa]
 
 /// A material by the path of its file or by its name in the data folder.
 SampleMaterial findMaterial(const std::string& given) {
@@ -35,6 +37,18 @@ std::vector<std::string> lawNames() {
         names.emplace_back(keyOf(law));
     }
     return names;
+}
+
+/// A tip whose own part of any reduced modulus is below rounding.
+constexpr Elastic kRigidTip{.youngsModulus = 1e300, .poissonRatio = 0.0};
+
+/// The material with the modulus that gives this reduced one under a rigid tip: of another modulus,
+/// another hardness.
+SampleMaterial withReducedModulus(SampleMaterial material, double reducedModulus) {
+    const double ratio = material.elastic.poissonRatio;
+    material.elastic.youngsModulus = reducedModulus * (1.0 - ratio * ratio);
+    material.hardness = 0.0;
+    return material;
 }
 
 CurveCase caseOf(const SceneDescription& scene, ContactLaw law, const std::string& why,
@@ -82,6 +96,11 @@ void addCurveRequest(CLI::App& command, CurveRequest& request) {
         ->check(finiteNumber())
         ->check(within(kMinTipRadius, kMaxTipRadius, "1e-12 to 1 m"));
     command
+        .add_option("--reduced-modulus", request.modulus,
+                    "reduced modulus E* of tip and sample [Pa], in place of those of the materials")
+        ->check(finiteNumber())
+        ->check(within(kMinReducedModulus, kMaxReducedModulus, "1 to 1e13 Pa"));
+    command
         .add_option("--stiffness", request.stiffness,
                     "stiffness of the lever along the normal [N/m]")
         ->check(finiteNumber())
@@ -91,6 +110,9 @@ void addCurveRequest(CLI::App& command, CurveRequest& request) {
 std::vector<CurveCase> curveCases(const CurveRequest& request) {
     SceneDescription scene = request.scene.empty() ? defaultScene() : sceneFromInput(request.scene);
     scene.tip.radius = request.radius > 0.0 ? request.radius : scene.tip.radius;
+    if (request.modulus > 0.0) {
+        scene.tip.elastic = kRigidTip;
+    }
     if (!request.law.empty()) {
         scene.choices.law = fromKey<ContactLaw>(request.law);  // none: "auto"
     }
@@ -105,7 +127,9 @@ std::vector<CurveCase> curveCases(const CurveRequest& request) {
     }
     std::vector<CurveCase> cases;
     for (std::size_t i = 0; i < materials.size(); ++i) {
-        scene.sample.material = materials[i];
+        scene.sample.material = request.modulus > 0.0
+                                    ? withReducedModulus(materials[i], request.modulus)
+                                    : materials[i];
         try {
             addCases(scene, compliance, cases);
         } catch (const Error& error) {

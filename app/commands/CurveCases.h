@@ -17,6 +17,7 @@ struct CurveRequest {
     std::string law;
     double radius = 0.0;     ///< [m]
     double stiffness = 0.0;  ///< along the normal [N/m]
+    double modulus = 0.0;    ///< reduced, of tip and sample [Pa]
 };
 
 /// One curve to be made.

@@ -3,6 +3,7 @@
 #include "app/commands/CaseFiles.h"
 #include "app/commands/CurveCases.h"
 #include "app/commands/OptionChecks.h"
+#include "app/commands/SetpointOption.h"
 #include "app/commands/VirtualDisplay.h"
 #include "core/FormattedText.h"
 #include "core/PrintableText.h"
@@ -13,20 +14,32 @@
 #include "core/io/tables/CsvWriter.h"
 #include "core/scene/AttractionValidity.h"
 #include "core/scene/ContactValidity.h"
+#include "core/scene/SampleHardness.h"
+#include "core/words/SceneWords.h"
 #include "vtkplugins/pictures/Charts.h"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <array>
 #include <iostream>
+#include <limits>
 #include <memory>
 
 namespace asperity {
 
 namespace {
 
+/// Base positions that a curve is asked to cover [m].
+struct BaseRange {
+    double from = 0.0;
+    double to = 0.0;
+};
+
 struct CurveOptions {
     CurveRequest request;
     int points = 500;
+    std::optional<BaseRange> base;   ///< none: as the curve needs
+    std::optional<double> setpoint;  ///< that ends the approach [N]; none: as the curve needs
     std::string out;
     std::string figure;
 };
@@ -36,6 +49,32 @@ struct CurveResult {
     CurveCase asked;
     ForceCurve curve;
 };
+
+/// "-20nm:5nm", from far to deep; none where it is not that.
+std::optional<BaseRange> parseBaseRange(const std::string& text) {
+    const std::size_t colon = text.find(':');
+    if (colon == std::string::npos) {
+        return std::nullopt;
+    }
+    const std::optional<double> from = parseQuantity(text.substr(0, colon), "m");
+    const std::optional<double> to = parseQuantity(text.substr(colon + 1), "m");
+    return from && to && *from < *to ? std::optional(BaseRange{*from, *to}) : std::nullopt;
+}
+
+void addBaseOption(CLI::App& command, std::optional<BaseRange>& base) {
+    command
+        .add_option_function<std::string>(
+            "--base", [&base](const std::string& text) { base = parseBaseRange(text); },
+            "base positions FROM:TO of the curve, > 0 towards the sample, such as -20nm:5nm")
+        ->check(CLI::Validator(
+            [](const std::string& text) {
+                return parseBaseRange(text) ? std::string()
+                                            : "expected FROM:TO, lengths such as -20nm:5nm with "
+                                              "FROM below TO, not '" +
+                                                  text + "'";
+            },
+            "FROM:TO"));
+}
 
 CLI::Validator pngName() {
     return {[](const std::string& text) {
@@ -56,6 +95,46 @@ std::string jumpText(const char* name, const std::optional<TipJump>& jump) {
                      jump->after.energyLost);
 }
 
+ValidityFlags flagsOf(const CurveResult& result, const ForceCurvePoint& point) {
+    const CurveCase& asked = result.asked;
+    ValidityFlags flags = contactValidity(asked.model, point.state, asked.material);
+    flags.add(attractionValidity(asked.model, point.state, asked.compliance));
+    return flags;
+}
+
+/// "large_contact at base 1.2 to 3.4 nm: contact radius above ...".
+void addFlagged(const CurveResult& result, std::vector<std::string>& lines) {
+    constexpr double kNone = std::numeric_limits<double>::infinity();
+    std::array<double, kValidityFlagCount> lowest;
+    std::array<double, kValidityFlagCount> highest;
+    lowest.fill(kNone);
+    highest.fill(-kNone);
+    for (const auto* way : {&result.curve.approach, &result.curve.retract}) {
+        for (const ForceCurvePoint& point : *way) {
+            const ValidityFlags flags = flagsOf(result, point);
+            for (std::size_t i = 0; i < kValidityFlagCount; ++i) {
+                if (flags.has(kValidityTraits[i].flag)) {
+                    lowest[i] = std::min(lowest[i], point.basePosition);
+                    highest[i] = std::max(highest[i], point.basePosition);
+                }
+            }
+        }
+    }
+    for (std::size_t i = 0; i < kValidityFlagCount; ++i) {
+        if (lowest[i] <= highest[i]) {
+            lines.push_back(formatted("  %s at base %.4g to %.4g nm: %s", kValidityTraits[i].key,
+                                      lowest[i] * 1e9, highest[i] * 1e9, kValidityTraits[i].words));
+        }
+    }
+}
+
+/// The strongest pull that the law has: on a stiff lever the tip passes it before it pulls off.
+std::string pullText(const std::optional<ForceCurvePoint>& strongest) {
+    return strongest ? formatted("strongest pull of the law %.6g nN, at base %.6g nm",
+                                 -strongest->state.force * 1e9, strongest->basePosition * 1e9)
+                     : "the law never pulls";
+}
+
 std::vector<std::string> summary(const CurveResult& result) {
     const CurveCase& asked = result.asked;
     const std::string parameters =
@@ -63,15 +142,15 @@ std::vector<std::string> summary(const CurveResult& result) {
                   asked.material.name.c_str(), asked.model.pair().tipRadius * 1e9,
                   asked.model.pair().reducedModulus * 1e-9, asked.model.pair().workOfAdhesion,
                   1.0 / asked.compliance);
-    return {parameters, "  law " + std::string(keyOf(asked.model.law())) + " (" + asked.why + ")",
-            "  " + jumpText("snap-in", result.curve.snapIn),
-            "  " + jumpText("pull-off", result.curve.pullOff)};
-}
-
-ValidityFlags flagsOf(const CurveCase& asked, const ContactState& state) {
-    ValidityFlags flags = contactValidity(asked.model, state, asked.material);
-    flags.add(attractionValidity(asked.model, state, asked.compliance));
-    return flags;
+    std::vector<std::string> lines{
+        parameters, "  law " + std::string(keyOf(asked.model.law())) + " (" + asked.why + ")",
+        "  " + jumpText("snap-in", result.curve.snapIn),
+        "  " + jumpText("pull-off", result.curve.pullOff), "  " + pullText(result.curve.strongest)};
+    if (hardnessOf(asked.material).source == HardnessSource::Estimated) {
+        lines.push_back("  hardness " + hardnessText(asked.material));
+    }
+    addFlagged(result, lines);
+    return lines;
 }
 
 void writeWay(CsvWriter& csv, const CurveResult& result, const char* way,
@@ -82,7 +161,7 @@ void writeWay(CsvWriter& csv, const CurveResult& result, const char* way,
         csv.add(point.basePosition).add(state.indentation).add(state.force);
         csv.add(state.force * result.asked.compliance).add(state.contactRadius);
         csv.add(state.cohesiveRadius).add(keyOf(state.region()));
-        csv.add(validityText(flagsOf(result.asked, state))).endRow();
+        csv.add(validityText(flagsOf(result, point))).endRow();
     }
 }
 
@@ -138,6 +217,26 @@ void drawFigure(const std::string& path, const std::vector<CurveResult>& results
     writeCharts(path, charts, columns, {.width = 640 * columns, .height = 520 * rows});
 }
 
+/// @throw Error where the law does not reach the setpoint
+ForceCurvePlan planFor(const CurveCase& asked, const CurveOptions& options) {
+    ForceCurvePlan plan = curvePlan(asked.model, asked.compliance);
+    plan.points = options.points;
+    if (options.base) {
+        plan.farthest = options.base->from;
+        plan.deepest = options.base->to;
+    }
+    if (options.setpoint) {
+        const std::optional<double> deepest =
+            basePositionAt(asked.model, asked.compliance, *options.setpoint);
+        if (!deepest) {
+            throw Error("law " + std::string(keyOf(asked.model.law())) +
+                        " has no state that pushes with " + formatSi(*options.setpoint, "N"));
+        }
+        plan.deepest = *deepest;
+    }
+    return plan;
+}
+
 void curve(const CurveOptions& options) {
     std::vector<std::string> inputs = options.request.materials;
     inputs.push_back(options.request.scene);
@@ -149,8 +248,7 @@ void curve(const CurveOptions& options) {
     }
     std::vector<CurveResult> results;
     for (const CurveCase& asked : curveCases(options.request)) {
-        ForceCurvePlan plan = curvePlan(asked.model, asked.compliance);
-        plan.points = options.points;
+        const ForceCurvePlan plan = planFor(asked, options);
         results.push_back({asked, forceCurve(asked.model, asked.compliance, plan)});
         for (const std::string& line : summary(results.back())) {
             std::cerr << printable(line) << '\n';
@@ -173,6 +271,11 @@ void addCurveCommand(CLI::App& program) {
     command->add_option("--points", options->points, "number of points on each branch")
         ->capture_default_str()
         ->check(CLI::Range(2, 1000000));
+    addBaseOption(*command, options->base);
+    addSetpointOption(*command, options->setpoint);
+    command->get_option("--setpoint")
+        ->description("force that ends the approach, such as 5nN; default: the strongest pull")
+        ->excludes(command->get_option("--base"));
     addTableFile(*command, options->out);
     command->add_option("--figure", options->figure, "picture to write (.png)")->check(pngName());
     command->callback([options] { curve(*options); });

@@ -12,18 +12,26 @@
 
 namespace asperity {
 
-/// A force with its unit, "5nN" or "5 nN", or a bare number of newtons; empty where it is none, or
-/// none that a scene may have.
-inline std::optional<double> parseSetpoint(const std::string& text) {
+/// Returns a number with a unit of this base, "5nm" or "5 nm", or a bare number in the base unit,
+/// in SI; empty where the text is neither.
+inline std::optional<double> parseQuantity(const std::string& text, const std::string& base) {
     const std::optional<LeadingNumber> number = parseLeadingNumber(text);
-    const PhysicalUnit unit = number ? parseUnit(number->rest) : PhysicalUnit{};
-    if (!number || !(unit.base == "N" || number->rest.empty())) {
+    if (!number || number->rest.empty()) {
+        return number ? std::optional(number->value) : std::nullopt;
+    }
+    const PhysicalUnit unit = parseUnit(number->rest);
+    if (unit.base != base) {
         return std::nullopt;
     }
     // A power of ten below 1 is no exact double, its inverse is: 12nN is the very number 12e-9.
-    const double force = unit.factor < 1.0 ? number->value / std::round(1.0 / unit.factor)
-                                           : number->value * unit.factor;
-    return isSetpoint(force) ? std::optional(force) : std::nullopt;
+    return unit.factor < 1.0 ? number->value / std::round(1.0 / unit.factor)
+                             : number->value * unit.factor;
+}
+
+/// A force that a scene may have, with its unit or in newtons; empty where the text is none.
+inline std::optional<double> parseSetpoint(const std::string& text) {
+    const std::optional<double> force = parseQuantity(text, "N");
+    return force && isSetpoint(*force) ? force : std::nullopt;
 }
 
 /// The option of a command that approaches.

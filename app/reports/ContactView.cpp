@@ -52,7 +52,7 @@ std::string captionOf(const Scene& scene, const TickSample& sample) {
                           " radius on " + scene.description.sample.material.name + ".";
     std::replace(caption.begin(), caption.end(), '_', ' ');
     if (out.flags.has(Validity::LargeContact)) {
-        caption += " Contact radius above 0.3 tip radii: beyond half-space theory.";
+        caption += " Contact radius above 0.3 effective radii: strain beyond linear elasticity.";
     }
     if (out.flags.bits() != 0) {
         caption += " Flags: " + validityText(out.flags) + ".";

@@ -17,6 +17,8 @@ enum class ContactStatus : std::uint8_t {
     StressOutOfRange,         ///< cohesive stress not such that the range w / sigma0 is 1 fm .. 1 m
     FilmThicknessOutOfRange,  ///< neither 0, a half-space, nor within 1e-12 .. 1 m
     PoissonRatioOutOfRange,   ///< of a film, not within 0 .. 0.5
+    ConeHalfAngleOutOfRange,  ///< neither 0, no cone, nor within 0.01 .. 1.55 rad
+    LawWithoutCone,           ///< a law of the exact sphere that does not know its cone
     ApproachOutOfRange,       ///< beyond +-1e3 m
     ComplianceOutOfRange,     ///< not within 0 .. 1e6 m/N
 };
@@ -37,6 +39,10 @@ inline constexpr auto kEnumTable<ContactStatus> = std::to_array<EnumRow<ContactS
       "the film's thickness must lie between 1e-12 and 1 m"},
      {ContactStatus::PoissonRatioOutOfRange, "poisson_ratio_out_of_range",
       "the film's Poisson ratio must lie between 0 and 0.5"},
+     {ContactStatus::ConeHalfAngleOutOfRange, "cone_half_angle_out_of_range",
+      "the half angle of the tip's cone must be 0 or lie between 0.01 and 1.55 rad"},
+     {ContactStatus::LawWithoutCone, "law_without_cone",
+      "of the laws of the exact sphere only sneddon and jkr_sphere have the tip's cone"},
      {ContactStatus::ApproachOutOfRange, "approach_out_of_range",
       "the approach of tip or lever base must lie within 1000 m of first touch"},
      {ContactStatus::ComplianceOutOfRange, "compliance_out_of_range",

@@ -17,7 +17,7 @@ enum class HalfSpaceVerdict : std::uint8_t {
     NotBonded,      ///< no contact: nothing to solve
     Film,           ///< the sample is a film, not a half-space
     NoZone,         ///< the contact law adheres without a cohesive zone (DMT, JKR)
-    LargeContact,   ///< contact radius over tip radius > 0.3
+    LargeContact,   ///< contact radius > 0.3 effective radii
     ReachesBorder,  ///< the contact is larger than the largest patch
     TooCoarse,      ///< contact or cohesive zone a few pixels wide
     Separate,       ///< on the real topography the tip has no contact where the law has one
@@ -32,7 +32,7 @@ inline constexpr auto kEnumTable<HalfSpaceVerdict> = std::to_array<NamedRow<Half
      {HalfSpaceVerdict::NotBonded, "no contact"},
      {HalfSpaceVerdict::Film, "the sample is a film"},
      {HalfSpaceVerdict::NoZone, "the contact law's adhesion has no cohesive zone"},
-     {HalfSpaceVerdict::LargeContact, "contact radius above 0.3 tip radii"},
+     {HalfSpaceVerdict::LargeContact, "contact radius above 0.3 effective radii"},
      {HalfSpaceVerdict::ReachesBorder, "the contact reaches the patch's border"},
      {HalfSpaceVerdict::TooCoarse, "contact or cohesive zone too narrow for its grid"},
      {HalfSpaceVerdict::Separate, "no contact on the real topography"},

@@ -13,13 +13,10 @@ namespace asperity {
 
 namespace {
 
-/// How far from its sphere a tip looks for closest points [m].
-constexpr double kPointsReach = 10e-9;
-
 /// Whether no two places of the scan can come as near to a tip that feels it.
 bool tipFitsEverywhere(const Scene& scene) {
     const BoxBounds scan = scene.surface.bounds().all();
-    const double above = scene.belief.tipRadius() + kPointsReach;
+    const double above = scene.belief.tipRadius() + scene.belief.contact.attractionRange();
     return !scene.shape && scan.concavity * (scan.highest - scan.lowest + above) < 1.0;
 }
 

@@ -2,22 +2,38 @@
 
 #include "core/scene/TipValidity.h"
 
+#include <cmath>
+
 namespace asperity {
 
 namespace {
 
-constexpr double kSnapInMargin = 1e-9;  // [m]
-constexpr double kSnapInWatch = 20e-9;  // [m]: no tip snaps in across a wider gap
-constexpr double kSliding = 0.5;        // weight of the slip direction from which it counts
+// [m]: a notice to the operator, ahead by about what a hand takes a tenth of a second for; no force
+// depends on it.
+constexpr double kSnapInMargin = 1e-9;
+constexpr double kSliding = 0.5;  // weight of the slip direction from which it counts
+
+/// Whether a gap is so wide that the law need not be asked when the tip snaps in: far out of range,
+/// on a lever that is hardly bent. At a fold of the attraction it is bent by half of the gap, and
+/// where it is bent by a twentieth, with the attraction's square law, that gap is not half as wide.
+bool isFarFromSnapIn(const ContactModel& law, const ContactState& contact, double compliance) {
+    constexpr double kHardlyBent = 0.05;
+    const double gap = -contact.indentation;
+    return gap > 2.0 * law.attractionRange() + kSnapInMargin &&
+           std::abs(compliance * contact.force) < kHardlyBent * gap;
+}
 
 /// Whether a separate tip is about to snap in on a lever as soft as this one.
 bool snapsSoon(const Scene& scene, const TipState& model) {
     const ContactState& contact = model.contact;
-    if (contact.branch != ContactBranch::Far || contact.indentation < -kSnapInWatch) {
+    if (contact.branch != ContactBranch::Far) {
         return false;
     }
     const double compliance =
         model.closest.normal.dot(scene.belief.cantilever.compliance() * model.closest.normal);
+    if (isFarFromSnapIn(scene.belief.contact, contact, compliance)) {
+        return false;
+    }
     const ContactModel law = contactModelAt(scene, model);
     const double jumpIn = law.jumpInApproach(compliance);
     const double now = contact.indentation + (compliance * contact.force);

@@ -10,13 +10,27 @@ namespace asperity {
 
 namespace {
 
-constexpr double kNear = 2e-11;        // of the base to the jump, where the law knows the rest [m]
-constexpr double kResolution = 1e-13;  // where it does not [m]
 constexpr double kShortest = 1.0 / 32.0;  // step of a way that is sampled, of the longest one
 constexpr int kMaxJumpSteps = 400;
 constexpr int kMaxJumpHalvings = 60;
 
 enum class Way : std::int8_t { Down = -1, Up = 1 };
+
+/// A length that is small for tips of 15 nm or more, and under a sharper one as much smaller [m].
+double smallFor(const VerticalPath& path, double length) {
+    constexpr double kBlunt = 15e-9;  // [m]
+    return length * std::min(1.0, path.instrument().system().tipRadius() / kBlunt);
+}
+
+/// How near the base goes to a jump where the law knows the rest [m]: a five-hundredth of a way
+/// that is sampled. It may come back by as much.
+double nearOn(const VerticalPath& path, double maxStep) {
+    constexpr double kOfStep = 1.0 / 16.0;
+    return std::isfinite(maxStep) ? kOfStep * std::abs(maxStep) : smallFor(path, 2e-11);
+}
+
+/// Where it does not [m].
+double resolutionOn(const VerticalPath& path) { return smallFor(path, 1e-13); }
 
 /// Of the undeflected tip towards the surface, along the normal [m].
 double approachOf(const VerticalPath& path, const TipAtHeight& tip) {
@@ -38,15 +52,14 @@ double wayToJump(const VerticalPath& path, const TipAtHeight& tip, Way way) {
 /// The next step of the base towards a jump that is so far away. It ends at one distance from the
 /// jump, so that the last state is a smooth function of the place. Near to it, where the force
 /// bends, steps of a way that is sampled grow short by halves.
-double stepTowards(double left, double maxStep) {
-    return left > kShortest * maxStep ? std::min(0.5 * left, maxStep) : left - kNear;
+double stepTowards(double left, double maxStep, double near) {
+    return left > kShortest * maxStep ? std::min(0.5 * left, maxStep) : left - near;
 }
 
 /// Whether the law of the main contact point can say when the tip jumps. Where another one holds
 /// the tip it may ask for a way back, which would push the tip into the sample.
-bool isOfMainPoint(const TipAtHeight& tip, double left, Way way) {
-    return way == Way::Down ||
-           (tip.state.contact.branch == ContactBranch::Bonded && left >= -kNear);
+bool isOfMainPoint(const TipAtHeight& tip, double left, Way way, double near) {
+    return way == Way::Down || (tip.state.contact.branch == ContactBranch::Bonded && left >= -near);
 }
 
 bool isOfOnePoint(const TipAtHeight& before, const TipAtHeight& after) {
@@ -64,7 +77,8 @@ std::optional<TipJump> jumpOfLaw(const VerticalPath& path, const TipState& state
 /// @param lost a height at which it is not any more
 FoundJump narrowed(VerticalPath& path, TipAtHeight before, double lost, TipAtHeight after) {
     const bool wasBonded = before.isBonded();
-    for (int i = 0; i < kMaxJumpHalvings && std::abs(lost - before.base) > kResolution; ++i) {
+    const double resolution = resolutionOn(path);
+    for (int i = 0; i < kMaxJumpHalvings && std::abs(lost - before.base) > resolution; ++i) {
         TipAtHeight middle = path.at(std::midpoint(before.base, lost), before.memory);
         const bool changed = middle.isBonded() != wasBonded;
         if (middle.state.converged && !changed) {
@@ -116,20 +130,22 @@ TipAtHeight moved(VerticalPath& path, const TipAtHeight& from, double step, doub
 template <class Visit>
 std::optional<FoundJump> findJump(VerticalPath& path, TipAtHeight now, Way way, double maxStep,
                                   const Visit& visit) {
-    constexpr double kThere = 1e-15;  // of the base at its distance from the jump [m]
+    const double near = nearOn(path, maxStep);
+    const double there = smallFor(path, 1e-15);  // of the base at its distance from the jump [m]
     constexpr int kCorrections = 6;
     const bool wasBonded = now.isBonded();
-    double push = 2.0 * kNear;
+    // Steps of a way that is sampled are as long as it, those of one that is not begin small.
+    double push = std::isfinite(maxStep) ? kShortest * maxStep : 2.0 * near;
     int corrections = 0;
     TipAtHeight found = now;  // the last one in equilibrium
     double lost = now.base;   // the next height, at which there was none
     for (int i = 0; i < kMaxJumpSteps; ++i) {
         visit(now);
         const double left = wayToJump(path, now, way);
-        const bool knowsWay = isOfMainPoint(now, left, way);
-        double step = stepTowards(left, maxStep);
-        corrections += knowsWay && step < kNear ? 1 : 0;
-        const bool isThere = std::abs(step) <= kThere || corrections > kCorrections;
+        const bool knowsWay = isOfMainPoint(now, left, way, near);
+        double step = stepTowards(left, maxStep, near);
+        corrections += knowsWay && step < near ? 1 : 0;
+        const bool isThere = std::abs(step) <= there || corrections > kCorrections;
         if (isThere || !knowsWay) {
             step = push;
             push = std::min(2.0 * push, std::max(push, maxStep));

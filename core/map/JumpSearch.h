@@ -9,9 +9,10 @@
 namespace asperity {
 
 /// Where the tip changes between free and bonded. On one contact point the contact law knows the
-/// jump: `before` is 20 pm away from it. On several, or where a lever that bends to the side loses
-/// the equilibrium first, they lie 0.1 pm apart: the last equilibrium, and the state beyond it.
-/// Where the search began from no equilibrium, and found none, `before` is none.
+/// jump: `before` is 20 pm away from it, or a third of a sampled step. On several, or where a lever
+/// that bends to the side loses the equilibrium first, they lie 0.1 pm apart: the last equilibrium,
+/// and the state beyond it. Where the search began from no equilibrium, and found none, `before` is
+/// none.
 struct FoundJump {
     TipAtHeight before;
     TipAtHeight after;

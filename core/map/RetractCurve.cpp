@@ -1,5 +1,7 @@
 #include "core/map/RetractCurve.h"
 
+#include "core/contact/laws/ForceCurve.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -114,12 +116,15 @@ std::optional<RetractCurve> retract(VerticalPath& path, TipAtHeight atSetpoint) 
     }
     std::erase_if(passed, [](const TipAtHeight& tip) { return !tip.state.converged; });
     refineStrongest(path, passed, pullOff->exact.has_value());
-    RetractCurve curve{.bonded = {}, .free = {}, .pullOff = std::move(*pullOff), .jumpWork = 0.0};
-    double pull = 0.0;
+    RetractCurve curve{.bonded = {},
+                       .free = {},
+                       .pullOff = std::move(*pullOff),
+                       .strongest = *std::ranges::min_element(passed, {}, &TipAtHeight::force),
+                       .jumpWork = 0.0};
     for (const TipAtHeight& tip : passed) {
         curve.bonded.push_back(retractPointOf(path, tip));
-        pull = std::max(pull, -tip.force());
     }
+    const double pull = std::max(0.0, -curve.strongest.force());
     const FoundJump& jump = curve.pullOff;
     const RetractPoint last = retractPointAt(path, jump.base, jump.forceBefore());
     curve.bonded.push_back(last);
@@ -134,18 +139,20 @@ double separationWork(const RetractCurve& curve) noexcept {
 
 std::optional<RetractPoint> strongestOfLaw(const VerticalPath& path,
                                            const RetractCurve& curve) noexcept {
-    const FoundJump& jump = curve.pullOff;
-    if (!jump.exact) {
+    if (!curve.pullOff.exact) {
         return std::nullopt;
     }
-    // Under a lever this soft the tip pulls off where it pulls hardest.
-    const TipState& state = jump.before.state;
-    const ContactState strongest =
-        contactModelAt(path.instrument().system(), state).lastBonded(kMaxCompliance);
-    const double approach = strongest.indentation + (path.compliance(state) * strongest.force);
+    const TipState& state = curve.strongest.state;
+    const double compliance = path.compliance(state);
+    const std::optional<ForceCurvePoint> strongest =
+        strongestPullOf(contactModelAt(path.instrument().system(), state), compliance);
+    if (!strongest || state.points != 1) {
+        return std::nullopt;
+    }
     const double normal = state.closest.normal.z();
-    const double below = (approach - jump.exact->basePosition) / std::max(normal, kMinNormalZ);
-    return retractPointAt(path, jump.base - below, strongest.force * normal);
+    const double approach = state.contact.indentation + (compliance * state.contact.force);
+    const double below = (strongest->basePosition - approach) / std::max(normal, kMinNormalZ);
+    return retractPointAt(path, curve.strongest.base - below, strongest->state.force * normal);
 }
 
 double strongestPull(const VerticalPath& path, const RetractCurve& curve) noexcept {

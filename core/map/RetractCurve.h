@@ -20,6 +20,7 @@ struct RetractCurve {
     std::vector<RetractPoint> bonded;
     std::vector<RetractPoint> free;  ///< after it, until the force is 0.1 % of the strongest pull
     FoundJump pullOff;
+    TipAtHeight strongest;  ///< where the tip pulls hardest of all states before the pull-off
     double jumpWork = 0.0;  ///< area under the pull while the tip pulls off, the base at rest [J]
 };
 
@@ -34,6 +35,8 @@ struct RetractCurve {
 
 /// On one contact point, where the law pulls hardest before the pull-off, without the error of the
 /// steps; none: on several, the force does not jump, or the state before the jump was not found.
+/// The law is that of the place of the strongest state: on a flank a bent lever moves the tip on to
+/// another effective radius until it pulls off.
 [[nodiscard]] std::optional<RetractPoint> strongestOfLaw(const VerticalPath& path,
                                                          const RetractCurve& curve) noexcept;
 

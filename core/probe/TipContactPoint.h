@@ -28,6 +28,15 @@ struct TipContactPoint {
     [[nodiscard]] double stiffness() const noexcept { return std::max(0.0, contact.stiffness); }
     [[nodiscard]] double area() const noexcept;           ///< of contact [m^2]
     [[nodiscard]] double frictionForce() const noexcept;  ///< of a sliding tip [N]
+    /// Radius of the contact circle, with its cohesive zone [m].
+    [[nodiscard]] double reach() const noexcept {
+        return std::max(contact.contactRadius, contact.cohesiveRadius);
+    }
+    /// How deep the contact is [m]: by indentation, or by the width that adhesion gives it.
+    [[nodiscard]] double depth() const noexcept {
+        return std::max(contact.indentation,
+                        contact.contactRadius * contact.contactRadius / radius.radius);
+    }
 };
 
 }  // namespace asperity

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <boost/container/static_vector.hpp>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 namespace asperity {
@@ -19,10 +20,13 @@ namespace asperity {
 namespace {
 
 constexpr int kMaxSweeps = 48;
-constexpr double kPositionTolerance =
-    1e-15;                          // [m]: a millionth of an atom's radius, above rounding
-constexpr double kReach = 10e-9;    // [m]: attraction across a wider gap is below a piconewton
+constexpr double kPositionTolerance = 1e-15;  // [m]: a millionth of an atom's radius
+constexpr double kOfRadius = 1.0 / 15e6;      // and under a sharp tip so much of its radius
 constexpr double kSameSlot = 0.25;  // of the tip's radius: a point moves less from tick to tick
+// How far the tip may move, of its radius, until closest points are looked for again: little where
+// it hardly moves, since a wide look finds many points that bear nothing.
+constexpr double kNarrowLook = 0.002;
+constexpr double kWideLook = 0.02;
 constexpr double kMainPoint = 1.5;  // another point becomes the main one with so much more force
 constexpr double kBears = 1e-3;     // share of the main point's force from which a point counts
 
@@ -50,9 +54,12 @@ public:
         , system_(system)
         , base_(base)
         , compliance_(compliance)
+        , tolerance_(std::min(kPositionTolerance, kOfRadius * system.tipRadius()))
+        , range_(system.contact.attractionRange())
         , tracker_(tracker) {}
 
     TipState solve(EquilibriumMemory& memory) {
+        margin_ = marginFor(memory);
         // Several points hold the tip where it is when the base moves; else it goes with the base.
         deflection_ = recalls(memory) ? Vector3(memory.tip - base_.position) : memory.deflection;
         findPoints(memory);
@@ -63,7 +70,7 @@ public:
                 settle(closest);
             }
             dropDoubledPoints();
-            const bool still = (deflection_ - before).norm() <= kPositionTolerance;
+            const bool still = (deflection_ - before).norm() <= tolerance_;
             state_.converged = still && !followSample() && !findMorePoints(memory);
         }
         putMainPointFirst();
@@ -83,6 +90,17 @@ private:
     [[nodiscard]] Vector3 center() const {
         return base_.position + deflection_ + Vector3(0.0, 0.0, system_.tipRadius());
     }
+
+    /// How far the tip may move from where closest points are looked for [m]. A lever bends by less
+    /// than its base moves, as long as nothing jumps.
+    [[nodiscard]] double marginFor(const EquilibriumMemory& memory) const {
+        const double narrow = kNarrowLook * system_.tipRadius();
+        const double moved = (base_.position - (memory.tip - memory.deflection)).norm();
+        return memory.pointCount > 0 && moved <= narrow ? narrow : kWideLook * system_.tipRadius();
+    }
+
+    /// How far from the tip's center a closest point bears a force, where nothing bonds it [m].
+    [[nodiscard]] double bearsWithin() const { return system_.tipRadius() + range_; }
 
     void findPoints(const EquilibriumMemory& memory) {
         boost::container::static_vector<SearchGuess, kMaxContactPoints> known;
@@ -114,12 +132,13 @@ private:
         }
     }
 
-    /// Where the tip has moved by much since the last look, there may be closest points that nobody
-    /// saw.
+    /// Where the tip has moved by so much since the last look that closest points may bear which
+    /// did not, there is another look.
     bool findMorePoints(const EquilibriumMemory& memory) {
-        if ((center() - lookedFrom_).norm() <= kSamePoint * system_.tipRadius()) {
+        if ((center() - lookedFrom_).norm() <= freeToMove_) {
             return false;
         }
+        const bool dropped = dropIdlePoints();
         boost::container::static_vector<SearchGuess, kMaxContactPoints> known;
         for (const TipContactPoint& closest : points_) {
             known.push_back(closest.place.guess());
@@ -127,22 +146,62 @@ private:
         const std::size_t before = points_.size();
         addPoints({known.data(), known.size()}, memory);
         followSample();
-        return points_.size() > before;
+        return dropped || points_.size() > before;
+    }
+
+    /// Makes room: points beside the main one that nothing bonds and that lie out of range.
+    bool dropIdlePoints() {
+        const std::size_t before = points_.size();
+        for (std::size_t i = points_.size(); i-- > 1;) {
+            if (points_[i].contact.branch == ContactBranch::Far &&
+                points_[i].place.distance > bearsWithin()) {
+                points_.erase(points_.begin() + static_cast<std::ptrdiff_t>(i));
+            }
+        }
+        return points_.size() < before;
     }
 
     void addPoints(std::span<const SearchGuess> known, const EquilibriumMemory& memory) {
         lookedFrom_ = center();
-        const ContactPoints found =
-            surface_.contactPoints({lookedFrom_, system_.tipRadius()}, kReach, known, tracker_);
+        freeToMove_ = margin_;
+        const ContactPoints found = surface_.contactPoints({lookedFrom_, system_.tipRadius()},
+                                                           range_ + margin_, known, tracker_);
         state_.proof = found.proof;
         for (const ClosestPoint& place : found.list.all()) {
-            if (points_.size() < kMaxContactPoints && !isKnown(place, points_.size())) {
-                points_.push_back({.place = place,
-                                   .memory = takeMemory(place, memory),
-                                   .model = system_.contact,
-                                   .friction = system_.friction,
-                                   .radius = {},
-                                   .contact = {}});
+            if (!isKnown(place, points_.size())) {
+                addPoint(place, memory);
+            }
+        }
+        addHeldPoints(memory);
+    }
+
+    /// Takes a closest point up that bears a force, or the first one.
+    void addPoint(const ClosestPoint& place, const EquilibriumMemory& memory) {
+        const ClosestPointMemory known = takeMemory(place, memory);
+        const bool isBonded = known.contact.branch == ContactBranch::Bonded;
+        if (!points_.empty() && !isBonded && place.distance > bearsWithin()) {
+            freeToMove_ = std::min(freeToMove_, place.distance - bearsWithin());
+        } else if (points_.size() == kMaxContactPoints) {
+            state_.proof = SearchProof::TooManyPoints;
+        } else {
+            points_.push_back({.place = place,
+                               .memory = known,
+                               .model = system_.contact,
+                               .friction = system_.friction,
+                               .radius = {},
+                               .contact = {}});
+        }
+    }
+
+    /// A contact that holds the tip by a neck may lie farther than anything that snaps in.
+    void addHeldPoints(const EquilibriumMemory& memory) {
+        for (std::size_t i = 0; i < memory.pointCount; ++i) {
+            const ClosestPointMemory& held = memory.points[i];
+            if (!taken_[i] && held.contact.branch == ContactBranch::Bonded) {
+                const ClosestPoint place = surface_.localContactPoint(lookedFrom_, held.guess);
+                if (place.converged && !isKnown(place, points_.size())) {
+                    addPoint(place, memory);
+                }
             }
         }
     }
@@ -206,7 +265,7 @@ private:
 
     /// Balances lever and contact at one closest point.
     void settle(TipContactPoint& closest) {
-        closest.place = surface_.localClosestPoint(center(), closest.place.guess());
+        closest.place = surface_.localContactPoint(center(), closest.place.guess());
         const Vector3& normal = closest.place.normal;
         closest.slip = slidingOf(normal, base_.velocity).slip();
         const Lever lever = leverOf(closest);
@@ -265,6 +324,9 @@ private:
                                            closest.contact.contactRadius / closest.radius.radius);
         }
         state_.points = std::max(1, state_.points);
+        for (const TipContactPoint& closest : points_) {
+            reportNeighbors(closest);
+        }
         state_.tip = base_.position + deflection_;
         state_.closest = main.place;
         state_.contact = main.contact;
@@ -281,13 +343,32 @@ private:
         }
     }
 
+    /// What the other contacts do to one: a half-space sinks by N / (pi E* d) at a distance d from
+    /// where it is pressed, and contacts nearer to each other than that holds for are no two.
+    void reportNeighbors(const TipContactPoint& closest) {
+        if (points_.size() == 1 || !(closest.contact.contactRadius > 0.0)) {
+            return;
+        }
+        double sunk = 0.0;
+        for (const TipContactPoint& other : points_) {
+            if (&other == &closest || !(other.contact.contactRadius > 0.0)) {
+                continue;
+            }
+            const double apart = (other.place.point - closest.place.point).norm();
+            state_.overlapping |= closest.reach() + other.reach() > apart;
+            sunk += std::abs(other.contact.force) /
+                    (std::numbers::pi * other.model.pair().reducedModulus * apart);
+        }
+        state_.interaction = std::max(state_.interaction, sunk / closest.depth());
+    }
+
     void remember(EquilibriumMemory& memory) const {
         memory.deflection = deflection_;
         memory.tip = state_.tip;
         memory.pointCount = 0;
         for (const TipContactPoint& closest : points_) {
             const bool isFar = closest.contact.branch == ContactBranch::Far &&
-                               closest.place.distance > system_.tipRadius() + kReach;
+                               closest.place.distance > bearsWithin();
             if (memory.pointCount > 0 && isFar) {
                 continue;
             }
@@ -301,12 +382,16 @@ private:
     const ProbeSystem& system_;
     const BaseMotion& base_;
     const Matrix3& compliance_;
+    double tolerance_;     ///< of the tip's place [m]
+    double range_;         ///< across which a closest point attracts the tip [m]
+    double margin_ = 0.0;  ///< beyond that range, of a look for closest points [m]
     ClosestPointTracker& tracker_;
     Vector3 deflection_ = Vector3::Zero();
     std::array<bool, kMaxContactPoints>
         taken_{};  ///< which of the remembered closest points have been found again
     Vector3 lookedFrom_ =
-        Vector3::Zero();  ///< the tip's center when closest points were last looked for
+        Vector3::Zero();       ///< the tip's center when closest points were last looked for
+    double freeToMove_ = 0.0;  ///< from there, until another closest point may bear [m]
     boost::container::static_vector<TipContactPoint, kMaxContactPoints> points_;
     TipState state_;
 };

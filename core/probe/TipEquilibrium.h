@@ -46,8 +46,11 @@ struct TipState {
     ContactState contact;               ///< along closest.normal
     double contactArea = 0.0;           ///< of all closest points [m^2]
     double contactRatio = 0.0;  ///< largest contact radius over effective radius of a closest point
-    double effectiveRadius = 0.0;                ///< of tip and curved sample together [m]
-    int points = 1;                              ///< that bear a force
+    double effectiveRadius = 0.0;  ///< of tip and curved sample together [m]
+    int points = 1;                ///< that bear a force
+    double interaction = 0.0;  ///< largest share of its indentation by which a contact sinks under
+                               ///< what the others press, N / (pi E* d) at a distance d
+    bool overlapping = false;  ///< two contact circles overlap: the sum counts matter twice
     SearchProof proof = SearchProof::NotSought;  ///< whether all closest points are known
     bool tipFits = true;                         ///< false: valley narrower than the tip
     bool anisotropic = false;                    ///< effectiveRadius is approximate
@@ -56,7 +59,9 @@ struct TipState {
 };
 
 /// Solves tip = base + C F(tip) for the position of the tip, C the lever's compliance, F the sum
-/// over all closest points, each with the effective radius of its place.
+/// over all closest points, each with the effective radius of its place: those that the tip presses
+/// on, that hold it or that attract it, see ContactModel::attractionRange(), the nearest
+/// kMaxContactPoints of them. Where there are more, the proof is TooManyPoints.
 /// A base beyond 500 m along an axis or at no number has the contact status ApproachOutOfRange,
 /// does not converge and leaves the memory as it is. Allocation-free, bounded, never throws.
 /// @param tracker of this surface: saves time, changes nothing

@@ -22,7 +22,7 @@ namespace asperity {
 ///
 /// Each is a ratio: lengths, forces and energies scaled together change nothing, but for D0, the
 /// atomic separation of two solids.
-/// Source: docs/theory.md 1.1, 3.7.
+/// Source: docs/theory.md 1.1, 3.8.
 [[nodiscard]] ValidityFlags asperityValidity(const Scene& scene, const ProbeSystem& system,
                                              const TipState& state) noexcept;
 

@@ -20,7 +20,7 @@ namespace asperity {
 /// JKR's 1.5 pi w R. Then most of the zone pulls with its full strength at pull-off (0.87 of it on
 /// average, and more below), and JKR reads w too high by 17 to 33 %.
 /// @param compliance of the lever along the normal [m/N]
-/// Source: docs/theory.md 2.5, 2.11, 3.6.
+/// Source: docs/theory.md 2.5, 2.11, 3.7.
 [[nodiscard]] ValidityFlags attractionValidity(const ContactModel& model, const ContactState& state,
                                                double compliance) noexcept;
 

@@ -4,6 +4,7 @@
 #include "core/contact/laws/LawChoice.h"
 #include "core/contact/laws/YieldOnset.h"
 #include "core/scene/LawRange.h"
+#include "core/scene/SampleHardness.h"
 
 namespace asperity {
 
@@ -12,9 +13,10 @@ namespace {
 /// Whether the sample yields somewhere under the contact.
 bool yields(const ContactModel& model, const ContactState& state,
             const SampleMaterial& material) noexcept {
-    return material.hardness > 0.0 && state.contactRadius > 0.0 &&
+    const double hardness = hardnessOf(material).value;
+    return hardness > 0.0 && state.contactRadius > 0.0 &&
            contactPressure(contactProfile(model, state), 0.0) >
-               yieldPressure(material.hardness, material.elastic.poissonRatio);
+               yieldPressure(hardness, material.elastic.poissonRatio);
 }
 
 }  // namespace

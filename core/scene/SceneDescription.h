@@ -28,7 +28,9 @@ struct SampleMaterial {
     Elastic elastic{.youngsModulus = 2e9, .poissonRatio = 0.4};
     double workOfAdhesion = 0.066;  ///< w of the pair tip-sample [J/m^2]
     Friction friction{.coefficient = 0.3, .shearStrength = 0.0};
-    double hardness = 0.0;       ///< mean pressure under a plastic indent [Pa]; 0: not known
+    /// Mean pressure under a plastic indent [Pa]; 0: not known, see hardnessOf().
+    double hardness = 0.0;
+    bool yields = true;          ///< false: an elastomer or a gel, which has no hardness
     double filmThickness = 0.0;  ///< of a film on a rigid base [m]; 0: a half-space
     /// Of what is not the same everywhere. Once they are read, the quantity above is the map's
     /// largest: it stands for the sample where one number must.

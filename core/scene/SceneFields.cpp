@@ -60,10 +60,16 @@ std::vector<SceneField> materialFields(SceneGroup group, Place place) {
             [](auto& scene) -> auto& { return Place{}(scene).friction.shearStrength; }),
         at(
             group, "hardness_pa",
-            {"Hardness", "Mean pressure under a plastic indent of the sample; 0: not known", "GPa",
-             kGiga},
+            {"Hardness",
+             "Mean pressure under a plastic indent of the sample; 0: not known, a twentieth of a "
+             "modulus of 1 GPa or more",
+             "GPa", kGiga},
             {0.0, 2e11, "lie between 0 and 2e11"},
             [](auto& scene) -> auto& { return Place{}(scene).hardness; }),
+        at(
+            group, "yields",
+            {"Yields", "Off: an elastomer or a gel, which breaks before it yields"}, {},
+            [](auto& scene) -> auto& { return Place{}(scene).yields; }),
         at(
             group, "film_thickness_m",
             {"Film thickness", "Of a film on a rigid base; 0: a half-space", "nm", kNano},

@@ -9,6 +9,10 @@ namespace asperity {
 
 namespace {
 
+/// By how much of its indentation other contacts may lower one until it is said; about 1.5 times as
+/// much of its force.
+constexpr double kInteraction = 0.05;
+
 /// What the law of the tip's place does not hold for; nothing where no law acts, which saves making
 /// it.
 ValidityFlags lawValidity(const ProbeSystem& system, const SampleMaterial& material,
@@ -49,6 +53,8 @@ ValidityFlags tipValidity(const Scene& scene, const ProbeSystem& system,
     flags.set(Validity::Anisotropic, bonded && state.anisotropic);
     flags.set(Validity::NarrowValley, bonded && !state.tipFits);
     flags.set(Validity::SeveralContactPoints, state.points > 1);
+    flags.set(Validity::OverlappingContacts, state.overlapping);
+    flags.set(Validity::InteractingContacts, state.interaction > kInteraction);
     flags.set(Validity::SearchNotExhaustive, mayMissPoints(state.proof));
     if (state.contact.contactRadius > 0.0) {
         flags.set(

@@ -9,7 +9,7 @@ namespace asperity {
 
 /// What a result does not hold for, or what to mind about it. The force goes on; people are told.
 enum class Validity : std::uint32_t {
-    LargeContact = 1U << 0U,  ///< contact radius over tip radius > 0.3: beyond the half-space
+    LargeContact = 1U << 0U,  ///< contact radius > 0.3 effective radii: beyond linear elasticity
     OutsideScan = 1U << 1U,   ///< the closest point lies outside the scan
     FilledPixel = 1U << 2U,   ///< the pixel under the tip held no data
     ClosestPointNotFound = 1U << 3U,  ///< closest point did not converge
@@ -28,18 +28,21 @@ enum class Validity : std::uint32_t {
     Implausible = 1U << 15U,     ///< the estimate breaks the friction law by more than 3 sigma
     UncertainPixel = 1U << 16U,  ///< the tip that recorded the scan may not have touched here
     SearchNotExhaustive =
-        1U << 17U,  ///< other places may be as near to the tip as the closest points found
+        1U << 17U,  ///< other places may bear as the contact points do, or are more than are summed
     LawOutOfRange = 1U << 18U,  ///< the contact law leaves out what acts here, see LawRange
     EstimateInconsistent =
         1U << 19U,               ///< friction law or noise are not as stated: InnovationMonitor
     StaleSignals = 1U << 20U,    ///< measured so long ago that the lever may have bent since
     VariedMaterial = 1U << 21U,  ///< the sample's material varies within the contact
-    UnresolvedCurvature = 1U << 22U,  ///< pixels or smoothing blur the curvature: AsperityValidity
-    BeyondAsperity = 1U << 23U,       ///< the contact is wider than what it stands on
-    BodyAttraction = 1U << 24U,       ///< the sample beside the asperity attracts, too
-    RetardedAttraction = 1U << 25U,   ///< van der Waals attraction is retarded across this gap
-    LargeDeflection = 1U << 26U,      ///< the lever is bent so far that it is no longer linear
-    StrengthLimited = 1U << 27U,      ///< pull-off follows the strength of adhesion, not its work
+    OverlappingContacts = 1U << 22U,  ///< two contact circles overlap: they do not bear apart
+    InteractingContacts =
+        1U << 23U,  ///< contacts lower each other's surface by more than 5 % of the indentation
+    UnresolvedCurvature = 1U << 24U,  ///< pixels or smoothing blur the curvature: AsperityValidity
+    BeyondAsperity = 1U << 25U,       ///< the contact is wider than what it stands on
+    BodyAttraction = 1U << 26U,       ///< the sample beside the asperity attracts, too
+    RetardedAttraction = 1U << 27U,   ///< van der Waals attraction is retarded across this gap
+    LargeDeflection = 1U << 28U,      ///< the lever is bent so far that it is no longer linear
+    StrengthLimited = 1U << 29U,      ///< pull-off follows the strength of adhesion, not its work
 };
 
 /// What a flag means for a result, the mildest first.
@@ -70,8 +73,8 @@ struct ValidityTraits {
 /// By bit.
 inline constexpr std::array kValidityTraits{
     ValidityTraits{Validity::LargeContact, "large_contact", "contact radius > 0.3 R",
-                   "contact radius above 0.3 tip radii: beyond half-space theory", Severity::Doubt,
-                   FlagBasis::Contact},
+                   "contact radius above 0.3 effective radii: strain beyond linear elasticity",
+                   Severity::Doubt, FlagBasis::Contact},
     ValidityTraits{Validity::OutsideScan, "outside_scan", "tip outside the scan",
                    "tip outside the scan", Severity::Invalid, FlagBasis::Tick},
     ValidityTraits{Validity::FilledPixel, "filled_pixel", "no data here: filled in",
@@ -130,6 +133,12 @@ inline constexpr std::array kValidityTraits{
                    FlagBasis::Tick},
     ValidityTraits{Validity::VariedMaterial, "varied_material", "two materials in contact",
                    "the material varies by more than a tenth within the contact",
+                   Severity::Approximate, FlagBasis::Contact},
+    ValidityTraits{Validity::OverlappingContacts, "overlapping_contacts", "contacts overlap",
+                   "contact circles overlap: sum of forces not valid", Severity::Doubt,
+                   FlagBasis::Contact},
+    ValidityTraits{Validity::InteractingContacts, "interacting_contacts", "contacts interact",
+                   "contacts lower each other by over 5 % of the indentation",
                    Severity::Approximate, FlagBasis::Contact},
     ValidityTraits{Validity::UnresolvedCurvature, "unresolved_curvature", "curvature unresolved",
                    "pixels and smoothing blur the curvature here: radius over a tenth off",

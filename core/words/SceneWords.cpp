@@ -3,6 +3,7 @@
 #include "core/FormattedText.h"
 #include "core/PrintableText.h"
 #include "core/SiFormat.h"
+#include "core/scene/SampleHardness.h"
 #include "core/words/ImagingTipWords.h"
 #include "core/words/LevelingWords.h"
 #include "core/words/ModelWords.h"
@@ -36,6 +37,22 @@ std::string sampleName(const SampleDescription& sample) {
     return "plane of slope " + formatSi(sample.shape->slope, "rad");
 }
 
+std::string hardnessText(const SampleMaterial& material) {
+    const SampleHardness hardness = hardnessOf(material);
+    switch (hardness.source) {
+    case HardnessSource::Stated:
+        return formatSi(hardness.value, "Pa");
+    case HardnessSource::Estimated:
+        return "not stated: estimated as " + formatSi(hardness.value, "Pa") +
+               ", a twentieth of Young's modulus (within a factor of 4)";
+    case HardnessSource::Unknown:
+        return "not known: onset of yield is not looked for";
+    case HardnessSource::DoesNotYield:
+        break;
+    }
+    return "none: the sample does not yield";
+}
+
 std::vector<std::string> surfaceNotes(const Scene& scene) {
     if (scene.shape) {
         return {"the sample is an exact shape, drawn by 256 x 256 heights"};
@@ -51,7 +68,12 @@ std::vector<std::string> surfaceNotes(const Scene& scene) {
 }
 
 std::vector<std::string> forceNotes(const Scene& scene, const SceneNeeds& needs) {
-    return {lawNote(scene), modelNote(needs)};
+    std::vector<std::string> notes{lawNote(scene), modelNote(needs)};
+    const SampleMaterial& material = scene.description.sample.material;
+    if (hardnessOf(material).source == HardnessSource::Estimated) {
+        notes.push_back("hardness: " + hardnessText(material));
+    }
+    return notes;
 }
 
 }  // namespace asperity

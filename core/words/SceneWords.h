@@ -10,10 +10,14 @@ namespace asperity {
 /// What the sample is: its file and channel, or its shape.
 [[nodiscard]] std::string sampleName(const SampleDescription& sample);
 
+/// The hardness of a material, or what is made of it where it is not stated, in one clause.
+[[nodiscard]] std::string hardnessText(const SampleMaterial& material);
+
 /// What was decided about the heights of a scene, one sentence each.
 [[nodiscard]] std::vector<std::string> surfaceNotes(const Scene& scene);
 
-/// What was decided about its force, one sentence each: the contact law, the model.
+/// What was decided about its force, one sentence each: the contact law, the model, a hardness that
+/// is estimated.
 [[nodiscard]] std::vector<std::string> forceNotes(const Scene& scene, const SceneNeeds& needs);
 
 }  // namespace asperity

@@ -31,7 +31,7 @@ class CompileAlone(unittest.TestCase):
         self.write("build/compile_commands.json", json.dumps(
             [{"directory": str(self.top / "build"), "file": str(self.top / source),
               "command": f"c++ -I{self.top} -O1 -g -std=c++20 -o {source}.o -c {self.top / source}"}
-             for source in ("core/User.cpp", "core/Other.cpp")]))
+             for source in ("core/User.cpp", "core/Other.cpp", "core/Length.cpp")]))
 
     def write(self, name, text):
         file = self.top / name
@@ -55,6 +55,15 @@ class CompileAlone(unittest.TestCase):
         result = self.run_alone()
         self.assertEqual(result.returncode, 0, result.stdout)
         self.assertIn("4 of 4", result.stdout)  # the whole history, as it is short
+
+    def test_compiles_a_header_by_its_own_source_that_begins_with_it(self):
+        self.write("core/Length.cpp", '#include "core/Length.h"\n')
+        self.commit()
+        self.assertIn("4 of 4", self.run_alone(2).stdout)  # the three sources, and Width.h
+        self.write("core/Length.cpp", '#include <string>\n#include "core/Width.h"\n#include "core/Length.h"\n')
+        self.write("core/Length.h", LENGTH.replace("#include <string>\n", ""))
+        self.commit()
+        self.assertIn("core/Length.h does not compile by itself", self.run_alone().stdout)
 
     def test_leaves_out_what_is_older(self):
         for text in ("// one\n", "// two\n"):

@@ -2,8 +2,10 @@
 
 #include "app/reports/run/ParameterSource.h"
 #include "core/SiFormat.h"
+#include "core/scene/SampleHardness.h"
 #include "core/scene/SceneFields.h"
 #include "core/words/FieldWords.h"
+#include "core/words/SceneWords.h"
 
 #include <algorithm>
 #include <array>
@@ -21,14 +23,12 @@ struct ZeroWords {
     const char* words;
 };
 
-constexpr std::array<ZeroWords, 7> kZeros{
-    {{"sample.hardness_pa", "not known: onset of yield is not looked for"},
-     {"sample.film_thickness_m", "none: a half-space"},
-     {"sample.work_of_adhesion_j_m2", "0 mJ/m²: no adhesion"},
-     {"probe.inv_ols_m_v", "not known"},
-     {"probe.lateral_sensitivity_rad_v", "not known"},
-     {"physics.meniscus_tension_n_m", "0 mN/m: no meniscus"},
-     {"truth.temperature_k", "0 K: no thermal noise"}}};
+constexpr std::array<ZeroWords, 6> kZeros{{{"sample.film_thickness_m", "none: a half-space"},
+                                           {"sample.work_of_adhesion_j_m2", "0 mJ/m²: no adhesion"},
+                                           {"probe.inv_ols_m_v", "not known"},
+                                           {"probe.lateral_sensitivity_rad_v", "not known"},
+                                           {"physics.meniscus_tension_n_m", "0 mN/m: no meniscus"},
+                                           {"truth.temperature_k", "0 K: no thermal noise"}}};
 
 /// Keys that say nothing of this scene, or that another section has.
 constexpr std::array<std::string_view, 6> kLeftOut{"sample.name",
@@ -39,6 +39,11 @@ constexpr std::array<std::string_view, 6> kLeftOut{"sample.name",
                                                    "probe.density_kg_m3"};
 
 std::string textOf(const SceneField& field, const SceneDescription& scene) {
+    const SampleMaterial& material = scene.sample.material;
+    if (nameOf(field) == "sample.hardness_pa" &&
+        hardnessOf(material).source != HardnessSource::Stated) {
+        return hardnessText(material);
+    }
     const SceneValue value = field.get(scene);
     const auto* const zero = std::ranges::find(kZeros, nameOf(field), &ZeroWords::key);
     const auto* const number = std::get_if<double>(&value);

@@ -95,6 +95,11 @@ inline constexpr auto kEnumTable<ContactLaw> = std::to_array<LawTraits>(
     return traitsOf(law).attraction == Attraction::Inside;
 }
 
+/// Whether a law of the exact sphere leaves out the cone that goes on from it.
+[[nodiscard]] constexpr bool leavesOutCone(ContactLaw law) noexcept {
+    return isSphere(law) && traitsOf(law).attraction == Attraction::Zone;
+}
+
 /// The law that differs from this one by these two traits alone; none where there is no such law.
 [[nodiscard]] std::optional<ContactLaw> lawLike(ContactLaw law, bool sphere, bool tail) noexcept;
 

@@ -73,6 +73,17 @@ std::shared_ptr<const MaugisTable> tableFor(ContactLaw law, const ContactPair& p
 
 }  // namespace
 
+ContactStatus checkCone(ContactLaw law, const ContactPair& pair, double halfAngle) noexcept {
+    if (halfAngle == 0.0) {
+        return ContactStatus::Solved;
+    }
+    if (!isWithin(halfAngle, 0.01, 1.55)) {
+        return ContactStatus::ConeHalfAngleOutOfRange;
+    }
+    return leavesOutCone(law) && pair.workOfAdhesion >= kMinAdhesion ? ContactStatus::LawWithoutCone
+                                                                     : ContactStatus::Solved;
+}
+
 ContactModel::ContactModel(ContactLaw law, const ContactPair& pair, const ContactOptions& options)
     : ContactModel(checked(law, pair, options)) {}
 
@@ -87,6 +98,10 @@ ContactModel::Checked ContactModel::checked(ContactLaw law, const ContactPair& p
     }
     requirePair(pair, options.cohesiveStress);
     checkMeniscus(options.meniscus);
+    const ContactStatus cone = checkCone(law, pair, options.coneHalfAngle);
+    if (cone != ContactStatus::Solved) {
+        throw Error(std::string("contact: ") + nameOf(cone));
+    }
     return {law, pair, options, tableFor(law, pair, options), filmFor(law, options)};
 }
 
@@ -144,6 +159,22 @@ double ContactModel::pullOffApproach(double compliance) const noexcept {
     const double pull = meniscus.present() ? meniscus.pull(given_.pair.tipRadius) : 0.0;
     return onJoined([&](const auto& joined) { return joined.pullOffApproach(soft); }) -
            (soft * pull);
+}
+
+double ContactModel::attractionRange() const noexcept {
+    // Of four contact points that are left out, all together take a hundredth of the pull.
+    constexpr double kFaint = 1.0 / 400.0;
+    double range = std::max(-jumpInApproach(0.0), 0.0);
+    if (given_.options.meniscus.present()) {
+        range = std::max(range, given_.options.meniscus.range);
+    }
+    if (const AttractiveTail* const pull = tail()) {
+        const double strongest =
+            2.0 * std::numbers::pi * given_.pair.workOfAdhesion * given_.pair.tipRadius;
+        const double separation = pull->attraction().separationAt(-kFaint * strongest);
+        range = std::max(range, separation - kContactSeparation);
+    }
+    return range;
 }
 
 ContactState ContactModel::lastFar(double compliance) const noexcept {

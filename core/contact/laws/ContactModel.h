@@ -16,6 +16,10 @@ class FilmTable;
 class MaugisTable;
 struct AdhesionSplit;
 
+/// What is wrong with the tip's cone under a law, or Solved. @param halfAngle [rad]; 0: no cone
+[[nodiscard]] ContactStatus checkCone(ContactLaw law, const ContactPair& pair,
+                                      double halfAngle) noexcept;
+
 /// One contact law by name for one material pair, in SI units: constant after construction (about a
 /// microsecond; the first of a film some 40 ms, see sharedFilmTable(), of a table some 0.2 s, see
 /// sharedMaugisTable()), no allocation, never throws after construction.
@@ -45,6 +49,11 @@ public:
     [[nodiscard]] double jumpInApproach(double compliance) const noexcept;
     /// Approach of the undeflected tip at which it pulls off [m]; 0 without adhesion.
     [[nodiscard]] double pullOffApproach(double compliance) const noexcept;
+
+    /// Gap across which separate bodies act on each other [m]: up to it the tip may snap in, the
+    /// meniscus holds or the van der Waals tail pulls with a four-hundredth of the largest pull of
+    /// a rigid tip, 2 pi w R, or more. 0 without attraction.
+    [[nodiscard]] double attractionRange() const noexcept;
 
     /// The last stable state on the way in, before snap-in.
     [[nodiscard]] ContactState lastFar(double compliance) const noexcept;

@@ -24,7 +24,10 @@ struct ContactOptions {
     double cohesiveStress = 0.0;  ///< sigma0 of the Maugis laws [Pa]; 0: w / kCohesiveRange
     double filmThickness = 0.0;   ///< of the sample [m]; 0: a half-space
     FilmElasticity film;          ///< of that film; by default incompressible, under a rigid tip
-    Meniscus meniscus;            ///< by default none
+    /// Of the cone that goes on from the tip's sphere, 0.01 .. 1.55 [rad]; 0: none, the sphere goes
+    /// on to its equator. Laws on the paraboloid know neither.
+    double coneHalfAngle = 0.0;
+    Meniscus meniscus;  ///< by default none
     SolverSetting solver = SolverSetting::Newton;
 };
 

@@ -28,12 +28,25 @@ struct TipJump {
 [[nodiscard]] std::optional<TipJump> pullOffOf(const ContactModel& model,
                                                double compliance) noexcept;
 
+/// The strongest pull that the law has between tip and sample, and where the base of a lever has it
+/// on the way out. On a stiff lever the tip passes it and is pulled less when it comes off. None:
+/// the law never pulls.
+[[nodiscard]] std::optional<ForceCurvePoint> strongestPullOf(const ContactModel& model,
+                                                             double compliance) noexcept;
+
+/// The base position at which a tip in contact is pushed with a force [m]; none: the law reaches it
+/// at no position within its range.
+/// @param force > 0 [N]
+[[nodiscard]] std::optional<double> basePositionAt(const ContactModel& model, double compliance,
+                                                   double force) noexcept;
+
 /// What a lever shows as its base goes to the sample and back.
 struct ForceCurve {
     std::vector<ForceCurvePoint> approach;
     std::vector<ForceCurvePoint> retract;
-    std::optional<TipJump> snapIn;   ///< none: the force has no jump on the way in
-    std::optional<TipJump> pullOff;  ///< none: the force has no jump on the way out
+    std::optional<TipJump> snapIn;             ///< none: the force has no jump on the way in
+    std::optional<TipJump> pullOff;            ///< none: the force has no jump on the way out
+    std::optional<ForceCurvePoint> strongest;  ///< none: the law never pulls
 };
 
 /// Which part of it is followed.
@@ -43,12 +56,13 @@ struct ForceCurvePlan {
     int points = 500;       ///< at least 2 along each way, besides the two sides of each jump
 };
 
-/// A plan that shows both jumps and a push as strong as the pull at pull-off.
+/// A plan that shows both jumps and a push as strong as the law's strongest pull.
 /// @param compliance of the lever along the surface's normal [m/N]
 /// @throw Error where that is outside 0 .. 1e6 m/N
 [[nodiscard]] ForceCurvePlan curvePlan(const ContactModel& model, double compliance);
 
-/// The quasi-static curve of a law on a lever. Source: docs/theory.md 7.1.
+/// The quasi-static curve of a law on a lever, with points about equally far apart along the drawn
+/// curve, its jumps and the strongest pull among them. Source: docs/theory.md 7.1.
 /// @throw Error where the compliance or the plan is outside what a law can follow
 [[nodiscard]] ForceCurve forceCurve(const ContactModel& model, double compliance,
                                     const ForceCurvePlan& plan);

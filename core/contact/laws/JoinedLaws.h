@@ -47,7 +47,8 @@ inline ContactModel::Joined ContactModel::joinedLaw(const Checked& given) noexce
     };
     const MaugisSolver solver{options.solver, given.table.get()};
     if (isAdhesive(law) && pair.workOfAdhesion < kMinAdhesion) {
-        return isSphere(law) ? sudden(SneddonLaw(pair)) : sudden(HertzLaw(pair));
+        return isSphere(law) ? sudden(SneddonLaw(pair, options.coneHalfAngle))
+                             : sudden(HertzLaw(pair));
     }
     switch (law) {  // no default: the compiler names a law that is missing here
     case ContactLaw::Hertz:
@@ -59,9 +60,9 @@ inline ContactModel::Joined ContactModel::joinedLaw(const Checked& given) noexce
     case ContactLaw::Maugis:
         return sudden(MaugisLaw(pair, options.cohesiveStress, solver));
     case ContactLaw::Sneddon:
-        return sudden(SneddonLaw(pair));
+        return sudden(SneddonLaw(pair, options.coneHalfAngle));
     case ContactLaw::SphereJkr:
-        return sudden(SphereJkrLaw(pair));
+        return sudden(SphereJkrLaw(pair, options.coneHalfAngle));
     case ContactLaw::SphereMaugis:
         return sudden(SphereMaugisLaw(pair, options.cohesiveStress));
     case ContactLaw::Split:

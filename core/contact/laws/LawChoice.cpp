@@ -22,8 +22,8 @@ double unloadedRatio(const ContactPair& pair) {
 
 }  // namespace
 
-bool isLargeContact(double contactRadius, double tipRadius) noexcept {
-    return contactRadius > kLargeContact * tipRadius;
+bool isLargeContact(double contactRadius, double effectiveRadius) noexcept {
+    return contactRadius > kLargeContact * effectiveRadius;
 }
 
 LawChoice chooseLaw(std::optional<ContactLaw> wanted, const ContactPair& pair,

@@ -8,9 +8,9 @@
 
 namespace asperity {
 
-/// Whether a contact is too wide for linear elasticity to be credible, above 0.3 of the tip's
-/// radius. Source: docs/theory.md 2.10.
-[[nodiscard]] bool isLargeContact(double contactRadius, double tipRadius) noexcept;
+/// Returns whether a contact is too wide for linear elasticity to be credible, above 0.3 of the
+/// effective radius of tip and sample, whichever law. Source: docs/theory.md 2.10.
+[[nodiscard]] bool isLargeContact(double contactRadius, double effectiveRadius) noexcept;
 
 /// Why a contact law was taken.
 enum class LawReason : std::uint8_t {

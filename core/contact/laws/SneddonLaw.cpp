@@ -6,30 +6,27 @@
 
 namespace asperity {
 
-namespace {
-
-LawPoint pointAt(const SphereContact& contact) noexcept {
+LawPoint SneddonLaw::pointAt(const PunchContact& contact) const noexcept {
     const double a = contact.radius;
-    return {.force = sphereForce(contact),
-            .indentation = a * contact.depth,
-            .contactRadius = a,
-            .cohesiveRadius = a,
-            .stiffness = 2.0 * a};
+    return units_.toSi({.force = punch_.force(contact),
+                        .indentation = a * contact.depth,
+                        .contactRadius = a,
+                        .cohesiveRadius = a,
+                        .stiffness = 2.0 * a});
 }
 
-/// Indentation and deflection of a lever of this compliance, along the depth.
-Rise approachAt(const SphereContact& contact, double compliance) noexcept {
+/// Indentation and deflection of a lever of this compliance, along the tip.
+Rise SneddonLaw::approachAt(const PunchContact& contact, double compliance) const noexcept {
     constexpr double kRounding = 4e-16;
     const double a = contact.radius;
-    const double value = (a * contact.depth) + (compliance * sphereForce(contact));
-    const double indentationRate = a + (contact.depth * contact.rim * contact.rim);
+    const double value = (a * contact.depth) + (compliance * punch_.force(contact));
+    const double indentationRate =
+        (a * contact.depthRate) + (contact.depth * contact.rim * contact.rim);
     return {value, indentationRate * (1.0 + (2.0 * a * compliance)), kRounding * value};
 }
 
-}  // namespace
-
 LawPoint SneddonLaw::at(double contactRadius) const noexcept {
-    return units_.toSi(pointAt(sphereContactOfRadius(contactRadius / units_.length)));
+    return pointAt(punch_.contactOfRadius(contactRadius / units_.length));
 }
 
 LawPoint SneddonLaw::fold(double /*compliance*/) noexcept { return {}; }
@@ -40,16 +37,17 @@ std::optional<LawPoint> SneddonLaw::stable(double approach, double compliance) c
     }
     const double soft = compliance * units_.stiffness;
     const double target = approach / units_.length;
-    const double depth = RisingSearch(0.0, 0.0, target)
-                             .solve([&](double x) { return approachAt(sphereContact(x), soft); },
-                                    std::fmin(std::sqrt(target), target));
-    return units_.toSi(pointAt(sphereContact(depth)));
+    const double coordinate =
+        RisingSearch(0.0, 0.0, target)
+            .solve([&](double x) { return approachAt(punch_.contact(x), soft); },
+                   std::fmin(std::sqrt(target), target));
+    return pointAt(punch_.contact(coordinate));
 }
 
 double SneddonLaw::energy(const LawPoint& point) const noexcept {
     const LawPoint unit = units_.fromSi(point);
     return units_.energy() *
-           sphereElasticEnergy(sphereContactOfRadius(unit.contactRadius), unit.indentation);
+           punch_.elasticEnergy(punch_.contactOfRadius(unit.contactRadius), unit.indentation);
 }
 
 }  // namespace asperity

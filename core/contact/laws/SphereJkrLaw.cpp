@@ -3,6 +3,7 @@
 #include "core/contact/numerics/RisingSearch.h"
 #include "core/contact/numerics/RootSearch.h"
 
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -10,97 +11,199 @@ namespace asperity {
 
 using std::numbers::pi;
 
-/// Derivatives by the depth times sqrt(contact radius), which keeps them finite at the first touch.
+/// Derivatives by the coordinate times sqrt(contact radius), which keeps them finite at the first
+/// touch.
 struct SphereJkrLaw::Rates {
     double force;
     double indentation;
 };
 
-SphereJkrLaw::SphereJkrLaw(const ContactPair& pair) noexcept
+SphereJkrLaw::SphereJkrLaw(const ContactPair& pair, double coneHalfAngle) noexcept
     : units_(pair)
+    , punch_(coneHalfAngle)
     , adhesion_(pair.workOfAdhesion / units_.stiffness)
     , pull_(std::sqrt(2.0 * pi * adhesion_)) {
     if (!(adhesion_ > 0.0)) {
         return;
     }
-    const auto forceRate = [this](double x) { return ratesAt(sphereContact(x)).force; };
+    if (punch_.hasCone()) {
+        // At a given coordinate a rigid lever has the highest rate, load control the lowest.
+        const double joint = punch_.contactOfRadius(punch_.jointRadius()).coordinate;
+        const double dip = dipOf(0.0);
+        mayDip_ = ratesAt(punch_.contact(dip)).force <= 0.0 &&
+                  ratesAt(punch_.contact(joint)).indentation > 0.0;
+    }
+    if (!mayDip_) {
+        findFolds();
+    }
+}
+
+void SphereJkrLaw::findFolds() noexcept {
+    const auto forceRate = [this](double x) { return ratesAt(punch_.contact(x)).force; };
     double beyond = std::fmin(std::cbrt(adhesion_), 1.0);
     while (forceRate(beyond) <= 0.0) {
         beyond *= 2.0;
     }
     loadFold_ = rootBetween(forceRate, 0.0, beyond);
     displacementFold_ = rootBetween(
-        [this](double x) { return ratesAt(sphereContact(x)).indentation; }, 0.0, loadFold_);
+        [this](double x) { return ratesAt(punch_.contact(x)).indentation; }, 0.0, loadFold_);
 }
 
-SphereJkrLaw::Rates SphereJkrLaw::ratesAt(const SphereContact& contact) const noexcept {
+SphereJkrLaw::Rates SphereJkrLaw::ratesAt(const PunchContact& contact) const noexcept {
     const double a = contact.radius;
     const double square = contact.rim * contact.rim;
-    const double pressed = std::sqrt(a) * (a + (contact.depth * square));
+    const double pressed = std::sqrt(a) * ((a * contact.depthRate) + (contact.depth * square));
     return {a * ((2.0 * pressed) - (3.0 * pull_ * square)), pressed - (0.5 * pull_ * square)};
 }
 
-LawPoint SphereJkrLaw::pointAt(const SphereContact& contact) const noexcept {
+LawPoint SphereJkrLaw::pointAt(const PunchContact& contact) const noexcept {
     const double a = contact.radius;
     const double pulled = pull_ * std::sqrt(a);
     const Rates rates = ratesAt(contact);
-    return {.force = sphereForce(contact) - (2.0 * a * pulled),
+    return {.force = punch_.force(contact) - (2.0 * a * pulled),
             .indentation = (a * contact.depth) - pulled,
             .contactRadius = a,
             .cohesiveRadius = a,
             .stiffness = a > 0.0 ? boundedSlope(rates.force, rates.indentation) : 0.0};
 }
 
+LawPoint SphereJkrLaw::inSi(const PunchContact& contact) const noexcept {
+    LawPoint point = units_.toSi(pointAt(contact));
+    if (mayDip_) {
+        point.coordinate = contact.coordinate;
+    }
+    return point;
+}
+
 LawPoint SphereJkrLaw::at(double contactRadius) const noexcept {
-    return units_.toSi(pointAt(sphereContactOfRadius(contactRadius / units_.length)));
+    return inSi(punch_.contactOfRadius(contactRadius / units_.length));
 }
 
-double SphereJkrLaw::foldDepth(double softness) const noexcept {
-    const auto rate = [&](double x) {
-        const Rates rates = ratesAt(sphereContact(x));
-        return rates.indentation + (softness * rates.force);
-    };
-    return softness > 0.0 ? rootBetween(rate, displacementFold_, loadFold_) : displacementFold_;
+/// Rate of what the lever holds, times sqrt(contact radius); stable states have > 0.
+double SphereJkrLaw::heldRate(double coordinate, double softness) const noexcept {
+    const Rates rates = ratesAt(punch_.contact(coordinate));
+    return rates.indentation + (softness * rates.force);
 }
 
-LawPoint SphereJkrLaw::fold(double compliance) const noexcept {
-    return units_.toSi(pointAt(sphereContact(foldDepth(compliance * units_.stiffness))));
-}
-
-std::optional<LawPoint> SphereJkrLaw::stable(double approach, double compliance) const noexcept {
+Rise SphereJkrLaw::heldAt(double coordinate, double softness) const noexcept {
     constexpr double kRounding = 4e-16;
+    const PunchContact contact = punch_.contact(coordinate);
+    const double pulled = pull_ * std::sqrt(contact.radius);
+    const double pressed = contact.radius * contact.depth;
+    const double push = punch_.force(contact);
+    const double pull = 2.0 * contact.radius * pulled;
+    const Rates rates = ratesAt(contact);
+    return Rise{(pressed - pulled) + (softness * (push - pull)),
+                (rates.indentation + (softness * rates.force)) / std::sqrt(contact.radius),
+                kRounding * (pressed + pulled + (softness * (push + pull)))};
+}
+
+/// Coordinate beyond the joint where the tip resists a growing contact least, in units of what
+/// adhesion gains by it: by golden sections of the stretch that has it.
+double SphereJkrLaw::dipOf(double softness) const noexcept {
+    constexpr double kReach = 8.0;  // radii of the joint; beyond, the cone's own growth is all
+    constexpr int kSteps = 60;
+    const double section = 0.5 * (std::sqrt(5.0) - 1.0);
+    const auto resistance = [&](double x) {
+        const PunchContact contact = punch_.contact(x);
+        const double a = contact.radius;
+        const double lift = (a * contact.depthRate) + (contact.depth * contact.rim * contact.rim);
+        return lift * std::sqrt(a) * (1.0 + (2.0 * a * softness)) / (1.0 + (6.0 * a * softness));
+    };
+    double low = punch_.contactOfRadius(punch_.jointRadius()).coordinate;
+    double high = punch_.contactOfRadius(kReach * punch_.jointRadius()).coordinate;
+    std::array<double, 2> inside{high - (section * (high - low)), low + (section * (high - low))};
+    std::array<double, 2> values{resistance(inside[0]), resistance(inside[1])};
+    for (int i = 0; i < kSteps; ++i) {
+        if (values[0] < values[1]) {
+            high = inside[1];
+            inside = {high - (section * (high - low)), inside[0]};
+            values = {resistance(inside[0]), values[0]};
+        } else {
+            low = inside[0];
+            inside = {inside[1], low + (section * (high - low))};
+            values = {values[1], resistance(inside[1])};
+        }
+    }
+    return 0.5 * (low + high);
+}
+
+/// Where the rate becomes positive beyond a coordinate at which it is not.
+double SphereJkrLaw::rootBeyond(double coordinate, double softness) const noexcept {
+    double beyond = 2.0 * coordinate;
+    while (heldRate(beyond, softness) <= 0.0) {
+        beyond *= 2.0;
+    }
+    return rootBetween([&](double x) { return heldRate(x, softness); }, coordinate, beyond);
+}
+
+SphereJkrLaw::Stretches SphereJkrLaw::stretches(double softness) const noexcept {
+    const auto rate = [&](double x) { return heldRate(x, softness); };
+    if (!mayDip_) {
+        return {.inner = softness > 0.0 ? rootBetween(rate, displacementFold_, loadFold_)
+                                        : displacementFold_};
+    }
+    const double joint = punch_.contactOfRadius(punch_.jointRadius()).coordinate;
+    const double dip = dipOf(softness);
+    if (rate(joint) <= 0.0) {
+        return {.inner = rootBeyond(std::fmax(joint, dip), softness)};
+    }
+    Stretches found{.inner = rootBetween(rate, 0.0, joint)};
+    if (rate(dip) < 0.0) {
+        found.crest = rootBetween(rate, joint, dip);
+        found.outer = rootBeyond(dip, softness);
+    }
+    return found;
+}
+
+/// The fold that holds on longest.
+LawPoint SphereJkrLaw::fold(double compliance) const noexcept {
+    const double softness = compliance * units_.stiffness;
+    const Stretches found = stretches(softness);
+    const bool isOuter =
+        found.areTwo() && heldAt(found.outer, softness).value < heldAt(found.inner, softness).value;
+    return inSi(punch_.contact(isOuter ? found.outer : found.inner));
+}
+
+/// The stable state between two coordinates, the first of which is a fold.
+LawPoint SphereJkrLaw::climb(double target, double softness, double from,
+                             double to) const noexcept {
+    const double lowest = from > 0.0 ? heldAt(from, softness).value : 0.0;
+    const double guess = std::fmax(2.0 * from, std::fmin(std::sqrt(std::fabs(target)), 1.0));
+    const double coordinate = target > lowest
+                                  ? RisingSearch(from, lowest, target, to)
+                                        .solve([&](double x) { return heldAt(x, softness); },
+                                               guess < to ? guess : 0.5 * (from + to))
+                                  : from;
+    return inSi(punch_.contact(coordinate));
+}
+
+std::optional<LawPoint> SphereJkrLaw::stable(double approach, double compliance,
+                                             double coordinate) const noexcept {
     const double softness = compliance * units_.stiffness;
     const double target = approach / units_.length;
-    const auto heldAt = [&](double x) {
-        const SphereContact contact = sphereContact(x);
-        const double pulled = pull_ * std::sqrt(contact.radius);
-        const double pressed = contact.radius * x;
-        const double push = sphereForce(contact);
-        const double pull = 2.0 * contact.radius * pulled;
-        const Rates rates = ratesAt(contact);
-        return Rise{(pressed - pulled) + (softness * (push - pull)),
-                    (rates.indentation + (softness * rates.force)) / std::sqrt(contact.radius),
-                    kRounding * (pressed + pulled + (softness * (push + pull)))};
-    };
     // Every fold lies at or below the one in load control, so above it none needs to be found.
-    double from = loadFold_;
-    if (!(from > 0.0 && target >= heldAt(from).value)) {
-        from = foldDepth(softness);
+    if (loadFold_ > 0.0 && target >= heldAt(loadFold_, softness).value) {
+        return climb(target, softness, loadFold_, std::numeric_limits<double>::infinity());
     }
-    const double lowest = from > 0.0 ? heldAt(from).value : 0.0;
-    if (target < lowest || !(from > 0.0 || target > 0.0)) {
+    const Stretches found = stretches(softness);
+    const double lowest = found.inner > 0.0 ? heldAt(found.inner, softness).value : 0.0;
+    if (found.areTwo() && target >= heldAt(found.outer, softness).value) {
+        const bool hasInner = target >= lowest && target <= heldAt(found.crest, softness).value;
+        if (!hasInner || coordinate > found.crest) {
+            return climb(target, softness, found.outer, std::numeric_limits<double>::infinity());
+        }
+    }
+    if (target < lowest || !(found.inner > 0.0 || target > 0.0)) {
         return std::nullopt;
     }
-    const double guess = std::fmax(2.0 * from, std::fmin(std::sqrt(std::fabs(target)), 1.0));
-    const double depth =
-        target > lowest ? RisingSearch(from, lowest, target).solve(heldAt, guess) : from;
-    return units_.toSi(pointAt(sphereContact(depth)));
+    return climb(target, softness, found.inner, found.crest);
 }
 
 double SphereJkrLaw::energy(const LawPoint& point) const noexcept {
     const LawPoint unit = units_.fromSi(point);
-    const SphereContact contact = sphereContactOfRadius(unit.contactRadius);
-    return units_.energy() * (sphereElasticEnergy(contact, unit.indentation) -
+    const PunchContact contact = punch_.contactOfRadius(unit.contactRadius);
+    return units_.energy() * (punch_.elasticEnergy(contact, unit.indentation) -
                               (pi * adhesion_ * contact.radius * contact.radius));
 }
 

@@ -62,6 +62,9 @@ void CycleDetector::take(double time, const TickInput& input, const TickOutput& 
 
 void CycleDetector::begin() noexcept {
     cycle_ = {};
+    push_ = StrongestForce(StrongestForce::kGrowing);
+    snapInPull_ = StrongestForce(StrongestForce::kSudden);
+    pullOffPull_ = StrongestForce(StrongestForce::kGrowing);
     areaVariance_ = 0.0;
     retracted_ = false;
     ++number_;
@@ -94,8 +97,9 @@ void CycleDetector::takeContact(double time, bool turned, bool held) noexcept {
     }
     cycle_.slid = cycle_.slid || (place_ - touched_).norm() > kSlide ||
                   (tip_ - tipTouched_).norm() > kTipSlide;
-    if (const double push = trend_.push(); push > cycle_.maxForce.value) {
-        cycle_.maxForce = {.value = push, .sigma = trend_.sigma()};
+    if (trend_.push() > 0.0) {
+        (void)push_.take(trend_.halves(1.0), trend_.push());
+        cycle_.maxForce = *push_.reading();
     }
     cycle_.maxIndentation = std::max(cycle_.maxIndentation, -point_.separation);
     takeUnloading();
@@ -106,6 +110,7 @@ void CycleDetector::takeContact(double time, bool turned, bool held) noexcept {
     retracted_ = true;
     if (turned) {
         cycle_.pullOff.reset();
+        pullOffPull_ = StrongestForce(StrongestForce::kGrowing);
         cycle_.adhesionWork = 0.0;
     }
     takePullOff();
@@ -114,20 +119,26 @@ void CycleDetector::takeContact(double time, bool turned, bool held) noexcept {
 /// An attraction that comes before contact counts, too: instrument and model seldom snap in at the
 /// same tick.
 void CycleDetector::takeSnapIn() noexcept {
-    const double pull = trend_.pull();
     const bool approaches =
         !cycle_.fromStart && !retracted_ && branch_.branch() == CurveBranch::Approach;
-    if (approaches && trend_.pulls() && pull > (cycle_.snapIn ? cycle_.snapIn->value : 0.0)) {
-        cycle_.snapIn = {.value = pull, .sigma = trend_.sigma()};
+    if (!approaches || !trend_.pulls()) {
+        return;
+    }
+    const bool isStrongest = snapInPull_.take(trend_.halves(-1.0), trend_.pull());
+    cycle_.snapIn = snapInPull_.reading();
+    if (isStrongest) {
         cycle_.snapInSeparation = point_.separation;
         cycle_.snapInBaseDistance = point_.baseDistance;
     }
 }
 
 void CycleDetector::takePullOff() noexcept {
-    const double pull = trend_.pull();
-    if (trend_.pulls() && pull > (cycle_.pullOff ? cycle_.pullOff->value : 0.0)) {
-        cycle_.pullOff = {.value = pull, .sigma = trend_.sigma()};
+    if (!trend_.pulls()) {
+        return;
+    }
+    const bool isStrongest = pullOffPull_.take(trend_.halves(-1.0), trend_.pull());
+    cycle_.pullOff = pullOffPull_.reading();
+    if (isStrongest) {
         cycle_.pullOffSeparation = point_.separation;
         cycle_.pullOffBaseDistance = point_.baseDistance;
     }

@@ -4,6 +4,7 @@
 #include "core/haptics/cycle/CurveBranch.h"
 #include "core/haptics/cycle/ForceDistancePoint.h"
 #include "core/haptics/cycle/ForceTrend.h"
+#include "core/haptics/cycle/StrongestForce.h"
 #include "core/haptics/cycle/UnloadingFit.h"
 
 #include <cstdint>
@@ -47,9 +48,12 @@ private:
     ForceTrend trend_;
     ForceDistancePoint point_;
     UnloadingFit unloading_;
-    double deepest_ = 0.0;                  ///< base distance [m]
-    Vector2 place_ = Vector2::Zero();       ///< of the base [m]
-    Vector2 tip_ = Vector2::Zero();         ///< of the tip [m]
+    StrongestForce push_{StrongestForce::kGrowing};         ///< in contact
+    StrongestForce snapInPull_{StrongestForce::kSudden};    ///< of the first approach
+    StrongestForce pullOffPull_{StrongestForce::kGrowing};  ///< of the last retract
+    double deepest_ = 0.0;                                  ///< base distance [m]
+    Vector2 place_ = Vector2::Zero();                       ///< of the base [m]
+    Vector2 tip_ = Vector2::Zero();                         ///< of the tip [m]
     Vector2 touched_ = Vector2::Zero();     ///< the base's place when the tip touched [m]
     Vector2 tipTouched_ = Vector2::Zero();  ///< and the tip's [m]
     double areaVariance_ = 0.0;             ///< [J^2]

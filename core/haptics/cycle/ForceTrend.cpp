@@ -72,7 +72,39 @@ double ForceTrend::along(double sign) const noexcept {
     return std::min(sign * force(), strongest);
 }
 
+std::array<HalfForce, 2> ForceTrend::halves(double sign) const noexcept {
+    const std::size_t other = 1 - latest_;
+    std::array<HalfForce, 2> result;
+    result[latest_] = halfAlong(sign, latest_);
+    result[other] = count_ > 1 ? halfAlong(sign, other) : result[latest_];
+    return result;
+}
+
+/// A half that did not take the latest tick is continued to it, by half of its own step: so far
+/// ahead, a least-squares line has (2 n + 1) / (2 n - 2) times the variance of its end.
+HalfForce ForceTrend::halfAlong(double sign, std::size_t index) const noexcept {
+    const Half& half = halves_[index];
+    const bool isLatest = index == latest_;
+    const double ahead = isLatest ? 0.0 : 0.5;
+    double strongest = -std::numeric_limits<double>::infinity();
+    for (std::size_t back = isLatest ? 1 : 2; back <= count_; back += 2) {
+        strongest = std::max(strongest, sign * recent_[count_ - back].force);
+    }
+    const auto at = [&](const Line& line) {
+        return std::min(sign * line.force, strongest) + (ahead * sign * line.slope);
+    };
+    const double n = half.line.ticks;
+    const double growth = isLatest || n < 2.0 ? 1.0 : (2.0 * n + 1.0) / (2.0 * n - 2.0);
+    return {.smooth = at(half.smooth),
+            .smoothSigma = half.smooth.sigma,
+            .force = at(half.line),
+            .sigma = std::sqrt(growth) * half.line.sigma};
+}
+
 void ForceTrend::takeInLines(const Tick& tick) noexcept {
+    latest_ = 1 - latest_;
+    halves_[latest_].line.take(tick.force, tick.sigma, kMemory / 2);
+    halves_[latest_].smooth.take(tick.force, tick.sigma, kLongMemory / 2);
     if (count_ == kRecent) {
         std::shift_left(recent_.begin(), recent_.end(), 1);
         --count_;

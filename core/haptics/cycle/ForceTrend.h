@@ -5,6 +5,14 @@
 
 namespace asperity {
 
+/// The force by one half of the ticks, every second one: its noise is not that of the other half.
+struct HalfForce {
+    double smooth = 0.0;       ///< of about the last 100 ticks [N]
+    double smoothSigma = 0.0;  ///< of `smooth` [N]
+    double force = 0.0;        ///< of about the last 20 [N]
+    double sigma = 0.0;        ///< of `force` [N]
+};
+
 /// The normal force with less noise: a straight line through about the last 20 ticks, which follows
 /// a ramp without lag and starts anew at a jump. Its standard deviation is at most 0.42 of that of
 /// one tick, for white noise. O(1), allocation-free.
@@ -27,6 +35,10 @@ public:
     /// within few ticks, as at a fast pull-off, the line goes on straight [N].
     [[nodiscard]] double push() const noexcept { return along(1.0); }
     [[nodiscard]] double pull() const noexcept { return along(-1.0); }
+    /// Each half's view of the latest tick, not beyond each of its last 4: what is the strongest by
+    /// one half is measured without bias by the other.
+    /// @param sign 1: of the force, -1: of its opposite
+    [[nodiscard]] std::array<HalfForce, 2> halves(double sign) const noexcept;
     /// Whether the sample pushes: by so much that noise alone does it once in days.
     [[nodiscard]] bool pushes() const noexcept { return force() > kSure * sigma(); }
     [[nodiscard]] bool pulls() const noexcept { return force() < -kSure * sigma(); }
@@ -53,7 +65,14 @@ private:
         bool straight = false;  ///< it went straight until then
     };
 
+    /// Lines through every second tick.
+    struct Half {
+        Line line;
+        Line smooth;
+    };
+
     [[nodiscard]] double along(double sign) const noexcept;
+    [[nodiscard]] HalfForce halfAlong(double sign, std::size_t index) const noexcept;
     void takeInLines(const Tick& tick) noexcept;
     [[nodiscard]] bool isFarOff(const Tick& tick) const noexcept;
     /// How many of the recent ticks come after a jump; 0: there was none.
@@ -63,6 +82,8 @@ private:
 
     Line line_;
     Line long_;
+    std::array<Half, 2> halves_;
+    std::size_t latest_ = 0;            ///< half that took the latest tick
     int agreed_ = 0;                    ///< ticks in a row after which both lines agreed
     std::array<Tick, kRecent> recent_;  ///< the oldest first
     std::size_t count_ = 0;             ///< of recent_, since the start

@@ -36,6 +36,7 @@ SampleMaterial readMaterial(TomlSection& section, const SampleMaterial& otherwis
     const bool another = section.has("youngs_modulus_pa") || section.has("youngs_modulus_map") ||
                          section.has("material_mask");
     material.hardness = section.number("hardness_pa", another ? 0.0 : otherwise.hardness);
+    material.yields = section.flag("yields", another || otherwise.yields);
     material.filmThickness = section.number("film_thickness_m", otherwise.filmThickness);
     return material;
 }
@@ -244,6 +245,7 @@ toml::table materialTable(const SampleMaterial& material) {
                        {"friction_coefficient", material.friction.coefficient},
                        {"shear_strength_pa", material.friction.shearStrength},
                        {"hardness_pa", material.hardness},
+                       {"yields", material.yields},
                        {"film_thickness_m", material.filmThickness}};
 }
 

@@ -180,7 +180,8 @@ private:
     static ComparedState compare(const Contender& by, const ContactSetting& setting,
                                  const ContactCourse& course, const Yardstick& yardstick,
                                  std::size_t i) {
-        const SampleMaterial sample{.filmThickness = setting.filmThickness};
+        // It never yields: the study is of the laws, which know no strength.
+        const SampleMaterial sample{.yields = false, .filmThickness = setting.filmThickness};
         const MaugisUnits units = maugisUnits(setting.pair);
         const ContactState& reference = yardstick.reference.states[i];
         ComparedState compared{

@@ -55,7 +55,7 @@ inline constexpr auto kEnumTable<SearchEffort> =
            proof == SearchProof::TooManyPoints;
 }
 
-/// More places than these do not touch a sphere at once on any real scan.
+/// Places whose forces on a tip are summed. Where more bear, the search's proof says so.
 inline constexpr std::size_t kMaxContactPoints = 4;
 
 /// Two distances nearer to each other than this are the same [relative].

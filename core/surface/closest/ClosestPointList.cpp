@@ -36,10 +36,4 @@ void ClosestPointList::add(const ClosestPoint& closest, double sameWithin) noexc
     }
 }
 
-void ClosestPointList::keepNearest(std::size_t count) noexcept {
-    while (points_.size() > count) {
-        points_.pop_back();
-    }
-}
-
 }  // namespace asperity

@@ -25,8 +25,6 @@ public:
         return {points_.data(), points_.size()};
     }
 
-    /// Drops all but the nearest ones.
-    void keepNearest(std::size_t count) noexcept;
     /// Whether a closest point no farther than this had no room [m].
     [[nodiscard]] bool hasLeftOut(double distance) const noexcept {
         return leftOutFrom_ <= distance;

@@ -11,11 +11,6 @@ namespace asperity {
 
 namespace {
 
-/// A closest point that lies farther than the nearest one by more than this bears too little of the
-/// force to matter: across a gap of 3 nm van der Waals attraction is a hundredth of that in contact
-/// [m].
-constexpr double kBehindNearest = 3e-9;
-
 /// The closest point, and those of the others that lie within `farthest` [m]. Minima nearer to each
 /// other than `same` [m] bear one contact, which must not be counted twice.
 ClosestPointList bearing(const ClosestPointList& points, double same, double farthest) {
@@ -29,13 +24,15 @@ ClosestPointList bearing(const ClosestPointList& points, double same, double far
     return apart;
 }
 
-/// How far from its center a tip is to have closest points [m]. Below the surface there is no out
-/// of reach: however deep the center lies, the nearest way out is what pushes it.
-double farthestPoint(const BSplineSurface& surface, const TipSphere& tip, double reach) {
+/// Which closest points a tip may press on or be attracted by: all that lie in its sphere or within
+/// `reach` of it, however much nearer another one is. Below the surface there is no out of reach:
+/// however deep the center lies, the nearest way out is what pushes it.
+SearchReach reachOf(const BSplineSurface& surface, const TipSphere& tip, double reach) {
     const Vector3& center = tip.center;
-    return center.z() < surface.at(center.x(), center.y()).height
-               ? std::numeric_limits<double>::infinity()
-               : tip.radius + reach;
+    const bool isBelow = center.z() < surface.at(center.x(), center.y()).height;
+    return {.farthest = isBelow ? std::numeric_limits<double>::infinity() : tip.radius + reach,
+            .behindNearest = reach,
+            .radius = tip.radius};
 }
 
 /// @param complete completes the minima of the distance from the tip's center
@@ -54,17 +51,16 @@ ContactPoints pointsOf(const BSplineSurface& surface, const TipSphere& tip, doub
         points.proof = SearchProof::NotConverged;
         return points;
     }
-    const double within = farthestPoint(surface, tip, reach);
+    const SearchReach within = reachOf(surface, tip, reach);
     ClosestPointList minima = points.list;
-    points.proof = complete({.farthest = within, .behindNearest = kBehindNearest}, minima);
+    points.proof = complete(within, minima);
     const double nearest = std::abs(minima.all().front().distance);
-    const double farthest = std::min(within, nearest + kBehindNearest);
+    const double farthest = within.limit(nearest);
     points.list = bearing(minima, same, farthest);
-    if (minima.hasLeftOut(farthest) || points.list.all().size() > kMaxContactPoints) {
+    if (minima.hasLeftOut(farthest)) {
         points.proof = SearchProof::TooManyPoints;
-        points.list.keepNearest(kMaxContactPoints);
     }
-    if (nearest > within && points.proof == SearchProof::Nearest) {
+    if (nearest > within.farthest && points.proof == SearchProof::Nearest) {
         points.proof = SearchProof::OutOfReach;
     }
     return points;

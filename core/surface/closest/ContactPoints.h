@@ -26,7 +26,7 @@ struct ContactPointSearch {
 /// Points where a sphere comes closest to a surface: several in a valley that it does not fit.
 struct ContactPoints {
     ClosestPointList list;  ///< the nearest first; at least one, which may lie out of reach
-    /// Nearest: these are all; TooManyPoints: there may be more, or are more than have room;
+    /// Nearest: these are all; TooManyPoints: there may be more, or are more than kMaxMinima;
     /// Likely, NotSought: there may be more, with less effort than Certified.
     SearchProof proof = SearchProof::NotSought;
 };

@@ -7,8 +7,8 @@
 
 namespace asperity {
 
-/// Where a scan tells the height of the surface under it, and where the tip that recorded it did
-/// not reach; see TipErosion.h. Immutable, safe to read from any thread.
+/// The pixels of a scan that the tip which recorded it has certainly touched: there the scan proves
+/// the height of the surface; see TipErosion.h. Immutable, safe to read from any thread.
 class CertaintyMap {
 public:
     /// Of a scan whose tip is not known: nothing can be said to be uncertain.

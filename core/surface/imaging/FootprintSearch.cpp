@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cstddef>
 #include <limits>
-#include <span>
 
 namespace asperity {
 
@@ -18,28 +18,11 @@ int blocksOf(int pixels) { return (pixels + kFootprintBlock - 1) / kFootprintBlo
 
 }  // namespace
 
-/// Pixels that reach the level of one place, as long as they are direct neighbors.
+/// The first pixel found to reach the level of one apex position, and how many do; 2: two or more.
 template <class Heights>
-class FootprintSearch<Heights>::Touches {
-public:
-    void add(Pixel pixel) {
-        low_ = {std::min(low_.row, pixel.row), std::min(low_.column, pixel.column)};
-        high_ = {std::max(high_.row, pixel.row), std::max(high_.column, pixel.column)};
-        if (!areApart()) {
-            pixels_[count_++] = pixel;
-        }
-    }
-    [[nodiscard]] bool areApart() const {
-        return high_.row - low_.row > 1 || high_.column - low_.column > 1;
-    }
-    [[nodiscard]] std::span<const Pixel> pixels() const { return {pixels_.data(), count_}; }
-
-private:
-    static constexpr int kMaxOffset = std::numeric_limits<int>::max();
-    Pixel low_{kMaxOffset, kMaxOffset};
-    Pixel high_;
-    std::array<Pixel, 4> pixels_{};
-    std::size_t count_ = 0;
+struct FootprintSearch<Heights>::Touches {
+    Pixel first;
+    int count = 0;
 };
 
 template <class Heights>
@@ -212,9 +195,13 @@ void FootprintSearch<Heights>::collect(const BlockHeights& heights, const Block&
         const Lanes& row = heights[static_cast<std::size_t>(from - block.row)];
         const double* rises = tip_.risesFrom(from - apex.row, block.column - apex.column);
         for (std::size_t lane = 0; lane < row.size(); ++lane) {
-            if (row[lane] - rises[lane] >= level) {
-                touches.add({from, block.column + static_cast<int>(lane)});
+            if (row[lane] - rises[lane] < level) {
+                continue;
             }
+            if (++touches.count > 1) {
+                return;
+            }
+            touches.first = {from, block.column + static_cast<int>(lane)};
         }
     }
 }
@@ -224,7 +211,7 @@ typename FootprintSearch<Heights>::Touches
 FootprintSearch<Heights>::touchesOf(Tile& tile, Pixel apex, double level) const {
     Touches touches;
     for (Block& block : tile.candidates) {
-        if (block.bound < level || touches.areApart()) {
+        if (block.bound < level || touches.count > 1) {
             break;
         }
         const BlockHeights& heights = heightsOf(tile, block);
@@ -265,12 +252,9 @@ std::vector<std::uint8_t> FootprintSearch<Heights>::reachingAlone(const Source& 
                 return;
             }
             const Touches touches = touchesOf(tile, {row, column}, levelOf(row, column));
-            if (touches.areApart() || !std::ranges::all_of(touches.pixels(), hasLevel)) {
-                return;
-            }
-            for (const Pixel& pixel : touches.pixels()) {
+            if (touches.count == 1 && hasLevel(touches.first)) {
                 // Two threads may mark the same pixel.
-                std::atomic_ref(alone[index(pixel.row, pixel.column)])
+                std::atomic_ref(alone[index(touches.first.row, touches.first.column)])
                     .store(1, std::memory_order_relaxed);
             }
         });

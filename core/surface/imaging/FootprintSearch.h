@@ -50,11 +50,11 @@ public:
     /// @throw Canceled
     [[nodiscard]] Heights highest(Progress* progress = nullptr) const;
 
-    /// 1 where a pixel is the only one, but for direct neighbors, to reach up to the level of some
-    /// place of the apex. Places where part of the tip lies beyond the map's edge tell nothing, nor
-    /// do those without a level, or that a pixel without a level reaches.
+    /// Marks with 1 each pixel that is the only one to reach the level of some apex position.
+    /// Positions where part of the tip lies beyond the map's edge prove nothing, nor do those
+    /// without a level, or whose only pixel has none.
     /// @param levels of each pixel; one that does not count has none
-    /// @param tolerance so far below its level a place is reached, too [m]
+    /// @param tolerance a pixel that stays this far below the level counts as reaching it [m]
     /// @throw Canceled
     [[nodiscard]] std::vector<std::uint8_t> reachingAlone(const Source& levels, double tolerance,
                                                           Progress* progress = nullptr) const;
@@ -83,7 +83,7 @@ private:
         std::vector<Block> candidates;
         std::vector<BlockHeights> heights;  ///< of the candidates that were looked at
     };
-    class Touches;
+    struct Touches;
 
     [[nodiscard]] std::size_t index(int row, int column) const {
         return static_cast<std::size_t>(row) * static_cast<std::size_t>(grid_.columns) +

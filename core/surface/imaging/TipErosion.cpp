@@ -63,13 +63,15 @@ double scaleOf(const Heights& heights) {
     return scale;
 }
 
-/// What heights were rounded by on the way through the erosion and into their store [m].
+/// By how much rounding can lower a touched pixel against the tip's surface [m]: its height may
+/// come from a pixel of the image that was rounded down, the level from one that was rounded up.
 template <class Heights>
 double roundingOf(const Heights& image, const Heights& surface, double tipRadius) {
     constexpr double kStore = std::numeric_limits<typename Heights::value_type>::epsilon();
     constexpr double kComputed = std::numeric_limits<double>::epsilon();
     const double computed = 4.0 * kComputed * (scaleOf(image) + tipRadius);
-    return kStore == kComputed ? computed : computed + 0.5 * kStore * scaleOf(surface);
+    const double stored = kStore * (scaleOf(image) + 0.5 * scaleOf(surface));
+    return kStore == kComputed ? computed : computed + stored;
 }
 
 /// What is certain of a surface that was eroded from an image.

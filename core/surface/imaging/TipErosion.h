@@ -42,11 +42,11 @@ using TipReconstruction = BasicTipReconstruction<HeightMap>;
 /// Of a large scan: beside the image only its surface and the certainty are in memory.
 using ScanReconstruction = BasicTipReconstruction<ScanMap>;
 
-/// As eroded(), with the certainty map: a pixel is certain where, for some place of the tip, it is
-/// the only one that the tip can have touched. Pixels next to each other count as one place: what
-/// lies between the pixels is below the grid's resolution, as is what lies between two heights of
-/// the map's precision. The tip touches something everywhere; places where it reaches beyond the
-/// map's edges or where it can have touched below an invalid pixel prove nothing.
+/// As eroded(), with the certainty map: a pixel is certain where, for some position of the tip, it
+/// is the only one that the tip can have touched; there the reconstruction is the surface of the
+/// pixel grid, to rounding. A height that the map's precision cannot tell from a touching one
+/// counts as touching. Positions where the tip reaches beyond the map's edges, or where it can have
+/// touched below an invalid pixel, prove nothing.
 /// @throw Error as dilated(); Canceled
 [[nodiscard]] TipReconstruction reconstructed(HeightMap image, double tipRadius,
                                               Progress* progress = nullptr);

@@ -24,7 +24,9 @@ ClosestPoint localPointOn(const NurbsSurface& surface, const Vector3& query,
         return nearest;
     }
     const NurbsClosestPoints points =
-        nearestPoints(surface, query, {.within = kFartherPoint * std::abs(nearest.distance)});
+        nearestPoints(surface, query,
+                      {.within = kFartherPoint * std::abs(nearest.distance),
+                       .sameWithin = kSamePoint * std::abs(nearest.distance)});
     const auto away = [&](const NurbsClosestPoint& closest) {
         return std::hypot(closest.closest.point.x() - guess.x, closest.closest.point.y() - guess.y);
     };
@@ -53,23 +55,49 @@ ContactPoints tipPointsOn(const NurbsSurface& surface, const TipSphere& tip,
     return points;
 }
 
+/// Whether a tip's center lies below a height field.
+bool isSubmerged(const BSplineSurface& surface, const Vector3& center) noexcept {
+    return surface.contains(center.x(), center.y()) &&
+           center.z() < surface.at(center.x(), center.y()).height;
+}
+
+/// Where the tip's axis leaves the sample, above a submerged center.
+ClosestPoint pointOnAxis(const BSplineSurface& surface, const Vector3& center) noexcept {
+    const HeightSample sample = surface.at(center.x(), center.y());
+    ClosestPoint above;
+    above.point = Vector3(center.x(), center.y(), sample.height);
+    above.normal = sample.normal();
+    above.distance = (center.z() - sample.height) * above.normal.z();
+    above.curvatures = principalCurvatures(sample);
+    above.converged = true;
+    above.proof = SearchProof::Nearest;
+    return above;
+}
+
 }  // namespace
 
 ContactPoints SampleSurface::contactPoints(const TipSphere& tip, double reach,
                                            std::span<const SearchGuess> known,
                                            ClosestPointTracker& tracker) const noexcept {
     if (const auto* const* field = std::get_if<const BSplineSurface*>(&surface_)) {
+        if (isSubmerged(**field, tip.center)) {
+            ContactPoints points;
+            points.list.add(pointOnAxis(**field, tip.center), 0.0);
+            points.proof = SearchProof::Nearest;
+            return points;
+        }
         return asperity::contactPoints(**field, tip, {reach, effort_}, known, tracker);
     }
     return tipPointsOn(*std::get<const NurbsSurface*>(surface_), tip, reach);
 }
 
-ClosestPoint SampleSurface::localClosestPoint(const Vector3& query,
+ClosestPoint SampleSurface::localContactPoint(const Vector3& center,
                                               const SearchGuess& guess) const noexcept {
     if (const auto* const* field = std::get_if<const BSplineSurface*>(&surface_)) {
-        return asperity::localClosestPoint(**field, query, guess);
+        return isSubmerged(**field, center) ? pointOnAxis(**field, center)
+                                            : asperity::localClosestPoint(**field, center, guess);
     }
-    return localPointOn(*std::get<const NurbsSurface*>(surface_), query, guess);
+    return localPointOn(*std::get<const NurbsSurface*>(surface_), center, guess);
 }
 
 }  // namespace asperity

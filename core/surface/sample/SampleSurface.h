@@ -15,6 +15,12 @@ struct TipSphere;
 
 /// The surface that a tip touches, a height field or a NURBS surface, and the effort of the search
 /// for its closest points. A view: the surface must outlive it.
+///
+/// A tip whose sphere has its center below a height field touches it at one place, where the tip's
+/// axis leaves the sample: all the sample around the center is in one contact with the tip, which
+/// has several closest points, or jumps between them, where a bump is narrower than the center is
+/// deep. On a plane the approach is the same, and where the center passes the surface both places
+/// are one.
 class SampleSurface {
 public:
     // NOLINTBEGIN(google-explicit-constructor): either surface is a sample as it is
@@ -25,16 +31,17 @@ public:
     SampleSurface(const NurbsSurface& shape) noexcept : surface_(&shape) {}
     // NOLINTEND(google-explicit-constructor)
 
-    /// The closest points of a tip, as on a height field (ContactPoints.h). On a NURBS surface
-    /// neither guesses nor tracker are needed, and of the closest points beside the nearest one
-    /// some may be missing.
+    /// The contact points of a tip, as on a height field (ContactPoints.h), or the one on its axis
+    /// where the center is below that. On a NURBS surface neither guesses nor tracker are needed,
+    /// and of the closest points beside the nearest one some may be missing.
     [[nodiscard]] ContactPoints contactPoints(const TipSphere& tip, double reach,
                                               std::span<const SearchGuess> known,
                                               ClosestPointTracker& tracker) const noexcept;
 
-    /// A closest point of `query`, as on a height field (LocalClosestPoint.h); on a NURBS surface
-    /// the one that lies nearest to the guess as seen from above.
-    [[nodiscard]] ClosestPoint localClosestPoint(const Vector3& query,
+    /// The contact point of a tip with its center here that follows from a guess: a closest point,
+    /// as on a height field (LocalClosestPoint.h), or the one on the axis of a submerged tip; on a
+    /// NURBS surface the one that lies nearest to the guess as seen from above.
+    [[nodiscard]] ClosestPoint localContactPoint(const Vector3& center,
                                                  const SearchGuess& guess) const noexcept;
 
 private:

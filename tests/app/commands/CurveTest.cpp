@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <set>
@@ -114,6 +115,77 @@ TEST_F(CurveCommand, TellsTheJumpsInAFewWords) {
     }
 }
 
+/// The summary says of the whole curve what the table says of each point.
+TEST_F(CurveCommand, SaysWhatTheLawDoesNotHoldFor) {
+    (void)tableOf("--material silicon_oxide --law hertz --points 20");
+    EXPECT_NE(said.find("law_out_of_range at base "), std::string::npos) << said;
+    (void)tableOf("--material silicone_rubber --law split_sphere --points 20");
+    EXPECT_EQ(said.find("law_out_of_range"), std::string::npos) << said;
+    EXPECT_NE(said.find("large_contact at base "), std::string::npos) << said;
+    EXPECT_NE(said.find("strain beyond linear elasticity"), std::string::npos) << said;
+}
+
+/// The smallest force of a way [N].
+double strongestIn(const CsvTable& table, const std::string& way) {
+    double strongest = 0.0;
+    for (std::size_t row = 0; row < table.rows(); ++row) {
+        if (table.text(row, "way") == way) {
+            strongest = std::min(strongest, table.number(row, "force_n"));
+        }
+    }
+    return strongest;
+}
+
+/// On a stiff lever the tip pulls off with 1.91 nN, after it has pulled with 17.9.
+TEST_F(CurveCommand, SaysTheStrongestPullBesideTheForceAtPullOff) {
+    const CsvTable table =
+        tableOf("--material silicon_oxide --law split --stiffness 200 --points 100");
+    EXPECT_NE(said.find("pull-off at base -0.373998 nm: force -1.909"), std::string::npos) << said;
+    EXPECT_NE(said.find("strongest pull of the law 17.9"), std::string::npos) << said;
+    EXPECT_NEAR(strongestIn(table, "retract"), -17.9e-9, 0.05e-9);
+    (void)tableOf("--law hertz --points 5");
+    EXPECT_NE(said.find("the law never pulls"), std::string::npos) << said;
+}
+
+/// On a lever so stiff the tip comes off with 0.45 pi w R: evenly placed points showed no more.
+TEST_F(CurveCommand, FindsTheStrongestPullOfAColloid) {
+    for (const std::string points : {"20", "500"}) {
+        const CsvTable table = tableOf("--reduced-modulus 5e10 --radius 5e-6 --law split "
+                                       "--material polystyrene --stiffness 1e5 --points " +
+                                       points);
+        const double unit = 3.14159265 * 0.066 * 5e-6;
+        EXPECT_LT(strongestIn(table, "retract"), -1.5 * unit) << points;
+        EXPECT_NE(said.find("E* 50 GPa"), std::string::npos) << said;
+    }
+}
+
+TEST_F(CurveCommand, CoversTheBasePositionsAskedFor) {
+    const CsvTable table = tableOf("--base -20nm:2e-9 --points 30");
+    EXPECT_EQ(table.number(0, "base_position_m"), -20e-9);
+    EXPECT_EQ(table.number(table.rows() - 1, "base_position_m"), -20e-9);
+    double deepest = 0.0;
+    for (std::size_t row = 0; row < table.rows(); ++row) {
+        deepest = std::max(deepest, table.number(row, "base_position_m"));
+    }
+    EXPECT_EQ(deepest, 2e-9);
+    // Never near enough to snap in: free both ways.
+    const CsvTable far = tableOf("--base -20nm:-5nm --points 10");
+    EXPECT_EQ(far.rows(), 20U);
+    EXPECT_EQ(far.text(far.rows() - 1, "state"), "far");
+    EXPECT_EQ(far.text(10, "state"), "far");
+}
+
+TEST_F(CurveCommand, EndsTheApproachAtTheSetpoint) {
+    for (const std::string law : {"hertz", "split", "jkr", "md_sphere", "sneddon"}) {
+        const CsvTable table = tableOf("--setpoint 25nN --points 30 --law " + law);
+        double strongest = 0.0;
+        for (std::size_t row = 0; row < table.rows(); ++row) {
+            strongest = std::max(strongest, table.number(row, "force_n"));
+        }
+        EXPECT_NEAR(strongest, 25e-9, 1e-6 * 25e-9) << law;
+    }
+}
+
 TEST_F(CurveCommand, KeepsTheTableApartFromWhatItSays) {
     const auto run = test::runProgram("curve --points 10 2>/dev/null | cat");
     const CsvTable table(run.output, "output");
@@ -183,6 +255,12 @@ TEST_F(CurveCommand, NamesWrongOptions) {
           {"--figure ''", "--figure"},
           {"--figure a.doc", "--figure"},
           {"--speed 3", "--speed"},
+          {"--base 5nm", "--base"},
+          {"--base 5nm:-5nm", "--base"},
+          {"--base 5nN:9nN", "--base"},
+          {"--setpoint 0", "--setpoint"},
+          {"--setpoint 5nN --base 0:5nm", "--base"},
+          {"--reduced-modulus 0", "--reduced-modulus"},
           {"--stiffness 1e-9", "--stiffness"},
           {"--radius 2", "--radius"}}) {
         const auto run = test::runProgram("curve " + arguments);

@@ -32,9 +32,32 @@ def kill_after(arguments, is_time):
     return process.wait() == -signal.SIGKILL
 
 
-def kill_at_random(arguments, seconds):
-    end = time.monotonic() + random.uniform(0.0, 2.0 * seconds)
-    return kill_after(arguments, lambda: time.monotonic() >= end)
+def size_of(part):
+    try:
+        return part.stat().st_size
+    except FileNotFoundError:  # not begun, or done
+        return 0
+
+
+def kill_at_random(arguments, part, size, row_time):
+    """As kill_after(), somewhere in the row after that in which the part reaches this size."""
+    def is_time():
+        if size_of(part) < size:
+            return False
+        time.sleep(random.uniform(0.0, row_time))
+        return True
+    return kill_after(arguments, is_time)
+
+
+def largest_part(arguments, part):
+    """Makes a map. Returns the size of its part before the end."""
+    largest = 0
+    process = subprocess.Popen(arguments, **QUIET)
+    while process.poll() is None:
+        largest = max(largest, size_of(part))
+        time.sleep(0.001)
+    assert process.returncode == 0 and largest > 0, (process.returncode, largest)
+    return largest
 
 
 def check_other_part(program, scan, rows, out):
@@ -54,14 +77,15 @@ def main():
     with tempfile.TemporaryDirectory() as name:
         whole, killed = pathlib.Path(name) / "whole.gwy", pathlib.Path(name) / "killed.gwy"
         begin = time.monotonic()
-        subprocess.run(command(program, scan, rows, whole), check=True, **QUIET)
-        pace = (time.monotonic() - begin) / kills  # so that the kills come before the end
+        largest = largest_part(command(program, scan, rows, whole), whole.with_name("whole.gwy.part"))
+        row_time = (time.monotonic() - begin) / rows
         again = command(program, scan, rows, killed, "--resume")
         part = killed.with_name("killed.gwy.part")
         sizes = []
-        for _ in range(kills):
-            assert kill_at_random(again, 0.8 * pace), "it ended before it was killed"
-            sizes.append(part.stat().st_size if part.exists() else 0)
+        for kill in range(kills):
+            size = largest * (kill + random.random()) / (kills + 1)  # leaves rows to be done
+            assert kill_at_random(again, part, size, row_time), "it ended before it was killed"
+            sizes.append(size_of(part))
         assert sizes == sorted(sizes), sizes
         if sizes[-1] > 0:
             check_other_part(program, scan, rows, killed)

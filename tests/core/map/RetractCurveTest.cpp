@@ -49,5 +49,35 @@ TEST(RetractCurve, HasTheAreaOfTheLawOnASoftLever) {
     expectAreaOfLaw(description);
 }
 
+/// The strongest pull of a retract in steps of 2 pm [N].
+double pullInSmallSteps(VerticalPath& path, const TipAtHeight& atSetpoint) {
+    constexpr double kStep = 2e-12;  // [m]
+    path.goUp();
+    TipAtHeight tip = path.at(atSetpoint.base, atSetpoint.memory);
+    double pull = 0.0;
+    while (tip.isBonded()) {
+        pull = tip.state.converged ? std::max(pull, -tip.force()) : pull;
+        tip = path.at(tip.base + kStep, tip.memory);
+    }
+    return pull;
+}
+
+/// A bent lever moves the tip up the flank until it pulls off, where the ridge is curved otherwise.
+TEST(RetractCurve, HasTheStrongestPullOfAFlankWhereItIs) {
+    SceneDescription description = test::plainScene();
+    description.probe.thickness = thicknessForStiffness(description.probe, 2.0);
+    const Scene scene = buildScene(description, test::ridgedMap(4.0_nm));
+    const MapInstrument instrument(scene, false);
+    for (const double x : {50.0_nm, 55.0_nm, 60.0_nm, 65.0_nm, 70.0_nm, 80.0_nm, 85.0_nm}) {
+        VerticalPath path(instrument, Vector2(x, 67.0_nm));
+        const auto engaged = engage(path, kSetpoint);
+        ASSERT_TRUE(engaged) << x;
+        const double expected = pullInSmallSteps(path, engaged->atSetpoint);
+        const auto curve = retract(path, engaged->atSetpoint);
+        ASSERT_TRUE(curve) << x;
+        EXPECT_NEAR(strongestPull(path, *curve), expected, 1e-3 * expected) << x;
+    }
+}
+
 }  // namespace
 }  // namespace asperity

@@ -328,6 +328,36 @@ TEST(TipEquilibrium, ForceIsContinuousAcrossAGrooveWithoutAdhesion) {
     }
 }
 
+/// Pressed far into a soft bump: below the bump's center of curvature the tip's center has no
+/// single closest point any more, and each of several would bear a whole contact.
+TEST(TipEquilibrium, ASubmergedTipHasOneContact) {
+    SceneDescription description = test::plainScene();
+    description.sample.material = {.elastic = {.youngsModulus = 1.0_MPa, .poissonRatio = 0.5},
+                                   .workOfAdhesion = 0.0,
+                                   .friction = {}};
+    description.choices.law = ContactLaw::Sneddon;
+    const Scene scene = buildScene(description, test::hillyMap());
+    const ContactPair& pair = scene.belief.contact.pair();
+    const double stiffest =
+        2.0 * pair.tipRadius * pair.reducedModulus;  // 2 a E*, docs/theory.md 4.1
+    EquilibriumMemory memory;
+    TipState before;
+    for (int i = 0; i <= 400; ++i) {
+        const double depth = i * 0.01 * pair.tipRadius;
+        const BaseMotion base{.position = {15.3_nm, 14.9_nm, 6.0_nm - depth}};
+        const TipState state = tipEquilibrium(scene.believedSurface(), scene.belief, base, memory);
+        ASSERT_TRUE(state.converged) << i;
+        EXPECT_EQ(state.points, 1) << i;
+        if (i > 0) {
+            const double rise = state.force.z() - before.force.z();
+            EXPECT_GT(rise, 0.0) << i;
+            EXPECT_LT(rise, 1.01 * stiffest * (before.tip.z() - state.tip.z())) << i;
+        }
+        before = state;
+    }
+    EXPECT_GT(before.contact.indentation, 3.9 * pair.tipRadius);
+}
+
 TEST(SimulatedAfm, SignalsAreThoseOfTheTrueForcePlusSeededNoise) {
     SceneDescription description = test::plainScene();
     description.truth.signalNoise = 0.0;

@@ -122,6 +122,19 @@ TEST(ContactValidity, ASampleYieldsBelowTheSurfaceBeforeThePressureIsItsHardness
     EXPECT_TRUE(yieldsAt(0.59 * material.hardness)) << "1.61 Y, Y = H / 2.8";
 }
 
+/// A tip of 15 nm pressed 0.5 nm into oxide, 11.5 GPa in the middle, of which no hardness is given.
+TEST(ContactValidity, YieldIsJudgedByTheModulusWhereNoHardnessIsGiven) {
+    const ContactPair pair{.tipRadius = 15.0_nm, .reducedModulus = 53.4_GPa};
+    const ContactModel model(ContactLaw::Hertz, pair);
+    const ContactState state = pressed(model, 1.7_nm);
+    SampleMaterial oxide{.elastic = {.youngsModulus = 70.0_GPa, .poissonRatio = 0.27}};
+    EXPECT_TRUE(contactValidity(model, state, oxide).has(Validity::ElasticLimit));
+    EXPECT_FALSE(
+        contactValidity(model, pressed(model, 0.01_nm), oxide).has(Validity::ElasticLimit));
+    oxide.yields = false;
+    EXPECT_FALSE(contactValidity(model, state, oxide).has(Validity::ElasticLimit));
+}
+
 constexpr ContactPair kFilmPair{.tipRadius = 1.0_um, .reducedModulus = 1.0_GPa};
 
 bool isThin(ContactLaw law, double thickness, double contactRadius, double poissonRatio = 0.5) {

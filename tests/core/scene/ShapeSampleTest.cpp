@@ -35,7 +35,7 @@ TEST(ShapeSample, IsDrawnWhereItIsTouched) {
                 const double x = shape.size * (0.02 + 0.96 * i / 20.0);
                 const double y = shape.size * (0.02 + 0.96 * j / 20.0);
                 const HeightSample drawn = scene.surface.at(x, y);
-                const ClosestPoint closest = scene.trueSurface().localClosestPoint(
+                const ClosestPoint closest = scene.trueSurface().localContactPoint(
                     Vector3(x, y, drawn.height), SearchGuess{});
                 ASSERT_NEAR(closest.distance, 0.0, 1e-6 * shape.size);
                 ASSERT_LT((closest.normal - drawn.normal()).norm(), 2e-4);

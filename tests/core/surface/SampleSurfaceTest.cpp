@@ -45,7 +45,7 @@ TEST(SampleSurface, ATipInAGrooveHasTwoClosestPoints) {
     EXPECT_NEAR(points.list.all()[1].distance, kTipRadius + 0.5_nm, 1e-12_nm);
     EXPECT_LT(points.list.all()[0].point.x(), 0.0);
     for (const ClosestPoint& closest : points.list.all()) {
-        const ClosestPoint again = sample.localClosestPoint(center, closest.guess());
+        const ClosestPoint again = sample.localContactPoint(center, closest.guess());
         EXPECT_LT((again.point - closest.point).norm(), 1e-12_nm)
             << "each is found again from itself";
         EXPECT_NEAR(std::abs(closest.normal.x()), std::numbers::sqrt2 / 2.0, 1e-12);

@@ -97,7 +97,7 @@ TEST(HalfSpaceWords, TellWhyTheClosedFormIsShown) {
               "half-space not valid (the contact law's adhesion has no cohesive zone): closed form "
               "shown");
     EXPECT_EQ(sentenceOf({.verdict = HalfSpaceVerdict::LargeContact}),
-              "half-space not valid (contact radius above 0.3 tip radii): closed form shown");
+              "half-space not valid (contact radius above 0.3 effective radii): closed form shown");
 }
 
 TermNeed factAbout(ModelTerm term, double amount, double other = 0.0) {

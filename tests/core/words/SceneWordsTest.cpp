@@ -41,6 +41,20 @@ TEST(SceneWords, TellOfAShapeInPlaceOfTheHeights) {
     EXPECT_EQ(notes[0], "the sample is an exact shape, drawn by 256 x 256 heights");
 }
 
+TEST(SceneWords, SayHowTheHardnessIsKnown) {
+    const SampleMaterial oxide{.elastic = {.youngsModulus = 70e9}};
+    EXPECT_EQ(hardnessText(oxide), "not stated: estimated as 3.5 GPa, a twentieth of Young's "
+                                   "modulus (within a factor of 4)");
+    EXPECT_EQ(hardnessText({.hardness = 9e9}), "9 GPa");
+    EXPECT_EQ(hardnessText({.elastic = {.youngsModulus = 1e6}}),
+              "not known: onset of yield is not looked for");
+    EXPECT_EQ(hardnessText({.yields = false}), "none: the sample does not yield");
+    SceneDescription description = test::plainScene();
+    description.sample.material.hardness = 0.0;
+    const auto notes = forceNotes(buildScene(description, test::slopedMap(0.1)), {});
+    EXPECT_EQ(notes.back().find("hardness: not stated: estimated as "), 0U) << notes.back();
+}
+
 TEST(SceneWords, NameTheSample) {
     SampleDescription sample;
     sample.file = "/scans/ps.gwy";

@@ -140,8 +140,8 @@ TEST(StateBanner, SaysInWordsWhatAResultDoesNotHoldFor) {
     banner.grab();
     banner.show(test::snapshotOf(flagged(1.0, Validity::LargeContact)));
     EXPECT_EQ(test::textOf(banner, "flags"), QStringLiteral("contact radius > 0.3 R"));
-    EXPECT_TRUE(banner.toolTip().contains(
-        QStringLiteral("contact radius above 0.3 tip radii: beyond half-space theory")));
+    EXPECT_TRUE(banner.toolTip().contains(QStringLiteral(
+        "contact radius above 0.3 effective radii: strain beyond linear elasticity")));
     banner.show(test::snapshotOf(far()));
     EXPECT_EQ(test::textOf(banner, "flags"), QString());
 }
@@ -196,7 +196,7 @@ TEST(StateBanner, ShowsTheMostSevereFlagAndTheRestOnDemand) {
     ASSERT_EQ(details.size(), 4);
     EXPECT_EQ(details[0], QStringLiteral("far"));
     EXPECT_EQ(details[1], QStringLiteral("tip outside the scan"));
-    EXPECT_TRUE(details[2].contains(QStringLiteral("beyond half-space theory")));
+    EXPECT_TRUE(details[2].contains(QStringLiteral("strain beyond linear elasticity")));
     EXPECT_TRUE(details[3].contains(QStringLiteral("effective radius")));
     QToolTip::hideText();
 }

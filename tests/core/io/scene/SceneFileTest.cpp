@@ -113,6 +113,19 @@ noise_seed = 7
     EXPECT_EQ(scene.truth.noiseSeed, 7U);
 }
 
+/// "Not known" and "does not yield" are two values; of another modulus, neither is known.
+TEST_F(SceneFile, SaysThatASampleDoesNotYield) {
+    write("rubber.toml", "name = \"rubber\"\nyoungs_modulus_pa = 1e6\nyields = false\n");
+    const std::string sample = "[sample]\nfile = \"map.gsf\"\nmaterial = \"rubber.toml\"\n";
+    const SceneDescription scene = readScene(write("scene.toml", sample));
+    EXPECT_FALSE(scene.sample.material.yields);
+    EXPECT_FALSE(readScene(write("again.toml", sceneText(scene))).sample.material.yields);
+    EXPECT_TRUE(
+        readScene(write("hard.toml", sample + "youngs_modulus_pa = 3e9\n")).sample.material.yields);
+    EXPECT_TRUE(
+        readScene(write("plain.toml", "[sample]\nfile = \"map.gsf\"\n")).sample.material.yields);
+}
+
 TEST_F(SceneFile, TakesAShapeInPlaceOfAHeightMap) {
     const SceneDescription ball = readScene(write("ball.toml", R"(
 [sample]

@@ -60,31 +60,19 @@ TEST(TipErosionDefinition, IsItsDefinitionToTheLastBit) {
     }
 }
 
-/// Pixels within the bounding box of those that the tip can touch from (row, column), or none when
-/// they are farther apart than neighbors or one of them holds no data; `surface` is the erosion,
-/// infinite where unknown.
-std::vector<std::size_t> soleTouch(const HeightMap& image, const std::vector<double>& surface,
+/// The pixels that the tip over (row, column) can touch; `surface` is the erosion, infinite where
+/// unknown.
+std::vector<std::size_t> touchable(const HeightMap& image, const std::vector<double>& surface,
                                    int row, int column, double tip) {
     std::vector<std::size_t> touched;
-    int lowRow = image.rows;
-    int highRow = 0;
-    int lowColumn = image.columns;
-    int highColumn = 0;
+    const double level = image.at(row, column) - 1e-12 * tip;
     forEachPixel(image, [&](int r, int c) {
         const double height = surface[image.index(r, c)];
-        const double level = image.at(row, column) - 1e-12 * tip;
         if (isFiniteHeight(height) && height - riseOf(image, r - row, c - column, tip) >= level) {
             touched.push_back(image.index(r, c));
-            lowRow = std::min(lowRow, r);
-            highRow = std::max(highRow, r);
-            lowColumn = std::min(lowColumn, c);
-            highColumn = std::max(highColumn, c);
         }
     });
-    const bool isApart = highRow - lowRow > 1 || highColumn - lowColumn > 1;
-    const bool isHidden = std::ranges::any_of(
-        touched, [&](std::size_t pixel) { return !isFiniteHeight(image.heights[pixel]); });
-    return isApart || isHidden ? std::vector<std::size_t>{} : touched;
+    return touched;
 }
 
 TEST(TipErosionDefinition, CertaintyIsItsDefinition) {
@@ -100,8 +88,9 @@ TEST(TipErosionDefinition, CertaintyIsItsDefinition) {
         std::vector<std::uint8_t> expected(map.heights.size(), 0);
         forEachPixel(map, [&](int row, int column) {
             if (isFiniteHeight(map.at(row, column)) && tipIsWithin(map, row, column, given.tip)) {
-                for (const std::size_t pixel : soleTouch(map, surface, row, column, given.tip)) {
-                    expected[pixel] = 1;
+                const auto touched = touchable(map, surface, row, column, given.tip);
+                if (touched.size() == 1 && isFiniteHeight(map.heights[touched.front()])) {
+                    expected[touched.front()] = 1;
                 }
             }
         });

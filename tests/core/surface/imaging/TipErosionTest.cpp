@@ -79,7 +79,8 @@ TEST(TipErosion, AWiderTipReconstructsNoHigherSurface) {
         image, [&](int row, int column) { EXPECT_LE(wide.at(row, column), slim.at(row, column)); });
 }
 
-/// Where the tip fits into every hollow it touches all of the surface, and all comes back.
+/// Where the tip fits into every hollow it touches all of the surface. On the pixel grid, it does
+/// so between pixels, too; where it is proven to touch one, the surface comes back to rounding.
 TEST(TipErosion, UndoesDilationOfASurfaceThatTheTipFits) {
     const EggBox shape{.amplitude = 4.0_nm, .periodX = 200.0_nm, .periodY = 160.0_nm};
     const ScanSize size{.columns = 300, .rows = 200, .sizeX = 300.0_nm, .sizeY = 200.0_nm};
@@ -88,22 +89,36 @@ TEST(TipErosion, UndoesDilationOfASurfaceThatTheTipFits) {
     const TipReconstruction back = reconstructed(dilated(surface, tip), tip);
     const double bound = 0.5 * 0.5 * 1.0_nm * 1.0_nm * (1.0 / tip + 1.0 / 160.0_nm);
     double largest = 0.0;
-    double certain = 0.0;
+    int inside = 0;
+    int certain = 0;
     forEachPixel(surface, [&](int row, int column) {
         const bool isInside = tipIsWithin(surface, row, column, 1.2 * tip);
         const bool isCertain = back.certain[surface.index(row, column)] != 0;
         const double error = back.surface.at(row, column) - surface.at(row, column);
-        if (isCertain) {
-            EXPECT_GE(error, -1e-12 * tip);
-            largest = std::max(largest, error);
-        }
-        certain += isInside && isCertain ? 1.0 : 0.0;
-        EXPECT_TRUE(isCertain || !isInside) << row << ' ' << column;
+        EXPECT_LE(isCertain ? std::abs(error) : 0.0, 1e-12 * tip);
+        largest = std::max(largest, isInside ? error : 0.0);
+        inside += isInside ? 1 : 0;
+        certain += isInside && isCertain ? 1 : 0;
     });
     EXPECT_LE(largest, bound);
-    EXPECT_GT(certain, 10000.0);
-    std::printf("egg box 4 nm under a tip of 50 nm: certain places at most %.2g nm off\n",
-                largest * 1e9);
+    EXPECT_GT(2 * certain, inside);
+    std::printf("egg box 4 nm under a tip of 50 nm: %.0f %% certain, the others up to %.2g nm "
+                "high\n",
+                100.0 * certain / inside, largest * 1e9);
+}
+
+/// Beside the foot of a step the tip rests on the edge: what lies there is not proven, however
+/// close the pixel is to one that is.
+TEST(TipErosion, ThePixelBesideAStepIsUncertain) {
+    HeightMap surface = flatMap({.columns = 60, .rows = 40, .sizeX = 60.0_nm, .sizeY = 40.0_nm});
+    forEachPixel(surface, [&](int row, int column) {
+        surface.heights[surface.index(row, column)] = column < 30 ? 8.0_nm : 0.0;
+    });
+    const TipReconstruction back = reconstructed(dilated(surface, 10.0_nm), 10.0_nm);
+    EXPECT_EQ(back.certain[surface.index(20, 29)], 1) << "the edge";
+    EXPECT_EQ(back.certain[surface.index(20, 30)], 0) << "the foot";
+    EXPECT_GT(back.surface.at(20, 30), 1.0_nm);
+    EXPECT_EQ(back.certain[surface.index(20, 45)], 1) << "the lower terrace";
 }
 
 TEST(TipErosion, TheFloorOfATrenchThatTheTipDoesNotFitIsUncertain) {
