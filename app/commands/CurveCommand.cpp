@@ -98,7 +98,8 @@ std::string jumpText(const char* name, const std::optional<TipJump>& jump) {
 ValidityFlags flagsOf(const CurveResult& result, const ForceCurvePoint& point) {
     const CurveCase& asked = result.asked;
     ValidityFlags flags = contactValidity(asked.model, point.state, asked.material);
-    flags.add(attractionValidity(asked.model, point.state, asked.compliance));
+    flags.add(attractionValidity(asked.model, point.state, asked.compliance,
+                                 flags.has(Validity::ElasticLimit)));
     return flags;
 }
 

@@ -161,4 +161,17 @@ ValidityFlags asperityValidity(const Scene& scene, const ProbeSystem& system,
     return flags;
 }
 
+ValidityFlags asperityValidity(const Scene& scene, const ProbeSystem& system, const TipState& state,
+                               AsperityMemory& memory) noexcept {
+    constexpr std::uint32_t kTicks = 8;
+    if (state.contact.branch != ContactBranch::Bonded) {
+        memory = {};
+    } else if (memory.holdFor > 0) {
+        --memory.holdFor;
+    } else {
+        memory = {.flags = asperityValidity(scene, system, state).bits(), .holdFor = kTicks - 1};
+    }
+    return ValidityFlags(memory.flags);
+}
+
 }  // namespace asperity

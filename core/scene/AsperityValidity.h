@@ -3,6 +3,8 @@
 #include "core/scene/Scene.h"
 #include "core/scene/Validity.h"
 
+#include <cstdint>
+
 namespace asperity {
 
 /// Returns where the topography under a tip is not what one effective radius makes of it. Nothing
@@ -25,5 +27,20 @@ namespace asperity {
 /// Source: docs/theory.md 1.1, 3.8.
 [[nodiscard]] ValidityFlags asperityValidity(const Scene& scene, const ProbeSystem& system,
                                              const TipState& state) noexcept;
+
+/// What asperityValidity() of one tick leaves to the next. Its look-ups cost a tenth of a tick, and
+/// nobody reads a flag a thousand times a second: they are made in the first tick of a contact and
+/// in every eighth after it.
+struct AsperityMemory {
+    std::uint32_t flags = 0;    ///< bits of the last flags
+    std::uint32_t holdFor = 0;  ///< further ticks of the contact; 0: none is known
+
+    bool operator==(const AsperityMemory&) const = default;
+};
+
+/// The same for one tick of many, at most seven ticks old.
+[[nodiscard]] ValidityFlags asperityValidity(const Scene& scene, const ProbeSystem& system,
+                                             const TipState& state,
+                                             AsperityMemory& memory) noexcept;
 
 }  // namespace asperity

@@ -2,7 +2,6 @@
 
 #include "core/contact/laws/AttractiveTail.h"
 #include "core/contact/laws/Retardation.h"
-#include "core/scene/LawRange.h"
 
 #include <numbers>
 
@@ -10,8 +9,9 @@ namespace asperity {
 
 namespace {
 
-constexpr double kMaxShift = 0.05;                // of the separation
-constexpr double kMinLambdaWorkLimited = 0.4246;  // lambda: pull-off at 1.75 pi w R
+constexpr double kMaxShift = 0.05;    // of the separation
+constexpr double kMaxMisread = 0.05;  // of the pull-off force
+constexpr double kJkrPullOff = 1.5;   // pi w R
 
 double separationOf(const ContactState& state) noexcept {
     return kContactSeparation - state.indentation;
@@ -27,12 +27,32 @@ bool isRetarded(const ContactModel& model, const ContactState& state, double com
     return lost * compliance > kMaxShift * separation;
 }
 
-bool isLimitedByStrength(const ContactModel& model, const ContactState& state) noexcept {
+/// Largest radius of a flat contact that pulls off with its full strength all over [m], not by a
+/// crack from its rim. Source: docs/theory.md 2.11, equation (2.8).
+double strengthRadius(const ContactPair& pair, double strength) noexcept {
+    return 8.0 * pair.reducedModulus * pair.workOfAdhesion /
+           (std::numbers::pi * strength * strength);
+}
+
+/// Whether JKR would misread w from the pull-off force.
+/// @param yields the sample flows under the contact, which stays flat when the load is gone
+bool isLimitedByStrength(const ContactModel& model, const ContactState& state,
+                         bool yields) noexcept {
     const ContactPair& pair = model.pair();
-    const double unit = std::numbers::pi * pair.workOfAdhesion * pair.tipRadius;
-    return isAdhesive(model.law()) && state.branch == ContactBranch::Bonded &&
-           pair.workOfAdhesion >= kMinAdhesion && state.force < -unit &&
-           pairLambda(model) < kMinLambdaWorkLimited;
+    if (!isAdhesive(model.law()) || state.branch != ContactBranch::Bonded ||
+        pair.workOfAdhesion < kMinAdhesion) {
+        return false;
+    }
+    const double jkr = kJkrPullOff * std::numbers::pi * pair.workOfAdhesion * pair.tipRadius;
+    const double pull = -(state.force + model.meniscusPull());
+    if (traitsOf(model.law()).attraction != Attraction::Inside &&
+        pull > (1.0 + kMaxMisread) * jkr) {
+        return true;
+    }
+    const double radius = state.contactRadius;
+    const double strength = pair.workOfAdhesion / model.cohesiveRange();
+    return yields && radius < strengthRadius(pair, strength) &&
+           strength * std::numbers::pi * radius * radius > kMaxMisread * jkr;
 }
 
 }  // namespace
@@ -43,10 +63,10 @@ bool isPulledByFar(const ContactState& state, double compliance) noexcept {
 }
 
 ValidityFlags attractionValidity(const ContactModel& model, const ContactState& state,
-                                 double compliance) noexcept {
+                                 double compliance, bool yields) noexcept {
     ValidityFlags flags;
     flags.set(Validity::RetardedAttraction, isRetarded(model, state, compliance));
-    flags.set(Validity::StrengthLimited, isLimitedByStrength(model, state));
+    flags.set(Validity::StrengthLimited, isLimitedByStrength(model, state, yields));
     return flags;
 }
 

@@ -15,13 +15,15 @@ namespace asperity {
 /// Retarded: the tail's lost share would let the lever move the tip by more than a twentieth of the
 /// separation.
 ///
-/// Limited by strength: the tip is pulled by more than pi w R, so that pull-off is near, and the
-/// transition parameter lies below 0.425, where the pull-off force is nearer to 2 pi w R than to
-/// JKR's 1.5 pi w R. Then most of the zone pulls with its full strength at pull-off (0.87 of it on
-/// average, and more below), and JKR reads w too high by 17 to 33 %.
+/// Limited by strength: a JKR reading of pull-off, w = 2 F / (3 pi R), would be wrong by more than
+/// a twentieth. It is where the tip is pulled by more than 1.05 times JKR's 1.5 pi w R, a meniscus
+/// taken off: lambda is below 1.23 then, and more than half of the interface's strength pulls at
+/// pull-off. And it is after a preload under which the sample yields, if the contact is so small
+/// that, left flat, it parts with its full strength all over: that pull-off grows with the preload.
 /// @param compliance of the lever along the normal [m/N]
+/// @param yields     the sample yields in this state: flag ElasticLimit of contactValidity()
 /// Source: docs/theory.md 2.5, 2.11, 3.7.
 [[nodiscard]] ValidityFlags attractionValidity(const ContactModel& model, const ContactState& state,
-                                               double compliance) noexcept;
+                                               double compliance, bool yields) noexcept;
 
 }  // namespace asperity

@@ -1,7 +1,6 @@
 #include "core/scene/TipValidity.h"
 
 #include "core/contact/laws/LawChoice.h"
-#include "core/scene/AsperityValidity.h"
 #include "core/scene/AttractionValidity.h"
 #include "core/scene/ContactValidity.h"
 
@@ -26,17 +25,16 @@ ValidityFlags lawValidity(const ProbeSystem& system, const SampleMaterial& mater
         return flags;
     }
     const ContactModel model = contactModelAt(system, state);
-    flags.add(attractionValidity(model, contact, compliance));
     if (touches) {
         flags.add(contactValidity(model, contact, material));
     }
+    flags.add(attractionValidity(model, contact, compliance, flags.has(Validity::ElasticLimit)));
     return flags;
 }
 
-}  // namespace
-
-ValidityFlags tipValidity(const Scene& scene, const ProbeSystem& system,
-                          const SampleMaterial& material, const TipState& state) noexcept {
+/// All but what takes the topography around the contact.
+ValidityFlags quickValidity(const Scene& scene, const ProbeSystem& system,
+                            const SampleMaterial& material, const TipState& state) noexcept {
     const Vector3& closest = state.closest.point;
     ValidityFlags flags;
     flags.set(Validity::LargeContact, isLargeContact(state.contactRatio, 1.0));
@@ -64,7 +62,23 @@ ValidityFlags tipValidity(const Scene& scene, const ProbeSystem& system,
     }
     flags.set(Validity::LargeDeflection, system.cantilever.isBentTooFar(state.force));
     flags.add(lawValidity(system, material, state));
+    return flags;
+}
+
+}  // namespace
+
+ValidityFlags tipValidity(const Scene& scene, const ProbeSystem& system,
+                          const SampleMaterial& material, const TipState& state) noexcept {
+    ValidityFlags flags = quickValidity(scene, system, material, state);
     flags.add(asperityValidity(scene, system, state));
+    return flags;
+}
+
+ValidityFlags tipValidity(const Scene& scene, const ProbeSystem& system,
+                          const SampleMaterial& material, const TipState& state,
+                          AsperityMemory& memory) noexcept {
+    ValidityFlags flags = quickValidity(scene, system, material, state);
+    flags.add(asperityValidity(scene, system, state, memory));
     return flags;
 }
 

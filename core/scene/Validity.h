@@ -42,7 +42,7 @@ enum class Validity : std::uint32_t {
     BodyAttraction = 1U << 26U,       ///< the sample beside the asperity attracts, too
     RetardedAttraction = 1U << 27U,   ///< van der Waals attraction is retarded across this gap
     LargeDeflection = 1U << 28U,      ///< the lever is bent so far that it is no longer linear
-    StrengthLimited = 1U << 29U,      ///< pull-off follows the strength of adhesion, not its work
+    StrengthLimited = 1U << 29U,      ///< JKR would misread w from pull-off: AttractionValidity
 };
 
 /// What a flag means for a result, the mildest first.
@@ -156,8 +156,8 @@ inline constexpr std::array kValidityTraits{
                    "lever bent by over a fifth of its length: no longer linear", Severity::Doubt,
                    FlagBasis::Tick},
     ValidityTraits{Validity::StrengthLimited, "strength_limited", "strength sets pull-off",
-                   "adhesion limited by strength: JKR would misread the pull-off force",
-                   Severity::Notice, FlagBasis::Contact},
+                   "strength limits adhesion: JKR misreads pull-off by over 5 %", Severity::Notice,
+                   FlagBasis::Contact},
 };
 
 inline constexpr std::size_t kValidityFlagCount = kValidityTraits.size();
@@ -165,6 +165,9 @@ inline constexpr std::size_t kValidityFlagCount = kValidityTraits.size();
 /// A set of validity flags.
 class ValidityFlags {
 public:
+    ValidityFlags() = default;
+    explicit ValidityFlags(std::uint32_t bits) noexcept : bits_(bits) {}
+
     void set(Validity flag, bool on) noexcept {
         if (on) {
             bits_ |= static_cast<std::uint32_t>(flag);

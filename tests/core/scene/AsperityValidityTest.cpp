@@ -185,5 +185,30 @@ TEST(AsperityValidity, FlatSamplesAndExactShapesHaveNoAsperity) {
     EXPECT_EQ(asperityValidity(ball, ball.belief, state).bits(), 0U);
 }
 
+/// Ticks of a tip that stays on a bump, then leaves it: looked up in the first and each eighth.
+TEST(AsperityValidity, OfManyTicksTheFirstAndEachEighthLookTheSurfaceUp) {
+    Bump bump{.height = 0.05_nm, .width = 2.0_nm, .tipRadius = 100.0_nm, .pitch = 1.0_nm};
+    bump.smoothing = 1.0;
+    const Scene scene = sceneOf(bump);
+    TipState state = pressedOn(scene, bump);
+    const Vector3 top = state.closest.point;
+    const Vector3 plane = top - Vector3(20.0_nm, 0.0, 0.0);
+    ASSERT_TRUE(flagsOn(bump).has(Validity::UnresolvedCurvature));
+    AsperityMemory memory;
+    for (int tick = 0; tick < 24; ++tick) {
+        state.closest.point = tick < 10 ? top : plane;
+        const ValidityFlags flags = asperityValidity(scene, scene.belief, state, memory);
+        EXPECT_EQ(flags.has(Validity::UnresolvedCurvature), tick < 16) << tick;
+    }
+    state.contact.branch = ContactBranch::Far;
+    EXPECT_EQ(asperityValidity(scene, scene.belief, state, memory).bits(), 0U);
+    EXPECT_EQ(memory, AsperityMemory{});
+    state.contact.branch = ContactBranch::Bonded;
+    state.closest.point = top;
+    EXPECT_TRUE(
+        asperityValidity(scene, scene.belief, state, memory).has(Validity::UnresolvedCurvature))
+        << "a new contact";
+}
+
 }  // namespace
 }  // namespace asperity
