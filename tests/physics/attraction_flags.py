@@ -3,6 +3,7 @@
 2.3, 2.11 and 3.7, beside the flags of `asperity curve`. Usage: attraction_flags.py ASPERITY"""
 
 import math
+import pathlib
 import subprocess
 import sys
 import tempfile
@@ -11,6 +12,7 @@ D0 = 0.165e-9                          # m
 COHESIVE_RANGE = D0 * (math.sqrt(10) - 1)
 WAVELENGTH = 100e-9                    # m
 WORK = 0.2                             # J/m^2, silicon oxide
+PROGRAM = pathlib.Path(sys.argv[1]).resolve()
 GLASS = {"radius": 5e-6, "stiffness": 0.12}
 HAMAKER = 12 * math.pi * WORK * D0**2  # J
 
@@ -26,7 +28,7 @@ def holds(name, is_true, found):
 def summary(*arguments):
     """What `asperity curve` says of a curve."""
     with tempfile.TemporaryDirectory() as folder:
-        done = subprocess.run([sys.argv[1], "curve", *map(str, arguments)], cwd=folder, text=True,
+        done = subprocess.run([PROGRAM, "curve", *map(str, arguments)], cwd=folder, text=True,
                               capture_output=True, check=True)
     return done.stderr
 
