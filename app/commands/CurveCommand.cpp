@@ -12,6 +12,7 @@
 #include "core/contact/laws/ForceCurve.h"
 #include "core/contact/laws/LawChoice.h"
 #include "core/io/tables/CsvWriter.h"
+#include "core/scene/AttractionValidity.h"
 #include "core/scene/ContactValidity.h"
 #include "core/scene/SampleHardness.h"
 #include "core/words/SceneWords.h"
@@ -95,7 +96,11 @@ std::string jumpText(const char* name, const std::optional<TipJump>& jump) {
 }
 
 ValidityFlags flagsOf(const CurveResult& result, const ForceCurvePoint& point) {
-    return contactValidity(result.asked.model, point.state, result.asked.material);
+    const CurveCase& asked = result.asked;
+    ValidityFlags flags = contactValidity(asked.model, point.state, asked.material);
+    flags.add(attractionValidity(asked.model, point.state, asked.compliance,
+                                 flags.has(Validity::ElasticLimit)));
+    return flags;
 }
 
 /// "large_contact at base 1.2 to 3.4 nm: contact radius above ...".

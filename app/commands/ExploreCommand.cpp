@@ -155,7 +155,9 @@ void tellOutcome(const FinishedRun& run) {
     const RunEvents& events = run.events;
     for (const Validity flag :
          {Validity::FilledPixel, Validity::LargeContact, Validity::LawOutOfRange,
-          Validity::Anisotropic, Validity::EstimateInconsistent}) {
+          Validity::Anisotropic, Validity::EstimateInconsistent, Validity::UnresolvedCurvature,
+          Validity::BeyondAsperity, Validity::BodyAttraction, Validity::RetardedAttraction,
+          Validity::LargeDeflection}) {
         const int index = std::countr_zero(static_cast<std::uint32_t>(flag));
         if (const long ticks = events.flagged.at(index); ticks > 0) {
             std::cerr << "note: in " << ticks << " of " << events.ticks

@@ -10,7 +10,6 @@ namespace asperity {
 
 EffectiveRadius effectiveRadius(double tipRadius, double largest, double smallest) noexcept {
     constexpr double kMinFactor = 0.1;
-    constexpr double kMaxFactor = 10.0;
     constexpr double kAnisotropicRatio = 2.0;
     if (!isWithin(tipRadius, kMinTipRadius, kMaxTipRadius) || !std::isfinite(largest) ||
         !std::isfinite(smallest)) {
@@ -18,9 +17,9 @@ EffectiveRadius effectiveRadius(double tipRadius, double largest, double smalles
     }
     const double sharper = 1.0 + (largest * tipRadius);
     const double blunter = 1.0 + (smallest * tipRadius);
-    const double first = std::clamp(sharper, kMinFactor, kMaxFactor);
-    const double second = std::clamp(blunter, kMinFactor, kMaxFactor);
-    return {.radius = tipRadius / std::sqrt(first * second),
+    const double first = std::max(sharper, kMinFactor);
+    const double second = std::max(blunter, kMinFactor);
+    return {.radius = std::max(tipRadius / std::sqrt(first * second), kMinTipRadius),
             .tipFits = blunter >= kMinFactor,
             .anisotropic = first > kAnisotropicRatio * second};
 }

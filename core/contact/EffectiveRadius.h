@@ -9,7 +9,9 @@ struct EffectiveRadius {
     bool anisotropic = false;  ///< the two relative curvatures differ by more than a factor of 2
 };
 
-/// R_eff = [(1/R + kappa_1)(1/R + kappa_2)]^(-1/2), each factor within a tenth and ten times 1/R.
+/// R_eff = [(1/R + kappa_1)(1/R + kappa_2)]^(-1/2), each factor at least a tenth of 1/R: below, the
+/// tip does not fit the valley. A bump has no such bound, however sharp. R_eff is never below
+/// kMinTipRadius.
 /// Good to a few per cent unless `anisotropic`; valid only if `tipFits`. For values that are no
 /// numbers or a tip outside the laws' range `tipFits` is false and the radius is R.
 /// @param tipRadius R [m]  @param largest, smallest principal curvatures of the sample, > 0 for a

@@ -194,7 +194,7 @@ void judgeSignals(const Scene& scene, const TickInput& input, const BaseCommand&
         memory.correction = slowCorrection(input, out, memory.correction);
     }
     out.deviceForce = wantedForce(input, out, command, memory.correction);
-    out.flags = tickValidity(scene, out, verdict);
+    out.flags = tickValidity(scene, out, verdict, memory.asperity);
     out.flags.set(Validity::TipNotHeld, !command.tipHeld);
     out.flags.set(Validity::StaleSignals, isStale(scene, input, staleness));
 }

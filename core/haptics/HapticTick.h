@@ -7,6 +7,7 @@
 #include "core/probe/InnovationMonitor.h"
 #include "core/probe/StaleSignals.h"
 #include "core/probe/TipEquilibrium.h"
+#include "core/scene/AsperityValidity.h"
 #include "core/scene/Scene.h"
 #include "core/scene/TickInput.h"
 #include "core/scene/TickOutput.h"
@@ -26,6 +27,7 @@ struct TickMemory {
     ProxyMemory proxy;
     GuideMemory guide;
     GovernorMemory governor;
+    AsperityMemory asperity;    ///< flags of the topography around the contact
     double unsolved = 0.0;      ///< for how long there has been no equilibrium [s]
     bool started = false;       ///< false: `base` holds nothing yet
     Fault fault = Fault::None;  ///< latched

@@ -43,9 +43,9 @@ bool snapsSoon(const Scene& scene, const TipState& model) {
 }  // namespace
 
 ValidityFlags tickValidity(const Scene& scene, const TickOutput& out,
-                           const InnovationVerdict& verdict) noexcept {
+                           const InnovationVerdict& verdict, AsperityMemory& memory) noexcept {
     ValidityFlags flags =
-        tipValidity(scene, scene.belief, scene.description.sample.material, out.model);
+        tipValidity(scene, scene.belief, scene.description.sample.material, out.model, memory);
     flags.set(Validity::ModelContradicted, verdict.modelContradicted);
     flags.set(Validity::EstimateInconsistent, verdict.estimateInconsistent);
     flags.set(Validity::SnapInAhead, snapsSoon(scene, out.model));

@@ -110,6 +110,12 @@ Cantilever::Cantilever(const CantileverGeometry& geometry) : geometry_(geometry)
     torsionPerFy_ = torsion / height;
 }
 
+bool Cantilever::isBentTooFar(const Vector3& force) const noexcept {
+    constexpr double kMaxDeflection = 0.2;  // of the length up to the tip
+    const double deflection = compliance_.row(2).dot(rotation_ * force);
+    return std::abs(deflection) > kMaxDeflection * geometry_.loadPoint();
+}
+
 Cantilever Cantilever::rigidInTorsion() const noexcept {
     Cantilever rigid = *this;
     rigid.compliance_(1, 1) -= torsionPerFy_ * geometry_.tipHeight;

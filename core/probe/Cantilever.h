@@ -57,6 +57,12 @@ public:
     [[nodiscard]] double bendingPerFz() const noexcept { return bendingPerFz_; }  ///< cz [rad/N]
     [[nodiscard]] double bendingPerFx() const noexcept { return bendingPerFx_; }  ///< cx [rad/N]
     [[nodiscard]] double torsionPerFy() const noexcept { return torsionPerFy_; }  ///< cy [rad/N]
+    /// Returns whether a force at the tip (lab frame [N]) bends the beam by more than a fifth of
+    /// its length by linear theory. There the beam takes 4 % more force than the linear one,
+    /// growing as the square of the deflection, and its free end has come nearer to the clamp
+    /// by 2.4 % of the length. Source: docs/theory.md 5.7.
+    [[nodiscard]] bool isBentTooFar(const Vector3& force) const noexcept;
+
     /// kappa: how much bending signal Fx causes next to Fz.
     [[nodiscard]] double couplingRatio() const noexcept {
         return 2.0 * geometry_.tipHeight / geometry_.loadPoint();

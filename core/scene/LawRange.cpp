@@ -36,13 +36,12 @@ bool isWithinRange(const ContactModel& model, const ContactState& state) noexcep
     return isApart(state) && state.indentation > -model.cohesiveRange();
 }
 
-/// Transition parameter of the pair, also where the law takes no part in it.
-double lambdaOf(const ContactModel& model) noexcept {
+}  // namespace
+
+double pairLambda(const ContactModel& model) noexcept {
     const ContactPair& pair = model.pair();
     return transitionParameter(maugisUnits(pair), pair.workOfAdhesion / model.cohesiveRange());
 }
-
-}  // namespace
 
 bool leavesLawsRange(const ContactModel& model, const ContactState& state) noexcept {
     const ContactPair& pair = model.pair();
@@ -55,10 +54,10 @@ bool leavesLawsRange(const ContactModel& model, const ContactState& state) noexc
     case Attraction::None:
         return true;
     case Attraction::Outside:
-        return lambdaOf(model) > kMaxLambdaDmt || isWithinRange(model, state) ||
+        return pairLambda(model) > kMaxLambdaDmt || isWithinRange(model, state) ||
                reachesTooFar(model, unloadedReach(model));
     case Attraction::Inside:
-        return lambdaOf(model) < kMinLambdaJkr || isWithinRange(model, state) ||
+        return pairLambda(model) < kMinLambdaJkr || isWithinRange(model, state) ||
                (!law.sphere && reachesTooFar(model, reachOf(model, state)));
     case Attraction::Zone:
         return law.sphere ? state.cohesiveRadius >= pair.tipRadius

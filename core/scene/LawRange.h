@@ -22,4 +22,7 @@ namespace asperity {
 /// Source: docs/theory.md 2.4, 2.5, 2.9, 4.4.
 [[nodiscard]] bool leavesLawsRange(const ContactModel& model, const ContactState& state) noexcept;
 
+/// Returns the transition parameter of an adhesive pair, also where its law takes no part in it.
+[[nodiscard]] double pairLambda(const ContactModel& model) noexcept;
+
 }  // namespace asperity

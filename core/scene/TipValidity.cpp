@@ -1,6 +1,7 @@
 #include "core/scene/TipValidity.h"
 
 #include "core/contact/laws/LawChoice.h"
+#include "core/scene/AttractionValidity.h"
 #include "core/scene/ContactValidity.h"
 
 namespace asperity {
@@ -11,10 +12,29 @@ namespace {
 /// much of its force.
 constexpr double kInteraction = 0.05;
 
-}  // namespace
+/// What the law of the tip's place does not hold for; nothing where no law acts, which saves making
+/// it.
+ValidityFlags lawValidity(const ProbeSystem& system, const SampleMaterial& material,
+                          const TipState& state) noexcept {
+    const ContactState& contact = state.contact;
+    const Vector3& normal = state.closest.normal;
+    const double compliance = normal.dot(system.cantilever.compliance() * normal);
+    const bool touches = contact.contactRadius > 0.0;
+    ValidityFlags flags;
+    if (!touches && !isPulledByFar(contact, compliance)) {
+        return flags;
+    }
+    const ContactModel model = contactModelAt(system, state);
+    if (touches) {
+        flags.add(contactValidity(model, contact, material));
+    }
+    flags.add(attractionValidity(model, contact, compliance, flags.has(Validity::ElasticLimit)));
+    return flags;
+}
 
-ValidityFlags tipValidity(const Scene& scene, const ProbeSystem& system,
-                          const SampleMaterial& material, const TipState& state) noexcept {
+/// All but what takes the topography around the contact.
+ValidityFlags quickValidity(const Scene& scene, const ProbeSystem& system,
+                            const SampleMaterial& material, const TipState& state) noexcept {
     const Vector3& closest = state.closest.point;
     ValidityFlags flags;
     flags.set(Validity::LargeContact, isLargeContact(state.contactRatio, 1.0));
@@ -39,8 +59,26 @@ ValidityFlags tipValidity(const Scene& scene, const ProbeSystem& system,
             Validity::VariedMaterial,
             system.field != nullptr &&
                 system.field->variesWithin(closest.x(), closest.y(), state.contact.contactRadius));
-        flags.add(contactValidity(contactModelAt(system, state), state.contact, material));
     }
+    flags.set(Validity::LargeDeflection, system.cantilever.isBentTooFar(state.force));
+    flags.add(lawValidity(system, material, state));
+    return flags;
+}
+
+}  // namespace
+
+ValidityFlags tipValidity(const Scene& scene, const ProbeSystem& system,
+                          const SampleMaterial& material, const TipState& state) noexcept {
+    ValidityFlags flags = quickValidity(scene, system, material, state);
+    flags.add(asperityValidity(scene, system, state));
+    return flags;
+}
+
+ValidityFlags tipValidity(const Scene& scene, const ProbeSystem& system,
+                          const SampleMaterial& material, const TipState& state,
+                          AsperityMemory& memory) noexcept {
+    ValidityFlags flags = quickValidity(scene, system, material, state);
+    flags.add(asperityValidity(scene, system, state, memory));
     return flags;
 }
 

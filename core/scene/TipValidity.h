@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/scene/AsperityValidity.h"
 #include "core/scene/Scene.h"
 #include "core/scene/Validity.h"
 
@@ -12,5 +13,9 @@ namespace asperity {
 [[nodiscard]] ValidityFlags tipValidity(const Scene& scene, const ProbeSystem& system,
                                         const SampleMaterial& material,
                                         const TipState& state) noexcept;
+/// The same for one tick of many, see AsperityMemory.
+[[nodiscard]] ValidityFlags tipValidity(const Scene& scene, const ProbeSystem& system,
+                                        const SampleMaterial& material, const TipState& state,
+                                        AsperityMemory& memory) noexcept;
 
 }  // namespace asperity

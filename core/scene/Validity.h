@@ -37,6 +37,12 @@ enum class Validity : std::uint32_t {
     OverlappingContacts = 1U << 22U,  ///< two contact circles overlap: they do not bear apart
     InteractingContacts =
         1U << 23U,  ///< contacts lower each other's surface by more than 5 % of the indentation
+    UnresolvedCurvature = 1U << 24U,  ///< pixels or smoothing blur the curvature: AsperityValidity
+    BeyondAsperity = 1U << 25U,       ///< the contact is wider than what it stands on
+    BodyAttraction = 1U << 26U,       ///< the sample beside the asperity attracts, too
+    RetardedAttraction = 1U << 27U,   ///< van der Waals attraction is retarded across this gap
+    LargeDeflection = 1U << 28U,      ///< the lever is bent so far that it is no longer linear
+    StrengthLimited = 1U << 29U,      ///< JKR would misread w from pull-off: AttractionValidity
 };
 
 /// What a flag means for a result, the mildest first.
@@ -134,6 +140,24 @@ inline constexpr std::array kValidityTraits{
     ValidityTraits{Validity::InteractingContacts, "interacting_contacts", "contacts interact",
                    "contacts lower each other by over 5 % of the indentation",
                    Severity::Approximate, FlagBasis::Contact},
+    ValidityTraits{Validity::UnresolvedCurvature, "unresolved_curvature", "curvature unresolved",
+                   "pixels and smoothing blur the curvature here: radius over a tenth off",
+                   Severity::Approximate, FlagBasis::Contact},
+    ValidityTraits{Validity::BeyondAsperity, "beyond_asperity", "contact > asperity",
+                   "contact wider than the asperity: radius over a tenth off",
+                   Severity::Approximate, FlagBasis::Contact},
+    ValidityTraits{Validity::BodyAttraction, "body_attraction", "sample beside attracts",
+                   "attraction of the sample beside the asperity is left out",
+                   Severity::Approximate, FlagBasis::Tick},
+    ValidityTraits{Validity::RetardedAttraction, "retarded_attraction", "attraction retarded",
+                   "van der Waals attraction is retarded across this gap: weaker than modeled",
+                   Severity::Approximate, FlagBasis::Tick},
+    ValidityTraits{Validity::LargeDeflection, "large_deflection", "lever bent too far",
+                   "lever bent by over a fifth of its length: no longer linear", Severity::Doubt,
+                   FlagBasis::Tick},
+    ValidityTraits{Validity::StrengthLimited, "strength_limited", "strength sets pull-off",
+                   "strength limits adhesion: JKR misreads pull-off by over 5 %", Severity::Notice,
+                   FlagBasis::Contact},
 };
 
 inline constexpr std::size_t kValidityFlagCount = kValidityTraits.size();
@@ -141,6 +165,9 @@ inline constexpr std::size_t kValidityFlagCount = kValidityTraits.size();
 /// A set of validity flags.
 class ValidityFlags {
 public:
+    ValidityFlags() = default;
+    explicit ValidityFlags(std::uint32_t bits) noexcept : bits_(bits) {}
+
     void set(Validity flag, bool on) noexcept {
         if (on) {
             bits_ |= static_cast<std::uint32_t>(flag);

@@ -155,10 +155,8 @@ double ContactModel::jumpInApproach(double compliance) const noexcept {
 
 double ContactModel::pullOffApproach(double compliance) const noexcept {
     const double soft = nearestCompliance(compliance);
-    const Meniscus& meniscus = given_.options.meniscus;
-    const double pull = meniscus.present() ? meniscus.pull(given_.pair.tipRadius) : 0.0;
     return onJoined([&](const auto& joined) { return joined.pullOffApproach(soft); }) -
-           (soft * pull);
+           (soft * meniscusPull());
 }
 
 double ContactModel::attractionRange() const noexcept {
@@ -216,6 +214,11 @@ double ContactModel::cohesiveRange() const noexcept {
     const AdhesionSplit* shares = split();
     return shares != nullptr ? shares->cohesiveWork / shares->cohesiveStress
                              : work / given_.options.cohesiveStress;
+}
+
+double ContactModel::meniscusPull() const noexcept {
+    const Meniscus& meniscus = given_.options.meniscus;
+    return meniscus.present() ? meniscus.pull(given_.pair.tipRadius) : 0.0;
 }
 
 const AttractiveTail* ContactModel::tail() const noexcept {

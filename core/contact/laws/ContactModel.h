@@ -67,6 +67,8 @@ public:
     /// Range h0 of the pair's attraction across a gap [m]: that of the law's cohesive zone, or,
     /// where the law has none, that of the stress asked for; 0 without adhesion.
     [[nodiscard]] double cohesiveRange() const noexcept;
+    /// Pull of the meniscus on bonded bodies [N], >= 0; 0 without one.
+    [[nodiscard]] double meniscusPull() const noexcept;
     /// Transition parameter of the cohesive zone; 0 where the law has none.
     [[nodiscard]] double lambda() const noexcept;
 

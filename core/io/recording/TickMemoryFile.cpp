@@ -109,6 +109,8 @@ void listMemory(Memory& memory, const Cell& cell) {
     listGuideMemory(memory, later);
     listGovernorMemory(memory, later);
     later({"unsolved_s"}, memory.unsolved);
+    later({"asperity_flags"}, memory.asperity.flags);
+    later({"asperity_hold_for"}, memory.asperity.holdFor);
     cell({"started"}, memory.started);
     cell({"fault"}, memory.fault);
     cell({"rearms"}, memory.rearms);

@@ -33,6 +33,18 @@ TEST(EffectiveRadius, OfTwoCurvaturesIsTheirGeometricMean) {
     EXPECT_FALSE(effectiveRadius(kRadius, 0.9 / kRadius, 0.0).anisotropic);
 }
 
+/// A blunt tip on a sharp asperity sees little more than the asperity, without any bound.
+TEST(EffectiveRadius, OfABluntTipOnASharpAsperityIsTheAsperitys) {
+    for (const double ratio : {9.0, 11.0, 100.0, 1e6}) {
+        const double tip = 5.0_um;
+        const double asperity = tip / ratio;
+        const EffectiveRadius met = effectiveRadius(tip, 1.0 / asperity, 1.0 / asperity);
+        EXPECT_NEAR(met.radius, tip / (1.0 + ratio), 1e-12 * tip) << ratio;
+        EXPECT_TRUE(met.tipFits);
+    }
+    EXPECT_NEAR(effectiveRadius(5.0_um, 1.0 / 50.0_nm, 1.0 / 50.0_nm).radius, 49.5_nm, 0.01_nm);
+}
+
 TEST(EffectiveRadius, SaysThatTheTipDoesNotFitAndStaysFinite) {
     const EffectiveRadius valley = effectiveRadius(kRadius, 0.0, -1.0 / 14.0_nm);
     EXPECT_FALSE(valley.tipFits);

@@ -240,6 +240,48 @@ TEST(Cantilever, RefusesATipThatIsNotOnTheBeam) {
     }
 }
 
+/// Deflection over length of a beam that follows its own bend, under a force P across the unloaded
+/// beam at its end: theta'' = -load cos(theta), load = P l^2/(EI), by shooting.
+double trueDeflection(double load) {
+    constexpr int kSteps = 2000;
+    const auto shoot = [load](double bend, double& height) {
+        constexpr double kStep = 1.0 / kSteps;
+        double angle = 0.0;
+        height = 0.0;
+        for (int i = 0; i < kSteps; ++i) {  // the midpoint rule
+            const double middle = angle + (0.5 * kStep * bend);
+            const double middleBend = bend - (0.5 * kStep * load * std::cos(angle));
+            angle += kStep * middleBend;
+            bend -= kStep * load * std::cos(middle);
+            height += kStep * std::sin(middle);
+        }
+        return bend;
+    };
+    double low = 0.0;
+    double high = load;
+    double height = 0.0;
+    for (int i = 0; i < 50; ++i) {
+        const double bend = 0.5 * (low + high);
+        (shoot(bend, height) > 0.0 ? high : low) = bend;
+    }
+    return height;
+}
+
+TEST(Cantilever, IsBentTooFarWhereALinearBeamIsFourPercentTooSoft) {
+    const CantileverGeometry geometry = referenceLever("G1_k14");
+    const Cantilever lever(geometry);
+    const double length = geometry.loadPoint();
+    const auto isBent = [&](double share) {  // of the length
+        return lever.isBentTooFar({0.0, 0.0, -share * length * lever.stiffness()});
+    };
+    EXPECT_FALSE(isBent(0.19));
+    EXPECT_TRUE(isBent(0.21));
+    EXPECT_FALSE(lever.isBentTooFar({0.0, 1e-4, 0.0})) << "torsion bends no beam";
+    EXPECT_NEAR(0.2 / trueDeflection(0.6), 1.04, 0.001);  // linear: load / 3
+    EXPECT_NEAR(0.3 / trueDeflection(0.9), 1.086, 0.001);
+    EXPECT_NEAR(0.02 / trueDeflection(0.06), 1.000411, 1e-6) << "as the square of the deflection";
+}
+
 /// Each number alone would do; together they make no lever.
 TEST(Cantilever, RefusesAStiffnessThatNoLeverHas) {
     CantileverGeometry geometry = referenceLever("G1_k14");

@@ -63,6 +63,21 @@ TEST(ShapeSample, ABallIsTouchedAsABall) {
     }
 }
 
+/// 1.59 pi w R_eff by Maugis and Dugdale, and the tail.
+TEST(ShapeSample, ABluntTipIsHeldByASmallBallAsByTheBallAlone) {
+    SceneDescription description = test::plainScene();
+    description.tip.radius = 5.0_um;
+    description.sample.shape = {.kind = ShapeKind::Sphere, .radius = 50.0_nm, .size = 60.0_nm};
+    const Scene scene = buildScene(description);
+    const BaseMotion base{.position = {30.0_nm, 30.0_nm, 99.0_nm}};
+    EquilibriumMemory memory;
+    const TipState state = tipEquilibrium(scene.trueSurface(), scene.belief, base, memory);
+    EXPECT_NEAR(state.effectiveRadius, 49.5_nm, 0.01_nm);
+    EXPECT_LT(state.contact.contactRadius, 0.3 * state.effectiveRadius);
+    const double soft = 1e3;  // [m/N]: pull-off under a load
+    EXPECT_NEAR(contactModelAt(scene, state).lastBonded(soft).force, -16.8_nN, 0.1_nN);
+}
+
 TEST(ShapeSample, ASlopeIsTouchedAcrossIt) {
     const Scene scene = sceneOf(kSlope);
     const Vector3 normal(-std::sin(kSlope.slope), 0.0, std::cos(kSlope.slope));

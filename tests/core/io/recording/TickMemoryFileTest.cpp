@@ -56,6 +56,7 @@ TickMemory someMemory() {
         .edgeShare = 2.0 / 3.0,
         .starts = 5,
         .speed = {.from = {0.1 / 3.0, 0.2, -0.3}, .time = 1e-3, .started = true, .speed = 0.7}};
+    memory.asperity = {.flags = 1U << 25U, .holdFor = 5};
     memory.started = true;
     memory.unsolved = 0.031;
     memory.fault = Fault::DeviceLost;
@@ -104,6 +105,7 @@ TEST(TickMemoryFile, ReadsBackToTheSameBits) {
     EXPECT_EQ(read.governor.speed.time, written.governor.speed.time);
     EXPECT_EQ(read.governor.speed.started, written.governor.speed.started);
     EXPECT_EQ(read.governor.speed.speed, written.governor.speed.speed);
+    EXPECT_EQ(read.asperity, written.asperity);
     EXPECT_EQ(read.started, written.started);
     EXPECT_EQ(read.unsolved, written.unsolved);
     EXPECT_EQ(read.fault, written.fault);

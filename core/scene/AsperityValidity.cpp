@@ -1,0 +1,177 @@
+#include "core/scene/AsperityValidity.h"
+
+#include "core/contact/EffectiveRadius.h"
+#include "core/contact/laws/VanDerWaals.h"
+#include "core/surface/Curvature.h"
+#include "core/surface/TangentFrame.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace asperity {
+
+namespace {
+
+constexpr double kMaxChange = 0.1;  // of the effective radius
+constexpr double kBluntTip = 1.5;   // tip radius over effective radius
+/// Directions around the contact, unit vectors in its plane: six, so that what varies as the first
+/// to fifth harmonic of the angle has no part in their mean.
+constexpr double kHalfRoot3 = 0.5 * std::numbers::sqrt3;
+constexpr std::array<std::array<double, 2>, 6> kDirections{{{1.0, 0.0},
+                                                            {0.5, kHalfRoot3},
+                                                            {-0.5, kHalfRoot3},
+                                                            {-1.0, 0.0},
+                                                            {-0.5, -kHalfRoot3},
+                                                            {0.5, -kHalfRoot3}}};
+constexpr double kShare = 1.0 / static_cast<double>(kDirections.size());
+constexpr double kSquare = 1.0 / 12.0;  // variance of a pixel's square, of its side squared
+
+/// Effective radius of a surface's own height and derivatives.
+EffectiveRadius radiusOf(const HeightSample& sample, double tipRadius) noexcept {
+    const PrincipalCurvatures bend = principalCurvatures(sample);
+    return effectiveRadius(tipRadius, bend.largest, bend.smallest);
+}
+
+/// Adds what smoothing and pixels took from the middle's slopes and curvatures along one axis.
+/// @param blur their variance along it, of the distance of both neighbors squared
+void sharpen(HeightSample& sharp, const HeightSample& middle, const HeightSample& before,
+             const HeightSample& after, double blur) noexcept {
+    const auto lost = [&](double HeightSample::*value) {
+        return 0.5 * blur * (before.*value + after.*value - 2.0 * middle.*value);
+    };
+    for (double HeightSample::*value : {&HeightSample::dx, &HeightSample::dy, &HeightSample::dxx,
+                                        &HeightSample::dxy, &HeightSample::dyy}) {
+        sharp.*value -= lost(value);
+    }
+}
+
+/// Variance of the scene's low-pass along an axis [m^2]. @param pitch of a pixel [m]
+double smoothingVariance(const SampleDescription& sample, double pitch) noexcept {
+    const double length =
+        sample.smoothingLength > 0.0 ? sample.smoothingLength : sample.smoothingPixels * pitch;
+    return length * length;
+}
+
+/// Whether smoothing and pixels blur the curvature at the contact point.
+bool isUnresolved(const Scene& scene, const ProbeSystem& system, const Vector3& place) noexcept {
+    const BSplineSurface& surface = scene.surface;
+    const HeightSample middle = surface.at(place.x(), place.y());
+    HeightSample sharp = middle;
+    const auto sharpenAlong = [&](double pitch, const Vector3& axis) {
+        const double smoothing = smoothingVariance(scene.description.sample, pitch);
+        const double step = std::sqrt(smoothing + (pitch * pitch));
+        const Vector3 before = place - step * axis;
+        const Vector3 after = place + step * axis;
+        sharpen(sharp, middle, surface.at(before.x(), before.y()), surface.at(after.x(), after.y()),
+                (smoothing + (kSquare * pitch * pitch)) / (step * step));
+    };
+    sharpenAlong(surface.grid().pitchX, Vector3::UnitX());
+    sharpenAlong(surface.grid().pitchY, Vector3::UnitY());
+    const double blurred = radiusOf(middle, system.tipRadius()).radius;
+    return std::abs(radiusOf(sharp, system.tipRadius()).radius - blurred) > kMaxChange * blurred;
+}
+
+/// Heights of the surface over the tangent plane of the contact point.
+class Surroundings {
+public:
+    Surroundings(const Scene& scene, const TipState& state) noexcept
+        : surface_(scene.surface)
+        , frame_(tangentFrame(state.closest.point, state.closest.normal)) {}
+
+    /// Height above the plane along its normal [m], at a distance [m].
+    [[nodiscard]] double height(double distance,
+                                const std::array<double, 2>& direction) const noexcept {
+        const Vector3 place =
+            frame_.origin + distance * (direction[0] * frame_.along + direction[1] * frame_.across);
+        return (surface_.at(place.x(), place.y()).height - place.z()) * frame_.normal.z();
+    }
+
+private:
+    const BSplineSurface& surface_;
+    TangentFrame frame_;
+};
+
+/// Whether the contact is wider than the asperity is a paraboloid.
+bool isBeyondAsperity(const Surroundings& around, const TipState& state) noexcept {
+    constexpr double kRim = 0.8546;  // (8/15)^(1/4): what r^4 weighs under a flat punch's pressure
+    const double distance = kRim * state.contact.contactRadius;
+    double sum = 0.0;
+    for (const auto& direction : kDirections) {
+        sum += around.height(distance, direction);
+    }
+    const PrincipalCurvatures& bend = state.closest.curvatures;
+    const double square = distance * distance;
+    const double left = sum * kShare + 0.25 * (bend.largest + bend.smallest) * square;
+    return std::abs(left) > kMaxChange * square / (2.0 * state.effectiveRadius);
+}
+
+/// Attraction of the tip's cap beyond the contact, less that by the paraboloid of the contact
+/// point, over 1.5 pi w R_eff: the midpoint rule over the logarithm of the radius.
+double attractionBeside(const Surroundings& around, const TipState& state,
+                        double tipRadius) noexcept {
+    constexpr double kSpacing = std::numbers::ln2;  // of the rings' logarithms
+    const double radius = state.effectiveRadius;
+    const double nearest = kContactSeparation + std::max(0.0, -state.contact.indentation);
+    // Traction over its value at D0, which is 2 w / D0.
+    const auto traction = [nearest](double gap) {
+        const double ratio = kContactSeparation / (nearest + std::max(0.0, gap));
+        return ratio * ratio * ratio;
+    };
+    double sum = 0.0;
+    const double inner = std::max(state.contact.contactRadius, std::sqrt(2.0 * radius * nearest));
+    for (double distance = std::numbers::sqrt2 * inner; distance < tipRadius; distance *= 2.0) {
+        const double square = distance * distance;
+        const double cap = square / (tipRadius + std::sqrt((tipRadius * tipRadius) - square));
+        double ring = 0.0;
+        for (const auto& direction : kDirections) {
+            ring += traction(cap - around.height(distance, direction));
+        }
+        sum += (ring * kShare - traction(square / (2.0 * radius))) * square;
+    }
+    return sum * kSpacing * (8.0 / 3.0) / (kContactSeparation * radius);
+}
+
+/// Whether attraction beside the contact point exceeds the tolerance of the pull-off force.
+bool attractsBeside(const Scene& scene, const ProbeSystem& system, const Surroundings& around,
+                    const TipState& state) noexcept {
+    if (system.pairAt(state.closest.point, state.effectiveRadius).workOfAdhesion < kMinAdhesion) {
+        return false;
+    }
+    return std::abs(attractionBeside(around, state, system.tipRadius())) >
+           scene.description.tolerance;
+}
+
+}  // namespace
+
+ValidityFlags asperityValidity(const Scene& scene, const ProbeSystem& system,
+                               const TipState& state) noexcept {
+    ValidityFlags flags;
+    const bool usesCurvature = system.curvature && !isSphere(system.contact.law());
+    if (scene.shape || !usesCurvature || state.contact.branch != ContactBranch::Bonded) {
+        return flags;
+    }
+    const Surroundings around(scene, state);
+    flags.set(Validity::UnresolvedCurvature, isUnresolved(scene, system, state.closest.point));
+    flags.set(Validity::BeyondAsperity,
+              state.contact.contactRadius > 0.0 && isBeyondAsperity(around, state));
+    flags.set(Validity::BodyAttraction, system.tipRadius() > kBluntTip * state.effectiveRadius &&
+                                            attractsBeside(scene, system, around, state));
+    return flags;
+}
+
+ValidityFlags asperityValidity(const Scene& scene, const ProbeSystem& system, const TipState& state,
+                               AsperityMemory& memory) noexcept {
+    constexpr std::uint32_t kTicks = 8;
+    if (state.contact.branch != ContactBranch::Bonded) {
+        memory = {};
+    } else if (memory.holdFor > 0) {
+        --memory.holdFor;
+    } else {
+        memory = {.flags = asperityValidity(scene, system, state).bits(), .holdFor = kTicks - 1};
+    }
+    return ValidityFlags(memory.flags);
+}
+
+}  // namespace asperity
