@@ -34,8 +34,8 @@ void replayTicks(const Scene& scene, const RecordedRun& run, const TickSink& sin
 /// Compares two force logs cell by cell, as text: the numbers are written to the last bit. Of a log
 /// with fewer digits, those and the checks of all. Columns that came after the recording was made
 /// are not in it.
-/// @throw Error naming the first tick that differs; InputError naming the recorded log where it has
-/// a column that no log has
+/// @throw Error naming the first tick that differs, and saying so where flags alone differ;
+/// InputError naming the recorded log where it has a column that no log has
 void requireSameLog(const RecordedRun& run, const CsvTable& replayed);
 
 /// Runs the ticks again and compares the logs.

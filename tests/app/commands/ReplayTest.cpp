@@ -96,12 +96,18 @@ TEST(ReplayOfShippedScenes, IsBitIdentical) {
     }
 }
 
-TEST(ReplayOfAnEarlierProgram, IsBitIdentical) {
+/// It did not know the flag `strength_limited`.
+TEST(ReplayOfAnEarlierProgram, IsBitIdenticalButForFlags) {
     const test::ScratchFolder scratch;
     const auto again =
         test::runProgram("replay " + test::referenceFolder().string() +
                          "/recordings/sphere --out " + scratch.file("again").string());
-    EXPECT_NE(again.output.find("bit-identical: 201 ticks"), std::string::npos) << again.output;
+    EXPECT_EQ(again.exitCode, 1);
+    EXPECT_NE(again.output.find("bit-identical but for flags: 201 ticks"), std::string::npos)
+        << again.output;
+    EXPECT_NE(again.output.find("was elastic_limit, is now elastic_limit|strength_limited"),
+              std::string::npos)
+        << again.output;
 }
 
 TEST_F(Replay, ComparesALogFromBeforeItsLastColumnWasAdded) {
