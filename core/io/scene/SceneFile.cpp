@@ -202,10 +202,23 @@ void readFidelity(TomlSection section, SceneDescription& scene) {
     section.refuseUnknownKeys();
 }
 
+void readUncertainty(TomlSection section, Uncertainty& uncertainty) {
+    uncertainty.enabled = section.flag("enabled", uncertainty.enabled);
+    uncertainty.thermalStiffness = section.flag("thermal_stiffness", uncertainty.thermalStiffness);
+    for (const UncertaintyRow& row : kEnumTable<UncertaintyInput>) {
+        if (row.deviation != nullptr) {
+            double& deviation = uncertainty.*row.deviation;
+            deviation = section.number(row.key, deviation);
+        }
+    }
+    section.refuseUnknownKeys();
+}
+
 void readRest(const toml::table& table, const std::filesystem::path& path,
               SceneDescription& scene) {
     readPhysics(TomlSection(table, path, "physics"), scene);
     readFidelity(TomlSection(table, path, "fidelity"), scene);
+    readUncertainty(TomlSection(table, path, "uncertainty"), scene.uncertainty);
     readHaptics(TomlSection(table, path, "haptics"), scene);
     TomlSection approach(table, path, "approach");
     scene.setpoint = approach.number("setpoint_n", scene.setpoint);
@@ -217,8 +230,8 @@ void readRest(const toml::table& table, const std::filesystem::path& path,
 
 void refuseUnknownSections(const toml::table& table, const std::filesystem::path& path) {
     TomlSection root(table, path, "");
-    for (const char* name : {"sample", "tip", "probe", "truth", "physics", "fidelity", "haptics",
-                             "approach", "view", "window", kMarkers}) {
+    for (const char* name : {"sample", "tip", "probe", "truth", "physics", "fidelity",
+                             "uncertainty", "haptics", "approach", "view", "window", kMarkers}) {
         root.allow(name);
     }
     root.refuseUnknownKeys();
@@ -308,6 +321,17 @@ toml::table fidelityTable(const SceneDescription& scene) {
     return table;
 }
 
+toml::table uncertaintyTable(const Uncertainty& uncertainty) {
+    toml::table table{{"enabled", uncertainty.enabled},
+                      {"thermal_stiffness", uncertainty.thermalStiffness}};
+    for (const UncertaintyRow& row : kEnumTable<UncertaintyInput>) {
+        if (row.deviation != nullptr) {
+            table.insert(row.key, uncertainty.*row.deviation);
+        }
+    }
+    return table;
+}
+
 toml::table truthTable(const TruthDescription& truth) {
     toml::table table = materialTable(truth.material);
     insertMaterialSources(truth.material.maps, table);
@@ -363,6 +387,7 @@ std::string sceneText(const SceneDescription& scene) {
                                 {"meniscus_angle_rad", scene.meniscus.contactAngle},
                                 {"meniscus_range_m", scene.meniscus.range}}},
         {"fidelity", fidelityTable(scene)},
+        {"uncertainty", uncertaintyTable(scene.uncertainty)},
         {"haptics", hapticsTable(scene)},
         {"approach", toml::table{{"setpoint_n", scene.setpoint}}},
         {"view", toml::table{{"zoom_half_width_m", scene.zoomHalfWidth}}}};
