@@ -10,6 +10,7 @@
 #include "core/io/scene/NamedChoice.h"
 #include "core/io/scene/ProbeFile.h"
 #include "core/io/scene/TomlFile.h"
+#include "core/io/scene/UncertaintyKeys.h"
 #include "core/scene/ModelTerm.h"
 
 #include <fstream>
@@ -202,18 +203,6 @@ void readFidelity(TomlSection section, SceneDescription& scene) {
     section.refuseUnknownKeys();
 }
 
-void readUncertainty(TomlSection section, Uncertainty& uncertainty) {
-    uncertainty.enabled = section.flag("enabled", uncertainty.enabled);
-    uncertainty.thermalStiffness = section.flag("thermal_stiffness", uncertainty.thermalStiffness);
-    for (const UncertaintyRow& row : kEnumTable<UncertaintyInput>) {
-        if (row.deviation != nullptr) {
-            double& deviation = uncertainty.*row.deviation;
-            deviation = section.number(row.key, deviation);
-        }
-    }
-    section.refuseUnknownKeys();
-}
-
 void readRest(const toml::table& table, const std::filesystem::path& path,
               SceneDescription& scene) {
     readPhysics(TomlSection(table, path, "physics"), scene);
@@ -316,17 +305,6 @@ toml::table fidelityTable(const SceneDescription& scene) {
     for (const ModelTermTraits& term : kEnumTable<ModelTerm>) {
         if (term.choice != nullptr) {
             table.insert(term.key, keyOf(model.*term.choice));
-        }
-    }
-    return table;
-}
-
-toml::table uncertaintyTable(const Uncertainty& uncertainty) {
-    toml::table table{{"enabled", uncertainty.enabled},
-                      {"thermal_stiffness", uncertainty.thermalStiffness}};
-    for (const UncertaintyRow& row : kEnumTable<UncertaintyInput>) {
-        if (row.deviation != nullptr) {
-            table.insert(row.key, uncertainty.*row.deviation);
         }
     }
     return table;
