@@ -50,6 +50,7 @@ RULES = {
     "core/scene": SCENE,
     "core/deformation": f"{SCENE} core/scene",
     "core/map": f"{SCENE} core/scene",
+    "core/uncertainty": f"{SCENE} core/scene",
     "core/haptics/cycle": LOOP,
     "core/haptics/device": LOOP,
     "core/haptics/governor": LOOP,

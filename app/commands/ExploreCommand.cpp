@@ -13,6 +13,7 @@
 #include "app/recording/RunPacking.h"
 #include "app/reports/RunCurves.h"
 #include "app/reports/RunPictures.h"
+#include "app/runs/CycleBudgets.h"
 #include "app/runs/OutputFolder.h"
 #include "app/runs/RunFolder.h"
 #include "app/runs/RunSummary.h"
@@ -26,6 +27,7 @@
 #include "core/io/scene/DevicePathFile.h"
 #include "core/io/scene/SceneFile.h"
 #include "core/scene/BelievedModel.h"
+#include "core/words/BudgetWords.h"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -35,7 +37,10 @@
 #include <iostream>
 #include <memory>
 #include <optional>
+#include <string>
+#include <utility>
 #include <variant>
+#include <vector>
 
 namespace asperity {
 
@@ -147,12 +152,17 @@ struct FinishedRun {
     RunEvents events;
     RunCurves curves;
     RunPictures pictures;
-    double tickRate = 0.0;         ///< [Hz]
-    std::optional<double> missed;  ///< the setpoint that the force did not reach [N]
+    std::vector<std::string> remarks;  ///< on smoothing and pixels
+    std::vector<std::string> results;  ///< of each cycle, with what is open in them
+    double tickRate = 0.0;             ///< [Hz]
+    std::optional<double> missed;      ///< the setpoint that the force did not reach [N]
 };
 
 void tellOutcome(const FinishedRun& run) {
     const RunEvents& events = run.events;
+    for (const std::string& remark : run.remarks) {
+        std::cerr << "note: " << remark << '\n';
+    }
     for (const Validity flag :
          {Validity::FilledPixel, Validity::LargeContact, Validity::LawOutOfRange,
           Validity::Anisotropic, Validity::EstimateInconsistent, Validity::UnresolvedCurvature,
@@ -216,6 +226,19 @@ Prepared prepare(const ExploreOptions& options) {
     return {std::move(loaded), std::move(plan)};
 }
 
+/// Says of each cycle what was read, and what is open in it.
+void takeResults(const Scene& scene, const std::vector<ContactCycle>& cycles, FinishedRun& run) {
+    for (const ContactCycle& cycle : cycles) {
+        for (const auto& [key, name, unit, budget] : cycleBudgets(scene, cycle)) {
+            run.results.push_back(std::string(name) + " " + budgetText(budget, unit));
+            std::string remark = resolutionText(budget, name, scene.description.tolerance);
+            if (!remark.empty()) {
+                run.remarks.push_back(std::move(remark));
+            }
+        }
+    }
+}
+
 /// Runs, and leaves in the folder all but the pictures.
 FinishedRun finishedRun(const Prepared& prepared, const std::filesystem::path& out) {
     const auto& [loaded, plan] = prepared;
@@ -227,11 +250,15 @@ FinishedRun finishedRun(const Prepared& prepared, const std::filesystem::path& o
     const RunEvents& events = keeper.events.events();
     writeTextFile(out / run_files::kScene, sceneText(settled(scene.description, scene.model)));
     writeTextFile(out / run_files::kSummary, runSummary(loaded, events));
-    return {.events = events,
-            .curves = std::move(keeper.curves),
-            .pictures = RunPictures(scene, events),
-            .tickRate = scene.description.tickRate,
-            .missed = missed};
+    FinishedRun finished{.events = events,
+                         .curves = std::move(keeper.curves),
+                         .pictures = RunPictures(scene, events),
+                         .remarks = {},
+                         .results = {},
+                         .tickRate = scene.description.tickRate,
+                         .missed = missed};
+    takeResults(scene, events.cycles, finished);
+    return finished;
 }
 
 /// @throw Canceled
@@ -261,6 +288,9 @@ void explore(const ExploreOptions& options) {
     }
     out.commit();
     tellOutcome(*run);
+    for (const std::string& result : run->results) {
+        std::cout << result << '\n';
+    }
     std::cout << run->events.ticks << " ticks at " << run->tickRate << " Hz; results in "
               << printable(options.out) << "/\n";
 }

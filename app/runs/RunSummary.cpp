@@ -2,11 +2,13 @@
 
 #include "app/program/JsonText.h"
 #include "app/program/ProvenanceJson.h"
+#include "app/runs/CycleBudgets.h"
 #include "core/PathText.h"
 #include "core/Version.h"
 #include "core/deformation/HalfSpaceModel.h"
 #include "core/io/scene/SceneFile.h"
 #include "core/scene/BelievedModel.h"
+#include "core/words/BudgetWords.h"
 #include "core/words/ModelWords.h"
 
 #include <nlohmann/json.hpp>
@@ -130,8 +132,35 @@ OrderedJson readingJson(const std::optional<Reading>& reading) {
     return reading ? OrderedJson(reading->value) : OrderedJson(nullptr);
 }
 
+OrderedJson budgetJson(const CycleBudget& one) {
+    const Budget& budget = one.budget;
+    OrderedJson shares = OrderedJson::object();
+    for (const UncertaintyInput input : kValues<UncertaintyInput>) {
+        shares[keyOf(input)] = budget.share(input);
+    }
+    const std::optional<UncertaintyInput> dominant = budget.dominant();
+    return {{"text", budgetText(budget, one.unit)},
+            {"value", budget.value},
+            {"noise_sigma", budget.noise},
+            {"model_sigma", budget.model()},
+            {"dominant", dominant ? OrderedJson(keyOf(*dominant)) : OrderedJson(nullptr)},
+            {"shares", shares}};
+}
+
+/// By the keys of the readings; null where the scene has them off.
+OrderedJson budgetsJson(const Scene& scene, const ContactCycle& cycle) {
+    if (!scene.description.uncertainty.enabled) {
+        return nullptr;
+    }
+    OrderedJson json = OrderedJson::object();
+    for (const CycleBudget& budget : cycleBudgets(scene, cycle)) {
+        json[budget.key] = budgetJson(budget);
+    }
+    return json;
+}
+
 /// What the force-distance curve of a cycle shows; null: it shows no such thing.
-OrderedJson cycleJson(const ContactCycle& cycle) {
+OrderedJson cycleJson(const Scene& scene, const ContactCycle& cycle) {
     return {{"touch_s", cycle.touchTime},
             {"off_s", cycle.complete() ? OrderedJson(cycle.offTime) : OrderedJson(nullptr)},
             {"x_m", cycle.place.x()},
@@ -150,13 +179,14 @@ OrderedJson cycleJson(const ContactCycle& cycle) {
             {"contact_stiffness_n_m", readingJson(cycle.stiffness)},
             {"max_force_n", cycle.maxForce.value},
             {"max_force_sigma_n", cycle.maxForce.sigma},
-            {"max_indentation_m", cycle.maxIndentation}};
+            {"max_indentation_m", cycle.maxIndentation},
+            {"uncertainty", budgetsJson(scene, cycle)}};
 }
 
-OrderedJson cyclesJson(const std::vector<ContactCycle>& cycles) {
+OrderedJson cyclesJson(const Scene& scene, const std::vector<ContactCycle>& cycles) {
     OrderedJson list = OrderedJson::array();
     for (const ContactCycle& cycle : cycles) {
-        list.push_back(cycleJson(cycle));
+        list.push_back(cycleJson(scene, cycle));
     }
     return list;
 }
@@ -184,7 +214,7 @@ std::string runSummary(const LoadedScene& loaded, const RunEvents& events) {
           {"largest_estimated_force_n", events.largestEstimatedForce},
           {"ticks_flagged", flagsJson(events)},
           {"ticks_faulted", events.faults}}},
-        {"cycles", cyclesJson(events.cycles)},
+        {"cycles", cyclesJson(loaded.scene, events.cycles)},
         {"snap_in", jumpJson(events.beforeSnapIn, events.snapIn)},
         {"pull_off", pullOffJson(events)},
         {"largest_indentation", optionalState(events.deepest)},

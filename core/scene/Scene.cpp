@@ -3,12 +3,13 @@
 #include "core/Error.h"
 #include "core/scene/BelievedModel.h"
 #include "core/scene/SampleMaterials.h"
+#include "core/scene/ScanSmoothing.h"
 #include "core/scene/SceneTruth.h"
 #include "core/scene/ShapeSample.h"
 #include "core/surface/InvalidPixels.h"
 #include "core/surface/fit/BSplineFit.h"
-#include "core/surface/fit/GaussianFilter.h"
 #include "core/surface/imaging/TipErosion.h"
+#include "core/surface/measure/HeightNoise.h"
 
 #include <algorithm>
 #include <cmath>
@@ -40,19 +41,12 @@ void checkMap(const Map& map) {
     }
 }
 
-template <class Map>
-Smoothing smoothingOf(const SampleDescription& sample, const Map& map) {
-    if (sample.smoothingLength != 0.0) {
-        return smoothingByLength(sample.smoothingLength, map);
-    }
-    return {.x = sample.smoothingPixels, .y = sample.smoothingPixels};
-}
-
 /// What is made of a map.
 struct Ground {
     std::vector<RemovedByStep> removed;
     BSplineSurface surface;
     CertaintyMap certainty;
+    double heightNoise = 0.0;  ///< [m]
     std::optional<NurbsSurface> shape = std::nullopt;
 };
 
@@ -72,6 +66,7 @@ BasicTipReconstruction<Map> surfaceUnder(const SampleDescription& sample, Map im
 template <class Map>
 Ground groundUnder(const SampleDescription& sample, LeveledMap<Map> level, Progress* progress) {
     const Smoothing smoothing = smoothingOf(sample, level.map);
+    const double noise = heightNoise(level.map);
     ProgressPart smoothingPart(progress, 0.0, 0.2);
     Map map = smoothed(withInvalidPixelsFilled(std::move(level.map)), smoothing, &smoothingPart);
     ProgressPart eroding(progress, 0.2, 0.8);
@@ -79,7 +74,7 @@ Ground groundUnder(const SampleDescription& sample, LeveledMap<Map> level, Progr
     CertaintyMap certainty(known.surface, known.certain);
     ProgressPart fitting(progress, 0.8, 1.0);
     return {std::move(level.removed), fitSurface(std::move(known.surface), {}, &fitting),
-            std::move(certainty)};
+            std::move(certainty), noise};
 }
 
 template <class Map>
@@ -92,7 +87,9 @@ Ground groundOf(const SampleDescription& sample, Map map, Progress* progress) {
         return groundUnder(sample, std::move(level), &rest);
     }
     const Smoothing smoothing = smoothingOf(sample, level.map);
-    return {std::move(level.removed), fitSurface(std::move(level.map), smoothing, &rest), {}};
+    const double noise = heightNoise(level.map);
+    return {
+        std::move(level.removed), fitSurface(std::move(level.map), smoothing, &rest), {}, noise};
 }
 
 /// With the model's friction or none.
@@ -121,6 +118,7 @@ Scene assemble(SceneDescription description, Ground ground, const SceneMaps& rea
         .removedPlane = sumOfPlanes(ground.removed),
         .surface = std::move(ground.surface),
         .certainty = std::move(ground.certainty),
+        .heightNoise = ground.heightNoise,
         .shape = std::move(ground.shape),
         .maps = maps,
         .model = model,
@@ -170,7 +168,8 @@ Scene buildScene(const SceneDescription& description, const SceneMaps& maps) {
         throw Error("[sample]: a scene without a height map needs a shape");
     }
     const ShapeDescription& shape = *description.sample.shape;
-    return assemble(description, {{}, fitSurface(shapeMap(shape)), {}, shapeSurface(shape)}, maps);
+    return assemble(description, {{}, fitSurface(shapeMap(shape)), {}, 0.0, shapeSurface(shape)},
+                    maps);
 }
 
 Scene withMaterial(Scene scene, const SampleMaterial& material) {
@@ -178,15 +177,16 @@ Scene withMaterial(Scene scene, const SampleMaterial& material) {
     checkScene(description);
     return assemble(description,
                     {std::move(scene.removedBySteps), std::move(scene.surface),
-                     std::move(scene.certainty), std::move(scene.shape)},
+                     std::move(scene.certainty), scene.heightNoise, std::move(scene.shape)},
                     scene.maps);
 }
 
 Scene withDescription(const Scene& scene, const SceneDescription& description) {
     checkScene(description);
-    return assemble(description,
-                    {scene.removedBySteps, scene.surface, scene.certainty, scene.shape},
-                    scene.maps);
+    return assemble(
+        description,
+        {scene.removedBySteps, scene.surface, scene.certainty, scene.heightNoise, scene.shape},
+        scene.maps);
 }
 
 void setModel(Scene& scene, const ForceModelOptions& model) {

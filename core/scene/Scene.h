@@ -32,9 +32,10 @@ struct Scene {
     PlaneFit removedPlane;                      ///< the sum of the planes that they removed
     BSplineSurface surface;                     ///< as drawn; the tip touches it without `shape`
     CertaintyMap certainty;                     ///< of the surface, where its imaging tip is known
-    std::optional<NurbsSurface> shape;          ///< what the tip touches in place of `surface`
-    SceneMaps maps;                             ///< of materials that are not the same everywhere
-    ForceModelOptions model;                    ///< with which the believed force is computed
+    double heightNoise = 0.0;           ///< white noise of the scan before smoothing, estimated [m]
+    std::optional<NurbsSurface> shape;  ///< what the tip touches in place of `surface`
+    SceneMaps maps;                     ///< of materials that are not the same everywhere
+    ForceModelOptions model;            ///< with which the believed force is computed
     ProbeSystem belief;        ///< what the operator's side takes tip, lever and sample to be
     ProbeSystem truth;         ///< what they are inside the simulated instrument
     LeverSignals signalSigma;  ///< noise of the signals as the estimator takes it [rad]

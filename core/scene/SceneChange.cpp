@@ -31,6 +31,7 @@ SceneChange changeBetween(const SceneDescription& from, const SceneDescription& 
 void adoptShown(SceneDescription& scene, const SceneDescription& from) {
     scene.setpoint = from.setpoint;
     scene.zoomHalfWidth = from.zoomHalfWidth;
+    scene.uncertainty = from.uncertainty;
     scene.markers = from.markers;
     scene.settings = from.settings;
 }

@@ -88,6 +88,15 @@ void check(const SampleDescription& sample) {
             "scan: another radius would make up a surface");
 }
 
+void check(const Uncertainty& uncertainty) {
+    for (const UncertaintyRow& row : kEnumTable<UncertaintyInput>) {
+        if (row.deviation != nullptr) {
+            require(isWithin(uncertainty.*row.deviation, 0.0, row.max),
+                    std::string("[uncertainty]: ") + row.key + " must " + row.limits);
+        }
+    }
+}
+
 /// The window must show the upper side alone, and not where it is steeper than a picture shows.
 double widestWindow(const ShapeDescription& shape) {
     constexpr double kOfASphere = 1.25;    // radii: its corners lie at 0.88 of the radius
@@ -180,6 +189,7 @@ void checkScene(const SceneDescription& scene) {
             "[truth]: temperature_k must be zero or a positive number of kelvin");
     require(isWithin(scene.tolerance, 0.0, 1.0), "[fidelity]: tolerance must lie between 0 and 1");
     checkTerms(scene);
+    check(scene.uncertainty);
     require(scene.tickRate >= 100.0 && scene.tickRate <= 20000.0,
             "[haptics]: rate_hz must lie between 100 and 20000");
     checkSettings(scene.settings);

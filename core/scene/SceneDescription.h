@@ -11,6 +11,7 @@
 #include "core/scene/MaterialSources.h"
 #include "core/scene/ModelChoices.h"
 #include "core/scene/Settings.h"
+#include "core/scene/Uncertainty.h"
 #include "core/surface/GivenScale.h"
 #include "core/surface/PixelRectangle.h"
 #include "core/surface/leveling/LevelingStep.h"
@@ -116,6 +117,7 @@ struct SceneDescription {
         .guide = {.stiffness = 200.0, .damping = 0.5, .forceLimit = 1.0, .captureDistance = 50e-9}};
     double setpoint = 5e-9;      ///< at which an approach ends: force along z [N]
     double zoomHalfWidth = 0.0;  ///< of the zoomed view [m]; 0: chosen from the contact
+    Uncertainty uncertainty;     ///< of what all of it is based on
     std::vector<Marker> markers;
 
     bool operator==(const SceneDescription&) const = default;

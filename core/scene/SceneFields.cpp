@@ -5,6 +5,7 @@
 #include "core/scene/MaterialMapFields.h"
 #include "core/scene/SampleFields.h"
 #include "core/scene/SceneFieldOf.h"
+#include "core/scene/UncertaintyFields.h"
 
 #include <cmath>
 #include <iterator>
@@ -354,7 +355,7 @@ std::vector<SceneField> allFields() {
           materialFields(
               SceneGroup::Material, [](auto& scene) -> auto& { return scene.sample.material; }),
           tipFields(), beamFields(), detectorFields(), truthFields(), physicsFields(),
-          fidelityFields(), endFields()}) {
+          fidelityFields(), uncertaintyFields(), endFields()}) {
         std::ranges::move(part, std::back_inserter(all));
     }
     return all;

@@ -21,6 +21,7 @@ enum class SceneGroup : std::uint8_t {
     Truth,
     Physics,
     Fidelity,
+    Uncertainty,
     Approach,
     View,
 };
@@ -35,6 +36,7 @@ inline constexpr auto kEnumTable<SceneGroup> =
                                         {SceneGroup::Truth, "truth", "Truth"},
                                         {SceneGroup::Physics, "physics", "Physics"},
                                         {SceneGroup::Fidelity, "fidelity", "Fidelity"},
+                                        {SceneGroup::Uncertainty, "uncertainty", "Uncertainty"},
                                         {SceneGroup::Approach, "approach", "Approach"},
                                         {SceneGroup::View, "view", "View"}});
 

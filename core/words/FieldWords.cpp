@@ -20,6 +20,8 @@ std::string ownerOf(SceneGroup group) {
         return "True";
     case SceneGroup::Shape:
         return "Shape";
+    case SceneGroup::Uncertainty:
+        return "Deviation of";
     default:
         return {};
     }

@@ -36,6 +36,7 @@ constexpr auto kSections = std::to_array<SectionTraits>(
      {SceneGroup::Truth, "What the simulated instrument really is", true},
      {SceneGroup::Physics, "Contact law and meniscus", true},
      {SceneGroup::Fidelity, "What the model leaves out and how it is solved", true},
+     {SceneGroup::Uncertainty, "How well the scene's numbers are known", true},
      {SceneGroup::Approach, "Where an approach ends", true},
      {SceneGroup::View, "What the large view shows at first", true}});
 

@@ -9,6 +9,7 @@
 #include "app/reports/run/RunVerdict.h"
 #include "app/reports/run/SampleSection.h"
 #include "app/reports/run/TouchSection.h"
+#include "app/reports/run/UncertaintySection.h"
 #include "app/reports/run/ValiditySection.h"
 #include "core/SiFormat.h"
 #include "core/words/SceneWords.h"
@@ -51,6 +52,7 @@ ReportPage runPage(const ReportedRun& run, const std::string& parent) {
     addWarnings(page.content, run);
     addCurves(page.content, run.history);
     addTouches(page.content, run.history.events().cycles);
+    addUncertainty(page.content, scene, run.history.events().cycles);
     addSample(page.content, run);
     addPictures(page.content, run);
     addValidity(page.content, run.history);

@@ -10,6 +10,7 @@
 #include "core/io/scene/NamedChoice.h"
 #include "core/io/scene/ProbeFile.h"
 #include "core/io/scene/TomlFile.h"
+#include "core/io/scene/UncertaintyKeys.h"
 #include "core/scene/ModelTerm.h"
 
 #include <fstream>
@@ -207,6 +208,7 @@ void readRest(const toml::table& table, const std::filesystem::path& path,
               SceneDescription& scene) {
     readPhysics(TomlSection(table, path, "physics"), scene);
     readFidelity(TomlSection(table, path, "fidelity"), scene);
+    readUncertainty(TomlSection(table, path, "uncertainty"), scene.uncertainty);
     readHaptics(TomlSection(table, path, "haptics"), scene);
     TomlSection approach(table, path, "approach");
     scene.setpoint = approach.number("setpoint_n", scene.setpoint);
@@ -218,8 +220,8 @@ void readRest(const toml::table& table, const std::filesystem::path& path,
 
 void refuseUnknownSections(const toml::table& table, const std::filesystem::path& path) {
     TomlSection root(table, path, "");
-    for (const char* name : {"sample", "tip", "probe", "truth", "physics", "fidelity", "haptics",
-                             "approach", "view", "window", kMarkers}) {
+    for (const char* name : {"sample", "tip", "probe", "truth", "physics", "fidelity",
+                             "uncertainty", "haptics", "approach", "view", "window", kMarkers}) {
         root.allow(name);
     }
     root.refuseUnknownKeys();
@@ -365,6 +367,7 @@ std::string sceneText(const SceneDescription& scene) {
                                 {"meniscus_angle_rad", scene.meniscus.contactAngle},
                                 {"meniscus_range_m", scene.meniscus.range}}},
         {"fidelity", fidelityTable(scene)},
+        {"uncertainty", uncertaintyTable(scene.uncertainty)},
         {"haptics", hapticsTable(scene)},
         {"approach", toml::table{{"setpoint_n", scene.setpoint}}},
         {"view", toml::table{{"zoom_half_width_m", scene.zoomHalfWidth}}}};

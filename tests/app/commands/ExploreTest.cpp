@@ -46,6 +46,22 @@ nlohmann::json summaryOf(const std::filesystem::path& folder) {
     return nlohmann::json::parse(test::contentOf(folder / "summary.json"));
 }
 
+/// Each reading has what detector and model leave open, apart.
+void expectBudgets(const nlohmann::json& cycle) {
+    const nlohmann::json& budgets = cycle["uncertainty"];
+    for (const char* key : {"pull_off_force_n", "adhesion_work_j", "max_force_n"}) {
+        ASSERT_TRUE(budgets.contains(key)) << key;
+        EXPECT_EQ(budgets[key]["value"], cycle[key]) << key;
+        EXPECT_GT(budgets[key]["model_sigma"], 0.0) << key;
+        const std::string dominant = budgets[key]["dominant"];
+        EXPECT_GT(budgets[key]["shares"][dominant], 0.3 * budgets[key]["model_sigma"].get<double>())
+            << key;
+    }
+    EXPECT_EQ(budgets["pull_off_force_n"]["noise_sigma"], cycle["pull_off_force_sigma_n"]);
+    EXPECT_NE(budgets["pull_off_force_n"]["text"].get<std::string>().find("(noise)"),
+              std::string::npos);
+}
+
 class Explore : public ::testing::TestWithParam<std::string> {
 protected:
     static std::filesystem::path input() {
@@ -76,6 +92,7 @@ TEST_P(Explore, LeavesPicturesFieldsLogAndSummary) {
     ASSERT_TRUE(summary["pull_off"].is_object());
     EXPECT_GT(summary["largest_indentation"]["indentation_m"], 0.0);
     EXPECT_LT(summary["strongest_attraction"]["model_normal_force_n"], 0.0);
+    expectBudgets(summary["cycles"].back());
 }
 
 INSTANTIATE_TEST_SUITE_P(Inputs, Explore,

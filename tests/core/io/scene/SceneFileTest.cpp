@@ -203,6 +203,13 @@ TEST_F(SceneFile, ComesBackTheSameFromItsOwnText) {
     scene.choices.mountTilt = false;
     scene.choices.torsion = true;
     scene.tolerance = 0.125;
+    scene.uncertainty.enabled = false;
+    scene.uncertainty.thermalStiffness = true;
+    for (const UncertaintyRow& row : kEnumTable<UncertaintyInput>) {
+        if (row.deviation != nullptr) {
+            scene.uncertainty.*row.deviation *= 0.7;
+        }
+    }
     scene.settings.coupling = {.stiffness = 1e3 / 3.0, .damping = 2.5, .proxyDamping = 3.0};
     scene.settings.governor = {
         .maxForce = 10.0 / 3.0, .engageTime = 0.7, .maxDeviceSpeed = 1.1, .deadManButton = 3};
@@ -238,6 +245,7 @@ TEST_F(SceneFile, ComesBackTheSameFromItsOwnText) {
     EXPECT_EQ(again.choices.torsion, scene.choices.torsion);
     EXPECT_FALSE(again.choices.friction) << "left to the program";
     EXPECT_EQ(again.tolerance, scene.tolerance);
+    EXPECT_EQ(again.uncertainty, scene.uncertainty);
     EXPECT_EQ(again.settings.coupling, scene.settings.coupling);
     EXPECT_EQ(again.settings.governor, scene.settings.governor);
 }

@@ -16,7 +16,8 @@ namespace {
 /// All words in the sources of the readers that can be a key.
 std::set<std::string> candidates() {
     const std::filesystem::path source = test::checkout();
-    std::string text = test::contentOf(source / "core/scene/ModelTerm.h");
+    std::string text = test::contentOf(source / "core/scene/ModelTerm.h") +
+                       test::contentOf(source / "core/scene/Uncertainty.h");
     for (const auto& file : std::filesystem::directory_iterator(source / "core/io/scene")) {
         text += test::contentOf(file.path());
     }
@@ -48,8 +49,8 @@ bool isRead(const test::ScratchFolder& folder, const std::string& section, const
 TEST(SceneKeys, ThoseThatTheReaderReadsAreThoseOfTheList) {
     const test::ScratchFolder folder;
     std::set<std::string> read;
-    for (const char* section :
-         {"sample", "tip", "probe", "truth", "physics", "fidelity", "approach", "view"}) {
+    for (const char* section : {"sample", "tip", "probe", "truth", "physics", "fidelity",
+                                "uncertainty", "approach", "view"}) {
         for (const std::string& key : candidates()) {
             if (isRead(folder, section, key)) {
                 read.insert(std::string(section) + "." + key);

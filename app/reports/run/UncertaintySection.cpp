@@ -1,0 +1,35 @@
+#include "app/reports/run/UncertaintySection.h"
+
+#include "app/runs/CycleBudgets.h"
+#include "core/words/BudgetWords.h"
+
+#include <cstddef>
+#include <optional>
+#include <string>
+
+namespace asperity {
+
+void addUncertainty(PageContent& page, const Scene& scene,
+                    const std::vector<ContactCycle>& cycles) {
+    if (!scene.description.uncertainty.enabled || cycles.empty()) {
+        return;
+    }
+    PageTable table{.columns = {{"touch", true}, {"What"}, {"Value"}, {"Most by"}}, .rows = {}};
+    for (std::size_t i = 0; i < cycles.size(); ++i) {
+        for (const auto& [key, name, unit, budget] : cycleBudgets(scene, cycles[i])) {
+            const std::optional<UncertaintyInput> dominant = budget.dominant();
+            table.rows.push_back({{std::to_string(i + 1)},
+                                  {name},
+                                  {budgetText(budget, unit)},
+                                  {dominant ? nameOf(*dominant) : "–"}});
+        }
+    }
+    page.addHeading("Uncertainty");
+    page.addTable(table);
+    page.addParagraph("The first deviation is the noise of the signals. The second is what lever, "
+                      "tip, material, calibration and the way from the scan to the effective "
+                      "radius leave open, by the scene's section [uncertainty]; in brackets the "
+                      "inputs that make up most of it. Both are one standard deviation.");
+}
+
+}  // namespace asperity

@@ -1,0 +1,15 @@
+#pragma once
+
+#include "app/reports/page/ReportPage.h"
+#include "core/haptics/cycle/ContactCycle.h"
+#include "core/scene/Scene.h"
+
+#include <vector>
+
+namespace asperity {
+
+/// What model and calibration leave open in the readings of the touches, and by which input most;
+/// nothing where the scene has it off or nothing touched.
+void addUncertainty(PageContent& page, const Scene& scene, const std::vector<ContactCycle>& cycles);
+
+}  // namespace asperity

@@ -1,0 +1,53 @@
+#include "app/runs/CycleBudgets.h"
+
+#include "core/uncertainty/PlaceBudgets.h"
+
+#include <array>
+#include <cmath>
+#include <optional>
+
+namespace asperity {
+
+namespace {
+
+/// A reading, and the landmark of the law that it reads.
+struct CycleReading {
+    const char* key;
+    const char* name;
+    Landmark landmark;
+    std::optional<Reading> (*of)(const ContactCycle& cycle);
+};
+
+constexpr auto kReadings = std::to_array<CycleReading>(
+    {{"pull_off_force_n", "pull-off force", Landmark::AdhesionForce,
+      [](const ContactCycle& cycle) { return cycle.pullOff; }},
+     {"adhesion_work_j", "work of adhesion", Landmark::SeparationWork,
+      [](const ContactCycle& cycle) {
+          return std::optional(Reading{cycle.adhesionWork, cycle.areaSigma});
+      }},
+     {"contact_stiffness_n_m", "contact stiffness", Landmark::Stiffness,
+      [](const ContactCycle& cycle) { return cycle.stiffness; }},
+     {"max_force_n", "largest force", Landmark::NormalForce,
+      [](const ContactCycle& cycle) { return std::optional(cycle.maxForce); }},
+     {"max_indentation_m", "largest indentation", Landmark::Indentation,
+      [](const ContactCycle& cycle) {
+          return std::optional(Reading{cycle.maxIndentation, 0.0});
+      }}});
+
+}  // namespace
+
+std::vector<CycleBudget> cycleBudgets(const Scene& scene, const ContactCycle& cycle) {
+    const PlaceBudgets budgets = budgetsAt(scene, cycle.place, cycle.maxForce.value);
+    std::vector<CycleBudget> list;
+    for (const CycleReading& row : kReadings) {
+        const std::optional<Reading> reading = row.of(cycle);
+        const Budget& ofLaw = budgetOf(budgets, row.landmark);
+        if (reading && std::isfinite(ofLaw.value)) {
+            list.push_back({row.key, row.name, rowOf(row.landmark)->unit,
+                            ofLaw.of(reading->value, reading->sigma)});
+        }
+    }
+    return list;
+}
+
+}  // namespace asperity

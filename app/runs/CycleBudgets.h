@@ -1,0 +1,23 @@
+#pragma once
+
+#include "core/haptics/cycle/ContactCycle.h"
+#include "core/scene/Scene.h"
+#include "core/uncertainty/Budget.h"
+
+#include <vector>
+
+namespace asperity {
+
+/// A reading of a cycle with what is open in it.
+struct CycleBudget {
+    const char* key;   ///< of the reading in summaries
+    const char* name;  ///< for people
+    const char* unit;  ///< SI
+    Budget budget;
+};
+
+/// Computes what model and calibration leave open in the readings of a cycle, at its place and its
+/// largest force; noise is the cycle's own. What a cycle does not show is left out.
+[[nodiscard]] std::vector<CycleBudget> cycleBudgets(const Scene& scene, const ContactCycle& cycle);
+
+}  // namespace asperity

@@ -1,0 +1,54 @@
+#include "core/uncertainty/Budget.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace asperity {
+
+double Budget::model() const noexcept {
+    return std::sqrt(std::inner_product(shares.begin(), shares.end(), shares.begin(), 0.0));
+}
+
+double Budget::total() const noexcept { return std::hypot(noise, model()); }
+
+std::optional<UncertaintyInput> Budget::dominant() const noexcept {
+    const auto largest = std::ranges::max_element(shares);
+    return *largest > 0.0 ? std::optional(static_cast<UncertaintyInput>(largest - shares.begin()))
+                          : std::nullopt;
+}
+
+std::vector<UncertaintyInput> Budget::mainInputs() const {
+    constexpr double kMain = 0.9;
+    std::vector<UncertaintyInput> inputs(kValues<UncertaintyInput>.begin(),
+                                         kValues<UncertaintyInput>.end());
+    std::ranges::stable_sort(inputs, std::greater(), [this](auto input) { return share(input); });
+    const double all = model() * model();
+    double sum = 0.0;
+    std::size_t count = 0;
+    while (count < inputs.size() && sum < kMain * all) {
+        sum += share(inputs[count]) * share(inputs[count]);
+        ++count;
+    }
+    inputs.resize(count);
+    return inputs;
+}
+
+double Budget::resolutionShare() const noexcept {
+    const double moved =
+        std::hypot(share(UncertaintyInput::Smoothing), share(UncertaintyInput::Pixels));
+    return value != 0.0 ? moved / std::abs(value) : 0.0;
+}
+
+Budget Budget::of(double reading, double deviation) const noexcept {
+    Budget budget = *this;
+    const double scale = value != 0.0 ? std::abs(reading / value) : 0.0;
+    budget.value = reading;
+    budget.noise = deviation;
+    for (double& one : budget.shares) {
+        one *= scale;
+    }
+    return budget;
+}
+
+}  // namespace asperity

@@ -1,0 +1,35 @@
+#pragma once
+
+#include "core/scene/Uncertainty.h"
+
+#include <array>
+#include <optional>
+#include <vector>
+
+namespace asperity {
+
+/// A result with what is open in it. All in the unit of the result; deviations are standard ones.
+struct Budget {
+    double value = 0.0;
+    double noise = 0.0;  ///< what the detector cannot resolve
+    /// By what each input moves the result, in the order of UncertaintyInput, >= 0.
+    std::array<double, kUncertaintyInputCount> shares{};
+
+    [[nodiscard]] double share(UncertaintyInput input) const noexcept {
+        return shares[static_cast<std::size_t>(input)];
+    }
+    /// What model and calibration leave open: all shares, as independent ones.
+    [[nodiscard]] double model() const noexcept;
+    /// Noise and model together.
+    [[nodiscard]] double total() const noexcept;
+    /// The input with the largest share; none: no input moves the result.
+    [[nodiscard]] std::optional<UncertaintyInput> dominant() const noexcept;
+    /// The inputs that make up nine tenths of the variance of the model, the largest first.
+    [[nodiscard]] std::vector<UncertaintyInput> mainInputs() const;
+    /// What smoothing and pixels move the result by, relative to its value.
+    [[nodiscard]] double resolutionShare() const noexcept;
+    /// The same relative shares of another reading of the result. @param deviation by noise
+    [[nodiscard]] Budget of(double reading, double deviation) const noexcept;
+};
+
+}  // namespace asperity

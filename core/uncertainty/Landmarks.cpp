@@ -1,0 +1,73 @@
+#include "core/uncertainty/Landmarks.h"
+
+#include "core/contact/laws/ForceCurve.h"
+
+#include <limits>
+#include <optional>
+
+namespace asperity {
+
+namespace {
+
+double& at(Landmarks& landmarks, Landmark landmark) {
+    return landmarks[static_cast<std::size_t>(landmark)];
+}
+
+/// Area over the base's position between the fold, where the force goes as a square root, and the
+/// position without force, by Simpson's rule in the root of the distance [J].
+double pullingArea(const ContactModel& model, double compliance, double fold, double zero) {
+    constexpr int kIntervals = 32;
+    const double reach = zero - fold;
+    double area = 0.0;
+    for (int i = 1; i <= kIntervals; ++i) {  // the integrand is 0 at the fold
+        const double root = static_cast<double>(i) / kIntervals;
+        const double base = fold + (reach * root * root);
+        const double pull = -model.equilibrium(base, compliance, kBondedMemory).force;
+        const double weight = i == kIntervals ? 1.0 : (i % 2 == 1 ? 4.0 : 2.0);
+        area += weight * pull * 2.0 * root;
+    }
+    return area * reach / (3.0 * kIntervals);
+}
+
+void takeAdhesion(const ContactModel& model, double compliance, Landmarks& landmarks) {
+    constexpr double kNearlyNone = 1e-4;  // of the strongest pull
+    const std::optional<ForceCurvePoint> strongest = strongestPullOf(model, compliance);
+    const std::optional<TipJump> pullOff = pullOffOf(model, compliance);
+    if (!strongest || !pullOff) {
+        return;
+    }
+    const double pull = -strongest->state.force;
+    at(landmarks, Landmark::AdhesionForce) = pull;
+    at(landmarks, Landmark::PullOffForce) = -pullOff->before.force;
+    const std::optional<double> zero = basePositionAt(model, compliance, kNearlyNone * pull);
+    if (zero) {
+        at(landmarks, Landmark::SeparationWork) =
+            pullingArea(model, compliance, pullOff->basePosition, *zero);
+    }
+}
+
+void takeSetpoint(const ContactModel& model, double compliance, double force,
+                  Landmarks& landmarks) {
+    const std::optional<double> base = basePositionAt(model, compliance, force);
+    if (!base) {
+        return;
+    }
+    const ContactState state = model.equilibrium(*base, compliance, kBondedMemory);
+    at(landmarks, Landmark::NormalForce) = state.force;
+    at(landmarks, Landmark::Indentation) = state.indentation;
+    at(landmarks, Landmark::Stiffness) = state.stiffness;
+}
+
+}  // namespace
+
+Landmarks landmarksOf(const ContactModel& model, double compliance, double force) {
+    Landmarks landmarks;
+    landmarks.fill(std::numeric_limits<double>::quiet_NaN());
+    takeAdhesion(model, compliance, landmarks);
+    if (force > 0.0) {
+        takeSetpoint(model, compliance, force, landmarks);
+    }
+    return landmarks;
+}
+
+}  // namespace asperity

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "core/scene/Scene.h"
+#include "core/uncertainty/Budget.h"
+#include "core/uncertainty/Landmarks.h"
+
+#include <array>
+
+namespace asperity {
+
+/// Budgets in the order of Landmark; the value is NaN where there is no such landmark.
+using PlaceBudgets = std::array<Budget, kLandmarkCount>;
+
+[[nodiscard]] inline const Budget& budgetOf(const PlaceBudgets& budgets,
+                                            Landmark landmark) noexcept {
+    return budgets[static_cast<std::size_t>(landmark)];
+}
+
+/// Computes by what each input of [uncertainty] moves the landmarks of the believed contact at one
+/// place, from the contact law alone: no cycle is repeated. Noise is 0: it is of a reading. All
+/// shares are 0 where the scene has `enabled = false`. Some 40 evaluations of the law, of fold,
+/// equilibrium and area each.
+/// @param state of the believed tip at the place
+/// @param force along the normal at the setpoint [N]; not above 0: there is none
+/// Source: docs/uncertainty.md.
+[[nodiscard]] PlaceBudgets budgetsAt(const Scene& scene, const TipState& state, double force);
+
+/// The same where the tip's apex touches the surface above a place. @param place world x, y [m]
+[[nodiscard]] PlaceBudgets budgetsAt(const Scene& scene, const Vector2& place, double force);
+
+/// White noise of the scan's heights as the budgets take it: the scene's, or the estimate [m].
+[[nodiscard]] double usedHeightNoise(const Scene& scene) noexcept;
+
+}  // namespace asperity

@@ -1,0 +1,57 @@
+#include "core/words/BudgetWords.h"
+
+#include "core/FormattedText.h"
+#include "core/SiFormat.h"
+
+#include <cmath>
+#include <vector>
+
+namespace asperity {
+
+namespace {
+
+/// To one digit, to two where that is a 1: more is not known of a deviation.
+std::string digitsOf(double deviation) {
+    const double power = std::pow(10.0, std::floor(std::log10(deviation)));
+    const double step = deviation < 2.0 * power ? 0.1 * power : power;
+    return formatted("%.4g", std::round(deviation / step) * step);
+}
+
+std::string partText(double deviation, double factor, const std::string& inputs) {
+    return deviation > 0.0 && std::isfinite(deviation)
+               ? " ± " + digitsOf(deviation * factor) + " (" + inputs + ")"
+               : std::string();
+}
+
+std::string inputList(const Budget& budget) {
+    constexpr std::size_t kMost = 4;
+    std::string list;
+    std::size_t count = 0;
+    for (const UncertaintyInput input : budget.mainInputs()) {
+        list += (list.empty() ? "" : ", ") + std::string(nameOf(input));
+        if (++count == kMost) {
+            break;
+        }
+    }
+    return list;
+}
+
+}  // namespace
+
+std::string budgetText(const Budget& budget, const char* unit) {
+    const SiScale scale = siScaleFor(budget.value, unit);
+    return formatSi(budget.value, unit) + partText(budget.noise, scale.factor, "noise") +
+           partText(budget.model(), scale.factor, inputList(budget));
+}
+
+std::string resolutionText(const Budget& budget, const char* name, double tolerance) {
+    const double share = budget.resolutionShare();
+    if (!(share > tolerance)) {
+        return {};
+    }
+    return formatted("smoothing and pixels move the %s by %.2g %%, more than the tolerance of "
+                     "%.2g %%",
+                     name, 100.0 * share, 100.0 * tolerance);
+}
+
+}  // namespace asperity

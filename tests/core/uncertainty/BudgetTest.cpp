@@ -1,0 +1,43 @@
+#include "core/uncertainty/Budget.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace asperity {
+namespace {
+
+Budget someBudget() {
+    Budget budget{.value = 10.0, .noise = 1.2};
+    budget.shares[static_cast<std::size_t>(UncertaintyInput::TipRadius)] = 3.0;
+    budget.shares[static_cast<std::size_t>(UncertaintyInput::Smoothing)] = 4.0;
+    budget.shares[static_cast<std::size_t>(UncertaintyInput::Modulus)] = 0.1;
+    return budget;
+}
+
+TEST(Budget, AddsSharesAsIndependentOnes) {
+    const Budget budget = someBudget();
+    EXPECT_NEAR(budget.model(), 5.001, 1e-5);
+    EXPECT_NEAR(budget.total(), std::hypot(1.2, budget.model()), 1e-12);
+    EXPECT_NEAR(budget.resolutionShare(), 0.4, 1e-12);
+}
+
+TEST(Budget, NamesTheInputsThatMatter) {
+    const Budget budget = someBudget();
+    EXPECT_EQ(budget.dominant(), UncertaintyInput::Smoothing);
+    const std::vector<UncertaintyInput> expected{UncertaintyInput::Smoothing,
+                                                 UncertaintyInput::TipRadius};
+    EXPECT_EQ(budget.mainInputs(), expected);
+    EXPECT_FALSE(Budget{}.dominant());
+    EXPECT_TRUE(Budget{}.mainInputs().empty());
+}
+
+TEST(Budget, KeepsRelativeSharesForAnotherReading) {
+    const Budget reading = someBudget().of(-20.0, 0.5);
+    EXPECT_EQ(reading.value, -20.0);
+    EXPECT_EQ(reading.noise, 0.5);
+    EXPECT_NEAR(reading.share(UncertaintyInput::Smoothing), 8.0, 1e-12);
+}
+
+}  // namespace
+}  // namespace asperity

@@ -1,0 +1,33 @@
+#include "core/words/BudgetWords.h"
+
+#include <gtest/gtest.h>
+
+namespace asperity {
+namespace {
+
+Budget pullOff() {
+    Budget budget{.value = 16.87e-9, .noise = 0.222e-9};
+    budget.shares[static_cast<std::size_t>(UncertaintyInput::HeightNoise)] = 3.2e-9;
+    budget.shares[static_cast<std::size_t>(UncertaintyInput::Smoothing)] = 2.5e-9;
+    budget.shares[static_cast<std::size_t>(UncertaintyInput::InvOls)] = 0.01e-9;
+    return budget;
+}
+
+TEST(BudgetWords, StateNoiseAndModelApart) {
+    EXPECT_EQ(budgetText(pullOff(), "N"), "16.9 nN ± 0.2 (noise) ± 4 (heights, smoothing)");
+    Budget coarse = pullOff();
+    coarse.noise = 0.0;
+    coarse.shares[static_cast<std::size_t>(UncertaintyInput::HeightNoise)] = 12.3e-9;
+    EXPECT_EQ(budgetText(coarse, "N"), "16.9 nN ± 13 (heights)");
+    EXPECT_EQ(budgetText({.value = 2e-9}, "N"), "2 nN");
+}
+
+TEST(BudgetWords, NameSmoothingThatMattersMoreThanTheTolerance) {
+    EXPECT_EQ(resolutionText(pullOff(), "pull-off force", 0.05),
+              "smoothing and pixels move the pull-off force by 15 %, more than the tolerance of "
+              "5 %");
+    EXPECT_EQ(resolutionText(pullOff(), "pull-off force", 0.2), "");
+}
+
+}  // namespace
+}  // namespace asperity
