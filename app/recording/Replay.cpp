@@ -39,7 +39,8 @@ void requireKnownColumns(const CsvTable& recorded, const CsvTable& replayed) {
     }
 }
 
-/// What single precision does not tell, flags as they were recorded. @throw Error naming the ticks
+/// Compares the digits that a log in single precision lacks by their check sums; flags count as
+/// they were recorded. @throw Error naming the ticks
 void requireSameChecks(const RecordedRun& run, const CsvTable& replayed) {
     RowChecks checks;
     for (std::size_t row = 0; row < run.log.rows(); ++row) {

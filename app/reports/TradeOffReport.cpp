@@ -23,7 +23,7 @@ std::string forceDoubtText(const TradeOffReference& reference) {
     return text.empty() ? "it leaves nothing out" : text;
 }
 
-/// What a term changes most.
+/// The quantity that changes most when a term is left out.
 const char* quantityOf(const TermNeed& need) {
     return isOfSurface(need.term) ? "surface" : need.effect > 0.0 ? nameOf(need.quantity) : "";
 }

@@ -10,7 +10,8 @@
 
 namespace asperity {
 
-/// What a user reads off an approach and retract or off a run, and a model is judged by.
+/// The quantities by which a model is judged: those that a user reads from an approach and retract,
+/// and the force of a run.
 enum class JudgedQuantity : std::uint8_t {
     PullOffForce,     ///< the strongest pull of the retract
     PullOffPosition,  ///< of the base where the tip pulls off
@@ -33,9 +34,9 @@ inline constexpr auto kEnumTable<JudgedQuantity> = std::to_array<EnumRow<JudgedQ
      {JudgedQuantity::SeparationWork, "separation_work", "work of separation"},
      {JudgedQuantity::RunForce, "rms_force", "rms force of a run"}});
 
-/// The error of each quantity as a share, >= 0: of itself, of a position of the base's travel from
-/// the setpoint to the pull-off. That is how long the curve of the retract is in contact, so that
-/// the share is the one by which the curve looks shifted; it scales with the scene.
+/// The relative error of each quantity, >= 0. A position's error is relative to the base's travel
+/// from the setpoint to the pull-off: on the plotted curve that is the part in contact, so the
+/// error says how far the curve looks shifted, and it scales with the scene.
 class QuantityErrors {
 public:
     double& operator[](JudgedQuantity quantity) noexcept {

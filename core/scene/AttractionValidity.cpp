@@ -1,7 +1,7 @@
 #include "core/scene/AttractionValidity.h"
 
 #include "core/contact/laws/AttractiveTail.h"
-#include "core/contact/laws/Retardation.h"
+#include "core/contact/laws/VanDerWaals.h"
 
 #include <numbers>
 

@@ -3,34 +3,15 @@
 2.3, 2.11 and 3.7, beside the flags of `asperity curve`. Usage: attraction_flags.py ASPERITY"""
 
 import math
-import pathlib
-import subprocess
 import sys
-import tempfile
+
+from common import COHESIVE_RANGE, Checks, Program
 
 D0 = 0.165e-9                          # m
-COHESIVE_RANGE = D0 * (math.sqrt(10) - 1)
 WAVELENGTH = 100e-9                    # m
 WORK = 0.2                             # J/m^2, silicon oxide
-PROGRAM = pathlib.Path(sys.argv[1]).resolve()
 GLASS = {"radius": 5e-6, "stiffness": 0.12}
 HAMAKER = 12 * math.pi * WORK * D0**2  # J
-
-wrong = 0
-
-
-def holds(name, is_true, found):
-    global wrong
-    wrong += not is_true
-    print(f"{'ok   ' if is_true else 'WRONG'} {name}: {found}")
-
-
-def summary(*arguments):
-    """What `asperity curve` says of a curve."""
-    with tempfile.TemporaryDirectory() as folder:
-        done = subprocess.run([PROGRAM, "curve", *map(str, arguments)], cwd=folder, text=True,
-                              capture_output=True, check=True)
-    return done.stderr
 
 
 # Retardation: published interpolations, each as the share of F = H R / (6 D^2) that is left.
@@ -84,28 +65,29 @@ PUBLISHED = {
 }
 
 
-def check_retardation():
+def check_retardation(checks, program):
     places = {name: 1e9 * snap_in(share) for name, share in PUBLISHED.items()}
     for name, place in places.items():
         print(f"      {name}: snap-in at base {place:.2f} nm")
     middle = (min(places.values()) + max(places.values())) / 2
     spread = max(places.values()) - min(places.values())
-    holds("-18.0 nm lies in the middle of what is published, which spreads by 1 nm at most",
-          abs(middle + 18.0) < 0.1 and spread < 1.0, f"{middle:.2f}, {spread:.2f} nm")
+    checks.holds("-18.0 nm lies in the middle of what is published, which spreads by 1 nm at most",
+                 abs(middle + 18.0) < 0.1 and spread < 1.0, f"{middle:.2f}, {spread:.2f} nm")
     # The program's own share is Gregory's: within half of that spread.
     own = places["Gregory (1981), half-spaces"]
-    holds("the share by which the flag is set is as near", abs(own + 18.0) < 0.5, f"{own:.2f} nm")
-    said = summary("--material", "silicon_oxide", "--law", "split", "--radius", GLASS["radius"],
-                   "--stiffness", GLASS["stiffness"])
+    checks.holds("the share by which the flag is set is as near", abs(own + 18.0) < 0.5,
+                 f"{own:.2f} nm")
+    said, _ = program.curve("--material", "silicon_oxide", "--law", "split", "--radius",
+                            GLASS["radius"], "--stiffness", GLASS["stiffness"])
     line = next(line for line in said.splitlines() if "snap-in" in line)
     place = float(line.split("base")[1].split()[0])
     expected = 1e9 * snap_in(unretarded)
-    holds("the program snaps in as without retardation", abs(place - expected) < 0.1,
-          f"{place:.2f}, expected {expected:.2f} nm")
-    holds("and says so", "retarded_attraction" in said, line.strip())
-    sharp = summary("--material", "silicon_oxide", "--law", "split", "--radius", 15e-9,
-                    "--stiffness", 14)
-    holds("a sharp tip is not flagged", "retarded_attraction" not in sharp, "R 15 nm, 14 N/m")
+    checks.holds("the program snaps in as without retardation", abs(place - expected) < 0.1,
+                 f"{place:.2f}, expected {expected:.2f} nm")
+    checks.holds("and says so", "retarded_attraction" in said, line.strip())
+    sharp, _ = program.curve("--material", "silicon_oxide", "--law", "split", "--radius", 15e-9,
+                             "--stiffness", 14)
+    checks.holds("a sharp tip is not flagged", "retarded_attraction" not in sharp, "R 15 nm, 14 N/m")
 
 
 # Strength: the pull-off force of Maugis and Dugdale's contact, in units of pi w R.
@@ -123,25 +105,31 @@ def pull_off(transition):
     return min(at(0.01 + i * 1e-4) for i in range(15600))
 
 
-def check_strength():
+def check_strength(checks, program):
     low, high = 0.1, 10.0
     for _ in range(40):
         middle = math.sqrt(low * high)
         low, high = (middle, high) if pull_off(middle)[0] < -1.05 * 1.5 else (low, middle)
-    holds("JKR misreads pull-off by 5 % at lambda 1.233", abs(low - 1.233) < 5e-4, f"{low:.4f}")
+    checks.holds("JKR misreads pull-off by 5 % at lambda 1.233", abs(low - 1.233) < 5e-4, f"{low:.4f}")
     share = pull_off(low)[1]
-    holds("half of the strength pulls there", abs(share - 0.5) < 0.01, f"{share:.3f}")
+    checks.holds("half of the strength pulls there", abs(share - 0.5) < 0.01, f"{share:.3f}")
     for transition in (0.1, 1.15, 1.32, 5.0):
         radius = 15e-9  # lambda goes as the modulus to -2/3; w of rubber, which does not yield
         work = 0.022
-        elastic = math.sqrt((2 * work / COHESIVE_RANGE / transition)**3 * radius / (math.pi * work))
-        said = summary("--material", "silicone_rubber", "--law", "md", "--radius", radius,
-                       "--stiffness", 1e-3, "--reduced-modulus", 0.75 * elastic)
-        holds(f"lambda {transition}", ("strength_limited" in said) == (transition < 1.233),
-              f"pull-off {pull_off(transition)[0]:.4f} pi w R")
+        elastic = math.sqrt((2 * work / float(COHESIVE_RANGE) / transition)**3 * radius / (math.pi * work))
+        said, _ = program.curve("--material", "silicone_rubber", "--law", "md", "--radius",
+                                radius, "--stiffness", 1e-3, "--reduced-modulus", 0.75 * elastic)
+        checks.holds(f"lambda {transition}", ("strength_limited" in said) == (transition < 1.233),
+                     f"pull-off {pull_off(transition)[0]:.4f} pi w R")
 
 
-check_retardation()
-check_strength()
-print("all agree" if not wrong else f"{wrong} wrong")
-sys.exit(1 if wrong else 0)
+def main(path):
+    checks = Checks()
+    program = Program(path)
+    check_retardation(checks, program)
+    check_strength(checks, program)
+    checks.finish()
+
+
+if __name__ == "__main__":
+    main(sys.argv[1])

@@ -95,7 +95,8 @@ inline constexpr auto kEnumTable<ContactLaw> = std::to_array<LawTraits>(
     return traitsOf(law).attraction == Attraction::Inside;
 }
 
-/// Whether a law of the exact sphere leaves out the cone that goes on from it.
+/// Whether this is a law of the exact sphere that cannot take the cone above the sphere into
+/// account.
 [[nodiscard]] constexpr bool leavesOutCone(ContactLaw law) noexcept {
     return isSphere(law) && traitsOf(law).attraction == Attraction::Zone;
 }

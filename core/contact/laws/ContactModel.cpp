@@ -160,7 +160,7 @@ double ContactModel::pullOffApproach(double compliance) const noexcept {
 }
 
 double ContactModel::attractionRange() const noexcept {
-    // Of four contact points that are left out, all together take a hundredth of the pull.
+    // Four contact points just out of range pull with a hundredth of the strongest pull together.
     constexpr double kFaint = 1.0 / 400.0;
     double range = std::max(-jumpInApproach(0.0), 0.0);
     if (given_.options.meniscus.present()) {

@@ -16,7 +16,8 @@ class FilmTable;
 class MaugisTable;
 struct AdhesionSplit;
 
-/// What is wrong with the tip's cone under a law, or Solved. @param halfAngle [rad]; 0: no cone
+/// Returns why a law cannot have a tip with this cone, or Solved. @param halfAngle [rad]; 0: no
+/// cone
 [[nodiscard]] ContactStatus checkCone(ContactLaw law, const ContactPair& pair,
                                       double halfAngle) noexcept;
 

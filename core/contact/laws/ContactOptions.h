@@ -24,8 +24,8 @@ struct ContactOptions {
     double cohesiveStress = 0.0;  ///< sigma0 of the Maugis laws [Pa]; 0: w / kCohesiveRange
     double filmThickness = 0.0;   ///< of the sample [m]; 0: a half-space
     FilmElasticity film;          ///< of that film; by default incompressible, under a rigid tip
-    /// Of the cone that goes on from the tip's sphere, 0.01 .. 1.55 [rad]; 0: none, the sphere goes
-    /// on to its equator. Laws on the paraboloid know neither.
+    /// Half angle of the cone that touches the tip's sphere all around, 0.01 .. 1.55 [rad]; 0: a
+    /// sphere up to its equator. Laws of a paraboloid use neither.
     double coneHalfAngle = 0.0;
     Meniscus meniscus;  ///< by default none
     SolverSetting solver = SolverSetting::Newton;

@@ -31,10 +31,11 @@ protected:
                                 scratch.file("again").string());
     }
 
-    /// Changes one cell of the recorded input.
-    void alter(std::size_t row, const std::string& column, const std::string& value) {
-        std::stringstream text(test::contentOf(run / "tick_input.csv"));
-        std::ofstream out(run / "tick_input.csv");
+    /// Changes one cell of a table of the run.
+    void alter(std::size_t row, const std::string& column, const std::string& value,
+               const char* file = "tick_input.csv") {
+        std::stringstream text(test::contentOf(run / file));
+        std::ofstream out(run / file);
         std::vector<std::string> names;
         std::size_t tick = 0;
         for (std::string line; std::getline(text, line);) {
@@ -126,6 +127,25 @@ TEST_F(Replay, NamesTheTickOfAnAlteredDeviceSample) {
     alter(217, "hand_z_m", "1.0000000001e-8");
     const auto again = replay();
     EXPECT_EQ(again.exitCode, 1);
+    EXPECT_NE(again.output.find("first differing tick: 217 "), std::string::npos) << again.output;
+}
+
+TEST_F(Replay, SaysThatFlagsAloneDiffer) {
+    alter(100, "flags", "thin_film", "force_log.csv");
+    const auto again = replay();
+    EXPECT_EQ(again.exitCode, 1);
+    EXPECT_NE(
+        again.output.find("bit-identical but for flags: 501 ticks; first differing tick: 100 "),
+        std::string::npos)
+        << again.output;
+}
+
+TEST_F(Replay, NamesAnAlteredForceAfterAnAlteredFlag) {
+    alter(100, "flags", "thin_film", "force_log.csv");
+    alter(217, "hand_z_m", "1.0000000001e-8");
+    const auto again = replay();
+    EXPECT_EQ(again.exitCode, 1);
+    EXPECT_EQ(again.output.find("but for flags"), std::string::npos) << again.output;
     EXPECT_NE(again.output.find("first differing tick: 217 "), std::string::npos) << again.output;
 }
 

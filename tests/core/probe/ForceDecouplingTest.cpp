@@ -1,5 +1,6 @@
 #include "core/probe/ForceDecoupling.h"
 
+#include "core/Random.h"
 #include "core/Units.h"
 #include "core/probe/PlanarForce.h"
 #include "core/probe/Sliding.h"
@@ -142,6 +143,32 @@ TEST(ForceDecoupling, ThePlanarEstimateHasTheVarianceOfTheSignalsAlone) {
         expected += by * by.transpose();
     }
     EXPECT_LE((estimate.covariance - expected).norm(), 1e-6 * expected.norm());
+}
+
+/// Forces about normals that are off by their deviation, with signals that are exact: what the
+/// planar estimate is off by is what its covariance says.
+TEST(ForceDecoupling, ThePlanarEstimateKnowsTheNormalsDeviation) {
+    constexpr int kDraws = 2000;
+    constexpr double kDeviation = 0.01;
+    const Vector3 normal = Vector3(0.1, -0.2, 1.0).normalized();
+    const Vector3 velocity(2.0, 5.0, 0.0);
+    const Vector3 first = normal.unitOrthogonal();
+    const Vector3 second = normal.cross(first);
+    Random random(14);
+    Matrix3 products = Matrix3::Zero();
+    Matrix3 stated = Matrix3::Zero();
+    for (int i = 0; i < kDraws; ++i) {
+        const Vector3 turn = kDeviation * (random.normal() * first + random.normal() * second);
+        Situation situation = slidingSituation(normal + turn, velocity);
+        situation.input.normal = normal;
+        situation.input.sigma = {1e-15, 1e-15};
+        situation.input.normalDeviation = kDeviation;
+        const ForceEstimate estimate = planarEstimate(situation.lever, situation.input);
+        const Vector3 error = estimate.force - situation.force;
+        products += error * error.transpose() / kDraws;
+        stated += estimate.covariance / kDraws;
+    }
+    EXPECT_LE((products - stated).norm(), 0.15 * stated.norm());
 }
 
 TEST(ForceDecoupling, ThePlanarEstimateFallsBackOnTheModelWhereItIsSingular) {

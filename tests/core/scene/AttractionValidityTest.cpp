@@ -2,7 +2,7 @@
 
 #include "core/Units.h"
 #include "core/contact/laws/AttractiveTail.h"
-#include "core/contact/laws/Retardation.h"
+#include "core/contact/laws/VanDerWaals.h"
 #include "core/scene/LawRange.h"
 
 #include <gtest/gtest.h>
