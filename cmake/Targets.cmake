@@ -38,12 +38,13 @@ endfunction()
 function(asperity_compile_options target)
   # -ffp-contract=off: a recorded run replays to the same bits whatever the optimizer fuses.
   # -Wno-missing-field-initializers: designated initializers leave defaults to the members.
-  # GCC 12 sees std::string's own operator+ overlap (-Wrestrict, GCC bug 105651) and write out of bounds
-  # (-Warray-bounds, -Wstringop-overflow, GCC bug 105329).
+  # GCC 12, where it optimizes, sees std::string's own operator+ overlap (-Wrestrict, GCC bug 105651) and
+  # write out of bounds (-Warray-bounds, -Wstringop-overflow, GCC bug 105329).
+  set(is_optimizing_gcc $<AND:$<CXX_COMPILER_ID:GNU>,$<CONFIG:Release>>)
   target_compile_options(
     ${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual
                       -Wno-missing-field-initializers
-                      "$<$<CXX_COMPILER_ID:GNU>:-Wno-restrict;-Wno-array-bounds;-Wno-stringop-overflow>"
+                      "$<${is_optimizing_gcc}:-Wno-restrict;-Wno-array-bounds;-Wno-stringop-overflow>"
                       -ffp-contract=off)
   if(ASPERITY_BATCH GREATER 1)
     # In a batch a name of another source is shadowed, and GCC takes the sources for headers, whose types must

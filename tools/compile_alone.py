@@ -11,12 +11,15 @@ import os
 import pathlib
 import re
 import shlex
+import shutil
 import subprocess
 import sys
 
 TOP = pathlib.Path(__file__).resolve().parents[1]
 INCLUDES = re.compile(r'^#include "([^"]+)"', re.MULTILINE)
 HEADERS = {".h", ".hpp"}
+# The compiler's commands that CMake writes down do not go through the cache.
+CACHED = [TOP / "tools/cached_compiler.sh"] if shutil.which("ccache") else []
 
 
 def changed_files(commits):
@@ -107,10 +110,12 @@ def main(build, commits):
     def compile_one(work):
         name, source, arguments = work
         # Not optimized: only whether it compiles. Each has a name of its own, so that two may run at a time.
-        output = folder / (pathlib.Path(source).relative_to("/").as_posix().replace("/", "_") + ".o")
-        result = subprocess.run([*arguments, "-O0", "-o", str(output), "-c", source], cwd=build,
-                                capture_output=True, text=True)
+        output = folder / (name.replace("/", "_") + ".o")
+        headers = output.with_suffix(".d")  # the compiler cache asks for it
+        result = subprocess.run([*CACHED, *arguments, "-O0", "-MD", "-MF", str(headers), "-o", str(output),
+                                 "-c", source], cwd=build, capture_output=True, text=True)
         output.unlink(missing_ok=True)
+        headers.unlink(missing_ok=True)
         return name, result
 
     failed = []

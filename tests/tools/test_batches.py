@@ -18,7 +18,7 @@ add_subdirectory(core)
 """
 LIBRARY = """asperity_library(asperity_base SOURCES One.cpp Two.cpp Alone.cpp Apart.cpp AlsoApart.cpp)
 set_source_files_properties(Alone.cpp PROPERTIES COMPILE_DEFINITIONS ALONE)
-set_source_files_properties(Apart.cpp AlsoApart.cpp PROPERTIES COMPILE_OPTIONS "-DAPART;-DBOTH")
+set_source_files_properties(Apart.cpp AlsoApart.cpp PROPERTIES COMPILE_OPTIONS "-DAPART=1 + 1;-DBOTH")
 """
 
 
@@ -41,7 +41,7 @@ class Batches(unittest.TestCase):
         (top / "core/Two.cpp").write_text('#include "core/Text.h"\nstd::string two() { return text(); }\n')
         for name in ("Apart", "AlsoApart"):
             (top / f"core/{name}.cpp").write_text(
-                f"#if !defined(APART) || !defined(BOTH)\n#error\n#endif\nint {name}() {{ return 1; }}\n")
+                f"#if APART != 2 || !defined(BOTH)\n#error\n#endif\nint {name}() {{ return 1; }}\n")
         (top / "core/Alone.cpp").write_text("#ifndef ALONE\n#error\n#endif\nint alone() { return 1; }\n")
         return top
 
@@ -75,6 +75,14 @@ class Batches(unittest.TestCase):
         included = [re.findall(r'#include "(.*)"', text) for text in texts]
         self.assertEqual(included, [["core/One.cpp", "core/Two.cpp"], ["core/Apart.cpp", "core/AlsoApart.cpp"]])
         self.assertNotIn(str(top), "".join(texts))
+
+    def test_refuse_what_would_not_reach_a_source(self):
+        top = self.checkout("one")
+        with (top / "core/CMakeLists.txt").open("a") as file:
+            file.write("set_source_files_properties(Two.cpp PROPERTIES COMPILE_FLAGS -O3)\n")
+        with self.assertRaises(subprocess.CalledProcessError) as refused:
+            self.build(top, "g++")
+        self.assertRegex(refused.exception.stderr, "core/Two.cpp:\\s+COMPILE_FLAGS does not reach")
 
 
 if __name__ == "__main__":

@@ -24,7 +24,8 @@ class CompileAlone(unittest.TestCase):
         self.write("core/User.cpp", USER)
         self.write("core/Other.cpp", "int other() { return 0; }\n")
         (self.top / "tools").mkdir()
-        shutil.copy(TOOLS / "compile_alone.py", self.top / "tools")
+        for tool in ("compile_alone.py", "cached_compiler.sh", "sanitizer_ignorelist.txt"):
+            shutil.copy(TOOLS / tool, self.top / "tools")
         self.write(".gitignore", "build\n")
         self.git("init", "-q")
         self.commit()

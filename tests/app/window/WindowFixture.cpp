@@ -83,8 +83,8 @@ void Window::SetUp() {
     QApplication::setActiveWindow(&window);  // a bare X server has nobody who does so
 }
 
-void Window::openFlatScene() {
-    session.runs().use({.scene = buildScene(plainScene(), flatMap()),
+void Window::openFlatScene(const SceneDescription& description) {
+    session.runs().use({.scene = buildScene(description, flatMap()),
                         .format = "made for the test",
                         .sha256 = "",
                         .notes = {}});

@@ -2,6 +2,7 @@
 
 #include "app/session/Session.h"
 #include "tests/support/ScratchFolder.h"
+#include "tests/support/TestScenes.h"
 #include "tests/support/Waits.h"
 #include "ui/window/MainWindow.h"
 
@@ -34,7 +35,7 @@ protected:
     void SetUp() override;
 
     /// Opens a small scene whose sample is flat and waits until it runs.
-    void openFlatScene();
+    void openFlatScene(const SceneDescription& description = plainScene());
 
     template <typename Widget>
     Widget* child(const char* name) {

@@ -162,8 +162,8 @@ TEST_F(WoodenHapticsDevice, ADeviceThatFallsSilentLetsGoAndTheDeviceGrowsOld) {
         device->setForce(kSentForce);
         return age > 40e-3 && hid.written().back() == kZeroCurrents;
     }));
-    hid.send({readingReport(kHandle)});
     const double old = device->advance(1e-3).age;
+    hid.send({readingReport(kHandle)});
     EXPECT_TRUE(eventually([&] { return device->advance(1e-3).age < old; }));
 }
 
