@@ -94,11 +94,19 @@ ContactStatus filmStatus(ContactLaw law, const ContactCase& asked) {
     return checkFilm(asked.filmThickness, asked.poissonRatio);
 }
 
+/// The law must take a cone into account.
+ContactStatus coneStatus(ContactLaw law, double halfAngle) {
+    const ContactStatus status = checkCone(halfAngle);
+    const bool isLeftOut = halfAngle > 0.0 && leavesOutCone(law);
+    return status == ContactStatus::Solved && isLeftOut ? ContactStatus::LawWithoutCone : status;
+}
+
 /// Why the law does not hold at a state, the worst reason first, joined by '|'; else "ok".
 std::string statusOf(const ContactModel& model, const ContactState& state) {
     const double radius = model.pair().tipRadius;
     const bool isSphereZone = isSphere(model.law()) && model.cohesiveStress() > 0.0;
-    const bool isAtEquator = isSphereZone && state.cohesiveRadius >= radius;
+    const bool isAtEquator =
+        isSphereZone && model.coneHalfAngle() == 0.0 && state.cohesiveRadius >= radius;
     std::string status;
     const auto add = [&](bool applies, const char* word) {
         status += applies ? (status.empty() ? "" : "|") + std::string(word) : "";
@@ -120,9 +128,9 @@ ContactAnswer answerTo(const ContactCase& asked) {
     if (sampleStatus != ContactStatus::Solved) {
         return {keyOf(sampleStatus)};
     }
-    const ContactStatus coneStatus = checkCone(asked.law, asked.pair, asked.coneHalfAngle);
-    if (coneStatus != ContactStatus::Solved) {
-        return {keyOf(coneStatus)};
+    const ContactStatus tipStatus = coneStatus(asked.law, asked.coneHalfAngle);
+    if (tipStatus != ContactStatus::Solved) {
+        return {keyOf(tipStatus)};
     }
     const ContactModel model(asked.law, asked.pair,
                              {.cohesiveStress = stress,
@@ -191,7 +199,7 @@ void addContactCommand(CLI::App& program) {
         "md models; of others the reach of adhesion, 0: 0.36 nm), indentation_m (< 0: a "
         "gap),\nbranch (approach, retract). Of a film on a "
         "rigid base, too: film_thickness_m (0: a half-space),\npoisson_ratio (0 to 0.5). Of a tip "
-        "whose sphere goes on as a cone (sneddon, jkr_sphere), too:\n"
+        "whose sphere goes on as a cone (sneddon, jkr_sphere, md_sphere, split_sphere), too:\n"
         "cone_half_angle_rad (0: no cone).");
     const auto files = std::make_shared<CaseFiles>();
     addCaseFiles(*command, *files);

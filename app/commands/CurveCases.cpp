@@ -65,8 +65,9 @@ void addCases(const SceneDescription& scene, double compliance, std::vector<Curv
         throw Error("a curve is of one material, and this sample has maps of several: give a "
                     "--material, or take one pixel by `asperity map --region`");
     }
-    const LawChoice choice = chooseLaw(scene.choices.law, contactPair(scene, scene.sample.material),
-                                       scene.sample.material.filmThickness);
+    const LawChoice choice =
+        chooseLaw(scene.choices.law, contactPair(scene, scene.sample.material),
+                  scene.sample.material.filmThickness, scene.tip.coneHalfAngle);
     cases.push_back(caseOf(scene, choice.law, whyOf(choice), compliance));
     if (!scene.choices.law && choice.law == ContactLaw::SphereSplit) {
         cases.push_back(caseOf(scene, ContactLaw::Split,

@@ -24,6 +24,7 @@
 #include <iostream>
 #include <limits>
 #include <memory>
+#include <numbers>
 
 namespace asperity {
 
@@ -136,13 +137,20 @@ std::string pullText(const std::optional<ForceCurvePoint>& strongest) {
                      : "the law never pulls";
 }
 
+/// The cone that the law takes into account; nothing where there is none.
+std::string coneText(const ContactModel& model) {
+    constexpr double kDegree = std::numbers::pi / 180.0;  // [rad]
+    const double halfAngle = model.coneHalfAngle();
+    return halfAngle > 0.0 ? formatted("cone of %.4g degrees, ", halfAngle / kDegree) : "";
+}
+
 std::vector<std::string> summary(const CurveResult& result) {
     const CurveCase& asked = result.asked;
     const std::string parameters =
-        formatted("%s: R %.4g nm, E* %.6g GPa, w %.4g J/m^2, lever %.4g N/m along the normal",
+        formatted("%s: R %.4g nm, %sE* %.6g GPa, w %.4g J/m^2, lever %.4g N/m along the normal",
                   asked.material.name.c_str(), asked.model.pair().tipRadius * 1e9,
-                  asked.model.pair().reducedModulus * 1e-9, asked.model.pair().workOfAdhesion,
-                  1.0 / asked.compliance);
+                  coneText(asked.model).c_str(), asked.model.pair().reducedModulus * 1e-9,
+                  asked.model.pair().workOfAdhesion, 1.0 / asked.compliance);
     std::vector<std::string> lines{
         parameters, "  law " + std::string(keyOf(asked.model.law())) + " (" + asked.why + ")",
         "  " + jumpText("snap-in", result.curve.snapIn),

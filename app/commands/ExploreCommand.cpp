@@ -147,15 +147,21 @@ struct RunKeeper {
     }
 };
 
+/// A setpoint that an approach did not reach.
+struct MissedSetpoint {
+    double force = 0.0;      ///< [N]
+    bool isBlocked = false;  ///< since tip and lever had no equilibrium on the way
+};
+
 /// What is left of a run when its scene is gone.
 struct FinishedRun {
     RunEvents events;
     RunCurves curves;
     RunPictures pictures;
-    std::vector<std::string> remarks;  ///< on smoothing and pixels
-    std::vector<std::string> results;  ///< of each cycle, with what is open in them
-    double tickRate = 0.0;             ///< [Hz]
-    std::optional<double> missed;      ///< the setpoint that the force did not reach [N]
+    std::vector<std::string> remarks;      ///< on smoothing and pixels
+    std::vector<std::string> results;      ///< of each cycle, with what is open in them
+    double tickRate = 0.0;                 ///< [Hz]
+    std::optional<MissedSetpoint> missed;  ///< none: the force reached it
 };
 
 void tellOutcome(const FinishedRun& run) {
@@ -167,7 +173,7 @@ void tellOutcome(const FinishedRun& run) {
          {Validity::FilledPixel, Validity::LargeContact, Validity::LawOutOfRange,
           Validity::Anisotropic, Validity::EstimateInconsistent, Validity::UnresolvedCurvature,
           Validity::BeyondAsperity, Validity::BodyAttraction, Validity::RetardedAttraction,
-          Validity::LargeDeflection}) {
+          Validity::LargeDeflection, Validity::BeyondSphere, Validity::NotInEquilibrium}) {
         const int index = std::countr_zero(static_cast<std::uint32_t>(flag));
         if (const long ticks = events.flagged.at(index); ticks > 0) {
             std::cerr << "note: in " << ticks << " of " << events.ticks
@@ -175,8 +181,11 @@ void tellOutcome(const FinishedRun& run) {
         }
     }
     if (run.missed) {
-        std::cerr << "note: the force did not reach the setpoint of " << formatSi(*run.missed, "N")
-                  << "\n";
+        std::cerr << "note: the force did not reach the setpoint of "
+                  << formatSi(run.missed->force, "N")
+                  << (run.missed->isBlocked
+                          ? ": the approach ended where tip and cantilever have no equilibrium\n"
+                          : "\n");
     }
     if (!events.snapIn && !events.bondedFromStart) {
         std::cerr << "note: the tip never snapped into contact\n";
@@ -186,10 +195,10 @@ void tellOutcome(const FinishedRun& run) {
     }
 }
 
-/// @return the setpoint that the force did not reach [N]
+/// @return the setpoint of an approach that did not reach it
 /// @throw Canceled
-std::optional<double> run(const Scene& scene, const PlannedRun& plan, AfmController& afm,
-                          RunKeeper& keeper) {
+std::optional<MissedSetpoint> run(const Scene& scene, const PlannedRun& plan, AfmController& afm,
+                                  RunKeeper& keeper) {
     const long ticks = std::lround(plan.duration / scene.timeStep()) + 1;
     constexpr long kReports = 50;
     long done = 0;
@@ -208,7 +217,9 @@ std::optional<double> run(const Scene& scene, const PlannedRun& plan, AfmControl
     const auto& approach = std::get<PlannedApproach>(plan.motion);
     ApproachDevice device(approach, scene.settings.positionGain);
     runVirtually(scene, device, afm, ticks, take);
-    return device.hasEngaged() ? std::nullopt : std::optional(approach.plan.setpoint);
+    return device.hasEngaged()
+               ? std::nullopt
+               : std::optional(MissedSetpoint{approach.plan.setpoint, device.isBlocked()});
 }
 
 /// A scene and what its device is to do.
@@ -244,7 +255,7 @@ FinishedRun finishedRun(const Prepared& prepared, const std::filesystem::path& o
     const auto& [loaded, plan] = prepared;
     const Scene& scene = loaded.scene;
     RunKeeper keeper{.recorder = RunRecorder(out, scene.belief.field), .events = {}, .curves = {}};
-    const std::optional<double> missed = run(scene, plan, *instrumentOf(scene), keeper);
+    const std::optional<MissedSetpoint> missed = run(scene, plan, *instrumentOf(scene), keeper);
     keeper.recorder.close();
 
     const RunEvents& events = keeper.events.events();

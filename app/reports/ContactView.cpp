@@ -110,6 +110,7 @@ DeformationView contactView(const Scene& scene, const TickSample& sample, const 
             .patch = drawnPatch(scene, deformation, grid),
             .tipCenter = out.model.tip + Vector3(0.0, 0.0, scene.belief.tipRadius()),
             .tipRadius = scene.belief.tipRadius(),
+            .shankHalfAngle = scene.description.tip.shape().shankHalfAngle(),
             .paraboloidReach = viewScale(scene).paraboloidReach,
             .tipDisplacement =
                 [deformation = deformation](double distance) {

@@ -6,6 +6,23 @@
 
 namespace asperity {
 
+namespace {
+
+/// How an approach ended. One step may carry the tip past the setpoint, by a jump or on a stiff
+/// sample: the force is the one that was there.
+QString wordsOn(const ApproachDevice& approach, const QString& setpoint) {
+    if (approach.hasEngaged()) {
+        return QObject::tr("Engaged at %1 ± %2 (setpoint %3)")
+            .arg(siText(approach.measuredForce(), "N"), siText(approach.measuredDeviation(), "N"),
+                 setpoint);
+    }
+    return approach.isBlocked()
+               ? QObject::tr("Not engaged: no equilibrium of tip and cantilever below here")
+               : QObject::tr("Not engaged: the force did not reach %1").arg(setpoint);
+}
+
+}  // namespace
+
 EngageControl::EngageControl(MainWindow& window, RunControl& runs, DeviceControl& devices,
                              SceneEdits& edits)
     : window_(window), runs_(runs), devices_(devices), edits_(edits) {
@@ -62,13 +79,12 @@ void EngageControl::advance() {
         return;
     }
     const ApproachPhase phase = approach->phase();
-    if (phase == ApproachPhase::Dwell || phase == ApproachPhase::Done) {
+    const bool isMeasured = phase == ApproachPhase::Dwell && approach->hasMeasured();
+    if (isMeasured || phase == ApproachPhase::Done) {
         engaging_ = false;
-        devices_.releaseApproach();
-        const QString words = phase == ApproachPhase::Dwell
-                                  ? tr("Engaged at %1")
-                                  : tr("Not engaged: the force did not reach %1");
-        window_.tell(words.arg(siText(asked_, "N")));
+        const QString words = wordsOn(*approach, siText(asked_, "N"));
+        devices_.releaseApproach();  // and with it the approach ends
+        window_.tell(words);
     }
 }
 

@@ -44,6 +44,12 @@ ContactStatus checkFilm(double thickness, double poissonRatio) noexcept {
                                             : ContactStatus::PoissonRatioOutOfRange;
 }
 
+ContactStatus checkCone(double halfAngle) noexcept {
+    return halfAngle == 0.0 || isWithin(halfAngle, kMinConeHalfAngle, kMaxConeHalfAngle)
+               ? ContactStatus::Solved
+               : ContactStatus::ConeHalfAngleOutOfRange;
+}
+
 void requirePair(const ContactPair& pair, double cohesiveStress) {
     const ContactStatus status = checkPair(pair, cohesiveStress);
     if (status != ContactStatus::Solved) {

@@ -18,7 +18,7 @@ enum class ContactStatus : std::uint8_t {
     FilmThicknessOutOfRange,  ///< neither 0, a half-space, nor within 1e-12 .. 1 m
     PoissonRatioOutOfRange,   ///< of a film, not within 0 .. 0.5
     ConeHalfAngleOutOfRange,  ///< neither 0, no cone, nor within 0.01 .. 1.55 rad
-    LawWithoutCone,           ///< a law of the exact sphere that does not know its cone
+    LawWithoutCone,           ///< a law that takes the tip for a paraboloid, and a cone
     ApproachOutOfRange,       ///< beyond +-1e3 m
     ComplianceOutOfRange,     ///< not within 0 .. 1e6 m/N
 };
@@ -42,7 +42,8 @@ inline constexpr auto kEnumTable<ContactStatus> = std::to_array<EnumRow<ContactS
      {ContactStatus::ConeHalfAngleOutOfRange, "cone_half_angle_out_of_range",
       "the half angle of the tip's cone must be 0 or lie between 0.01 and 1.55 rad"},
      {ContactStatus::LawWithoutCone, "law_without_cone",
-      "of the laws of the exact sphere only sneddon and jkr_sphere have the tip's cone"},
+      "a law of a paraboloid leaves out the tip's cone: sneddon, jkr_sphere, md_sphere and "
+      "split_sphere have it"},
      {ContactStatus::ApproachOutOfRange, "approach_out_of_range",
       "the approach of tip or lever base must lie within 1000 m of first touch"},
      {ContactStatus::ComplianceOutOfRange, "compliance_out_of_range",
@@ -58,6 +59,12 @@ inline constexpr double kMinAdhesion = 1e-12;
 
 /// What is wrong with a film first, or Solved. @param thickness [m]; 0: a half-space
 [[nodiscard]] ContactStatus checkFilm(double thickness, double poissonRatio) noexcept;
+
+inline constexpr double kMinConeHalfAngle = 0.01;  ///< [rad]
+inline constexpr double kMaxConeHalfAngle = 1.55;  ///< [rad]
+
+/// What is wrong with a tip's cone, or Solved. @param halfAngle [rad]; 0: no cone
+[[nodiscard]] ContactStatus checkCone(double halfAngle) noexcept;
 
 /// @throw Error with one sentence where something is wrong with a pair.
 /// @param cohesiveStress sigma0 [Pa]

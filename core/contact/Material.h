@@ -15,6 +15,8 @@ struct ContactPair {
     double tipRadius = 0.0;       ///< effective radius R [m]
     double reducedModulus = 0.0;  ///< E* [Pa]
     double workOfAdhesion = 0.0;  ///< w of the pair [J/m^2], >= 0
+
+    bool operator==(const ContactPair&) const = default;
 };
 
 /// E* of two bodies [Pa]; infinite where both are rigid, and 0, which no contact law takes, where

@@ -36,7 +36,8 @@ TipContact tipContact(const Scene& scene, const TipState& state) {
             .tipCenter = state.tip + Vector3(0.0, 0.0, radius),
             .tipRadius = radius,
             .contactRadius = state.contact.contactRadius,
-            .indentation = state.contact.indentation};
+            .indentation = state.contact.indentation,
+            .coneHalfAngle = scene.description.tip.coneHalfAngle};
 }
 
 double shareOfSample(const Scene& scene, const TipState& state, DeformationModel model) {

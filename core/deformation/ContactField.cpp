@@ -11,16 +11,20 @@ namespace asperity {
 
 namespace {
 
-/// A paraboloid goes on beyond the tip's radius where the contact is about as wide.
+/// A paraboloid or a cone goes on beyond the tip's radius where the contact is about as wide.
 constexpr double kParaboloidReach = 1.5;  // in contact radii
 
 /// The tip's surface above its lowest point.
-double tipRise(const CohesiveContact& profile, double tipRadius, double distance) noexcept {
-    if (profile.shape == TipShape::Paraboloid) {
-        return distance * distance / (2.0 * tipRadius);
-    }
-    const double up = std::max(0.0, (tipRadius - distance) * (tipRadius + distance));
-    return distance * distance / (tipRadius + std::sqrt(up));
+double tipRise(const CohesiveContact& profile, const RoundTip& tip, double distance) noexcept {
+    return profile.shape == TipShape::Paraboloid ? distance * distance / (2.0 * tip.radius)
+                                                 : tip.height(distance);
+}
+
+/// How far from the axis there is a tip whose gap is drawn [m].
+double tipReach(const CohesiveContact& profile, const TipContact& contact) noexcept {
+    return profile.shape == TipShape::Paraboloid || contact.tip().hasCone()
+               ? std::max(contact.tipRadius, kParaboloidReach * contact.contactRadius)
+               : contact.tipRadius;
 }
 
 }  // namespace
@@ -29,9 +33,7 @@ ContactField::ContactField(const Scene& scene, const TipState& state,
                            const HalfSpaceAnswer* halfSpace)
     : contact_(tipContact(scene, state))
     , profile_(contactProfile(contactModelAt(scene, state), state.contact))
-    , reach_(profile_.shape == TipShape::Paraboloid
-                 ? std::max(contact_.tipRadius, kParaboloidReach * contact_.contactRadius)
-                 : contact_.tipRadius) {
+    , reach_(tipReach(profile_, contact_)) {
     if (scene.model.deformation == DeformationModel::HalfSpace && halfSpace != nullptr &&
         stillHolds(*halfSpace, state)) {
         frame_ = tangentFrame(contact_.closest, contact_.normal);
@@ -50,8 +52,8 @@ double ContactField::gap(const Vector3& rest, double sample, double tip) const n
     const double lowest =
         (contact_.tipCenter - contact_.closest).dot(contact_.normal) - contact_.tipRadius;
     const double height = (rest - contact_.closest).dot(contact_.normal);
-    return std::max(0.0, lowest + tipRise(profile_, contact_.tipRadius, distance) - height +
-                             sample + tip);
+    return std::max(0.0,
+                    lowest + tipRise(profile_, contact_.tip(), distance) - height + sample + tip);
 }
 
 double ContactField::pressure(const Vector3& rest) const noexcept {

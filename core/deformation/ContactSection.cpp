@@ -15,9 +15,10 @@ constexpr int kCrowding = 3;     // samples crowd about the tip's axis as this p
 using Profile = std::vector<Vector2>;
 
 /// From the apex up to where the shank begins, then straight on.
-Profile tipProfile(double radius, const SectionPlane& plane) {
+Profile tipProfile(const RoundTip& tip, const SectionPlane& plane) {
+    const double radius = tip.radius;
     const bool isParaboloid = plane.paraboloidReach > 0.0;
-    const double shank = std::numbers::pi / 2.0 - kShankHalfAngle;
+    const double shank = std::numbers::pi / 2.0 - tip.shankHalfAngle();
     const double top = std::acos(std::clamp(1.0 - plane.tipHeight / radius, std::cos(shank), 1.0));
     const double reach = std::min(plane.paraboloidReach, std::sqrt(2.0 * radius * plane.tipHeight));
     Profile profile;
@@ -29,7 +30,7 @@ Profile tipProfile(double radius, const SectionPlane& plane) {
             isParaboloid ? Vector2(distance, distance * distance / (2.0 * radius))
                          : Vector2(radius * std::sin(angle), radius * (1.0 - std::cos(angle))));
     }
-    const double slope = isParaboloid ? radius / reach : std::tan(kShankHalfAngle);
+    const double slope = isParaboloid ? radius / reach : std::tan(tip.shankHalfAngle());
     const double missing = plane.tipHeight - profile.back().y();
     if (missing > 0.0) {
         profile.emplace_back(profile.back().x() + slope * missing, plane.tipHeight);
@@ -42,7 +43,7 @@ std::vector<Vector2> tipOutline(const ContactDeformation& deformation, const Sec
                                 const Vector2& direction) {
     const TipContact& contact = deformation.contact();
     const Vector3 apex = contact.tipCenter - contact.tipRadius * Vector3::UnitZ();
-    const Profile profile = tipProfile(contact.tipRadius, plane);
+    const Profile profile = tipProfile(contact.tip(), plane);
     std::vector<Vector2> outline;
     const auto add = [&](const Vector2& point, double side) {
         const Vector3 arm(side * point.x() * direction.x(), side * point.x() * direction.y(),

@@ -9,9 +9,6 @@
 
 namespace asperity {
 
-/// Between the shank of a tip and its axis, as drawn [rad].
-inline constexpr double kShankHalfAngle = 0.3;
-
 /// Where a section is made.
 struct SectionPlane {
     double azimuth = 0.0;          ///< of the vertical plane through the tip's axis, from x [rad]

@@ -11,7 +11,7 @@ namespace asperity {
 
 namespace {
 
-constexpr double kNoTip = 1e-3;  // gap beyond the tip's equator [m]: no surface reaches so far
+constexpr double kNoTip = 1e-3;  // gap beyond a sphere's equator [m]: no surface reaches so far
 
 /// The cohesive zone of a law; none where the law has none.
 struct Cohesion {
@@ -41,11 +41,11 @@ HalfSpaceContact halfSpaceContact(const Scene& scene, const TipState& state,
         .cohesiveStress = cohesion.stress,
         .cohesiveRange = cohesion.range,
         .tipRadius = std::min(radius, model.pair().tipRadius)};
+    const RoundTip tip = scene.description.tip.shape();
     auto height = contact.gap.begin();
     patch.forEachDistance([&](double distance) {
-        const double up = (radius - distance) * (radius + distance);
-        const double tip = up > 0.0 ? distance * distance / (radius + std::sqrt(up)) : kNoTip;
-        *height = std::min(tip - *height, kNoTip);
+        const double above = distance < tip.reach() ? tip.height(distance) : kNoTip;
+        *height = std::min(above - *height, kNoTip);
         ++height;
     });
     return contact;

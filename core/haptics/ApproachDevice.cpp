@@ -17,6 +17,12 @@ ApproachDevice::ApproachDevice(DevicePath leadIn, const ApproachPlan& plan, doub
 
 DeviceState ApproachDevice::advance(double timeStep) noexcept {
     const Vector3 moved = nextBase(timeStep) - leadIn_.front().position;
+    if (approach_.hasMeasured() && !measured_) {
+        measuredForce_ = approach_.measuredForce();
+        measuredDeviation_ = approach_.measuredDeviation();
+        measured_ = true;
+    }
+    blocked_ = approach_.isBlocked();
     engaged_ = approach_.hasEngaged();
     phase_ = approach_.phase();
     return {.position = start_ + moved / positionGain_};
@@ -27,11 +33,13 @@ Vector3 ApproachDevice::nextBase(double timeStep) noexcept {
         time_ += timeStep;
     }
     return time_ < leadIn_.back().time ? positionAt(leadIn_, time_)
-                                       : approach_.advance(timeStep, force_);
+                                       : approach_.advance(timeStep, force_, hasEquilibrium_);
 }
 
 void ApproachDevice::observe(const TickOutput& output) noexcept {
     force_ = output.estimate.force.z();
+    hasEquilibrium_ =
+        !output.flags.has(Validity::NotInEquilibrium) && !output.flags.has(Validity::FrictionLock);
 }
 
 }  // namespace asperity

@@ -32,6 +32,13 @@ public:
     [[nodiscard]] ApproachPhase phase() const noexcept { return phase_; }
     /// Whether the force has reached the setpoint. Any thread; wait-free.
     [[nodiscard]] bool hasEngaged() const noexcept { return engaged_; }
+    /// Whether the descent ended where the tip had no equilibrium. Any thread; wait-free.
+    [[nodiscard]] bool isBlocked() const noexcept { return blocked_; }
+    /// Whether the force at the setpoint has been measured, and that force above the baseline with
+    /// its deviation, as SetpointApproach has them [N]. Any thread; wait-free.
+    [[nodiscard]] bool hasMeasured() const noexcept { return measured_; }
+    [[nodiscard]] double measuredForce() const noexcept { return measuredForce_; }
+    [[nodiscard]] double measuredDeviation() const noexcept { return measuredDeviation_; }
 
 private:
     [[nodiscard]] Vector3 nextBase(double timeStep) noexcept;
@@ -39,12 +46,17 @@ private:
     DevicePath leadIn_;
     SetpointApproach approach_;
     double positionGain_;
-    Vector3 start_;         ///< of the device [m]
-    double time_ = 0.0;     ///< along the lead-in [s]
-    double force_ = 0.0;    ///< of the last tick, along z [N]
-    bool started_ = false;  ///< the first step only begins
+    Vector3 start_;               ///< of the device [m]
+    double time_ = 0.0;           ///< along the lead-in [s]
+    double force_ = 0.0;          ///< of the last tick, along z [N]
+    bool hasEquilibrium_ = true;  ///< whether the tip had one in the last tick
+    bool started_ = false;        ///< the first step only begins
     std::atomic<ApproachPhase> phase_ = ApproachPhase::Baseline;
     std::atomic<bool> engaged_ = false;
+    std::atomic<bool> blocked_ = false;
+    std::atomic<bool> measured_ = false;
+    std::atomic<double> measuredForce_ = 0.0;
+    std::atomic<double> measuredDeviation_ = 0.0;
 };
 
 }  // namespace asperity

@@ -1,5 +1,6 @@
 #include "core/haptics/HapticTick.h"
 
+#include "core/haptics/SetpointApproach.h"
 #include "core/haptics/TickValidity.h"
 #include "core/probe/PlanarForce.h"
 
@@ -14,9 +15,8 @@ namespace {
 constexpr double kModelSpread = 0.2;    // share of N that the model may be off
 constexpr double kModelFloor = 0.1e-9;  // [N]
 constexpr double kContradictionSigmas = 3.0;
-constexpr double kHeldWithin = 1e-11;        // [m]: how near the commanded place the tip must be
-constexpr double kStall = 10e-3;             // [s]: a longer step counts as this
-constexpr double kUnsolvedAllowed = 0.0499;  // [s]: 50 ms, however the steps were rounded
+constexpr double kHeldWithin = 1e-11;  // [m]: how near the commanded place the tip must be
+constexpr double kStall = 10e-3;       // [s]: a longer step counts as this
 
 bool isSolved(const TipState& model) { return model.converged && !model.locked; }
 
@@ -113,7 +113,7 @@ Fault faultOf(const TickInput& input, const TickOutput& out, double unsolved) {
         return Fault::InstrumentLost;
     }
     // A script or a mouse is pushed by nothing when a force comes back.
-    const bool isOver = input.device.rendersForce() && unsolved >= kUnsolvedAllowed;
+    const bool isOver = input.device.rendersForce() && unsolved >= kMaxUnsolved;
     return isOver ? Fault::SolverFailed : Fault::None;
 }
 

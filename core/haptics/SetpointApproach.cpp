@@ -50,11 +50,14 @@ double RecentMean::mean() const noexcept {
     return filled == 0 ? 0.0 : sum / static_cast<double>(filled);
 }
 
-Vector3 SetpointApproach::advance(double timeStep, double force) noexcept {
+Vector3 SetpointApproach::advance(double timeStep, double force, bool hasEquilibrium) noexcept {
     if (!std::exchange(started_, true)) {
         return start_;
     }
     inPhase_ += timeStep;
+    if (!isBlocked()) {
+        unsolved_ = hasEquilibrium ? 0.0 : unsolved_ + timeStep;
+    }
     switch (phase_) {
     case ApproachPhase::Baseline:
         free_.add(force);
@@ -66,6 +69,7 @@ Vector3 SetpointApproach::advance(double timeStep, double force) noexcept {
         descend(timeStep, force);
         break;
     case ApproachPhase::Dwell:
+        recent_.add(force);
         if (inPhase_ >= plan_.dwell) {
             enter(ApproachPhase::Retract);
         }
@@ -79,6 +83,10 @@ Vector3 SetpointApproach::advance(double timeStep, double force) noexcept {
     return start_ - depth_ * Vector3::UnitZ();
 }
 
+double SetpointApproach::measuredDeviation() const noexcept {
+    return free_.deviation() / std::sqrt(static_cast<double>(recent_.length()));
+}
+
 void SetpointApproach::enter(ApproachPhase phase) noexcept {
     phase_ = phase;
     inPhase_ = 0.0;
@@ -90,13 +98,14 @@ void SetpointApproach::beginDescent() noexcept {
 }
 
 void SetpointApproach::descend(double timeStep, double force) noexcept {
-    if (!std::isfinite(force)) {
+    if (!std::isfinite(force) || isBlocked()) {
         enter(ApproachPhase::Retract);
         return;
     }
     recent_.add(force);
     if (recent_.isFull() && recent_.mean() - free_.mean() >= plan_.setpoint) {
         engaged_ = true;
+        recent_ = RecentMean(recent_.length());
         enter(ApproachPhase::Dwell);
         return;
     }

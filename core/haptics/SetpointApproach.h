@@ -17,6 +17,9 @@ struct ApproachPlan {
     double maxDescent = 1e-7;  ///< without a contact the descent ends here [m]
 };
 
+/// How long a tip may have no equilibrium: 50 ms, however the steps were rounded [s].
+inline constexpr double kMaxUnsolved = 0.0499;
+
 enum class ApproachPhase : std::uint8_t { Baseline, Descent, Dwell, Retract, Done };
 
 /// The deviation and mean of values that come one by one.
@@ -44,6 +47,8 @@ public:
     [[nodiscard]] bool isFull() const noexcept { return count_ >= length_; }
     /// Of the last values; of all where there have not been enough.
     [[nodiscard]] double mean() const noexcept;
+    /// How many values the mean goes over.
+    [[nodiscard]] std::size_t length() const noexcept { return length_; }
 
 private:
     std::array<double, kMaxLength> values_{};
@@ -53,7 +58,8 @@ private:
 
 /// Moves the base straight down until the estimated force reaches a setpoint, and up again. It
 /// compares the mean over as many ticks as keep the noise, measured at rest, below a sixth of the
-/// setpoint, so that noise alone does not end the descent. No allocation, no lock.
+/// setpoint, so that noise alone does not end the descent. Where the tip has no equilibrium the
+/// descent ends. No allocation, no lock.
 class SetpointApproach {
 public:
     /// @param start of the base, out of the sample's reach, world [m]
@@ -62,11 +68,21 @@ public:
 
     /// Where the base is after one more time step, world [m].
     /// @param force estimated in the tick before, along z [N]
-    Vector3 advance(double timeStep, double force) noexcept;
+    /// @param hasEquilibrium whether the tip had one then
+    Vector3 advance(double timeStep, double force, bool hasEquilibrium = true) noexcept;
 
     [[nodiscard]] ApproachPhase phase() const noexcept { return phase_; }
     /// Whether the force has reached the setpoint.
     [[nodiscard]] bool hasEngaged() const noexcept { return engaged_; }
+    /// Whether the descent ended where the tip had no equilibrium, for as long as is a fault to the
+    /// loop, kMaxUnsolved.
+    [[nodiscard]] bool isBlocked() const noexcept { return unsolved_ >= kMaxUnsolved; }
+    /// Whether the force at the setpoint has been measured, over as many ticks as are compared.
+    [[nodiscard]] bool hasMeasured() const noexcept { return engaged_ && recent_.isFull(); }
+    /// That force above the baseline [N]: what is there, which may exceed the setpoint.
+    [[nodiscard]] double measuredForce() const noexcept { return recent_.mean() - free_.mean(); }
+    /// Standard deviation of that by the noise at rest [N].
+    [[nodiscard]] double measuredDeviation() const noexcept;
 
 private:
     void enter(ApproachPhase phase) noexcept;
@@ -79,10 +95,11 @@ private:
     ApproachPhase phase_ = ApproachPhase::Baseline;
     bool started_ = false;  ///< the first step only begins
     bool engaged_ = false;
-    double inPhase_ = 0.0;  ///< [s]
-    double depth_ = 0.0;    ///< below the start [m]
-    RunningMoments free_;   ///< force at rest [N]
-    RecentMean recent_;     ///< force of late [N]
+    double inPhase_ = 0.0;   ///< [s]
+    double depth_ = 0.0;     ///< below the start [m]
+    double unsolved_ = 0.0;  ///< for how long the tip has had no equilibrium [s]
+    RunningMoments free_;    ///< force at rest [N]
+    RecentMean recent_;      ///< force of late, in the dwell that since its beginning [N]
 };
 
 }  // namespace asperity

@@ -22,7 +22,7 @@ Cantilever believedLever(CantileverGeometry geometry, const ForceModelOptions& m
 LawChoice usualLaw(const SceneDescription& scene) {
     const ModelChoices& choices = scene.choices;
     LawChoice law = chooseLaw(choices.law, contactPair(scene, scene.sample.material),
-                              scene.sample.material.filmThickness);
+                              scene.sample.material.filmThickness, scene.tip.coneHalfAngle);
     if (choices.law) {
         return law;
     }

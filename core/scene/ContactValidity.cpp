@@ -5,6 +5,9 @@
 #include "core/contact/laws/YieldOnset.h"
 #include "core/scene/LawRange.h"
 #include "core/scene/SampleHardness.h"
+#include "core/surface/RoundTip.h"
+
+#include <cmath>
 
 namespace asperity {
 
@@ -19,6 +22,12 @@ bool yields(const ContactModel& model, const ContactState& state,
                yieldPressure(hardness, material.elastic.poissonRatio);
 }
 
+/// Whether a sphere alone is in contact where a tip with the usual shank would touch with that.
+bool isBeyondSphere(const ContactModel& model, const ContactState& state) noexcept {
+    return !leavesOutCone(model.law()) && model.coneHalfAngle() == 0.0 &&
+           state.contactRadius > model.pair().tipRadius * std::cos(kShankHalfAngle);
+}
+
 }  // namespace
 
 ValidityFlags contactValidity(const ContactModel& model, const ContactState& state,
@@ -27,6 +36,7 @@ ValidityFlags contactValidity(const ContactModel& model, const ContactState& sta
     flags.set(Validity::LargeContact, isLargeContact(state.contactRadius, model.pair().tipRadius));
     flags.set(Validity::ElasticLimit, yields(model, state, material));
     flags.set(Validity::ThinFilm, state.contactRadius > model.widestFilmContact());
+    flags.set(Validity::BeyondSphere, isBeyondSphere(model, state));
     flags.set(Validity::LawOutOfRange, leavesLawsRange(model, state));
     return flags;
 }

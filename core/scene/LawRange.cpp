@@ -60,7 +60,7 @@ bool leavesLawsRange(const ContactModel& model, const ContactState& state) noexc
         return pairLambda(model) < kMinLambdaJkr || isWithinRange(model, state) ||
                (!law.sphere && reachesTooFar(model, reachOf(model, state)));
     case Attraction::Zone:
-        return law.sphere ? state.cohesiveRadius >= pair.tipRadius
+        return law.sphere ? model.coneHalfAngle() == 0.0 && state.cohesiveRadius >= pair.tipRadius
                           : reachesTooFar(model, reachOf(model, state));
     }
     return false;

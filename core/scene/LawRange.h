@@ -16,7 +16,7 @@ namespace asperity {
 /// - `jkr`, `md`, `split`: attraction beyond 0.3 R of the axis, where the gap under the paraboloid
 ///   is 2.3 % narrower than under the sphere; while apart, and `dmt` always, tips whose attraction
 ///   reaches so far when they are bonded without load;
-/// - `md_sphere`, `split_sphere`: attraction up to the sphere's equator.
+/// - `md_sphere`, `split_sphere` without a cone: attraction up to the sphere's equator.
 ///
 /// The range of adhesion is that of the model, ContactModel::cohesiveRange().
 /// Source: docs/theory.md 2.4, 2.5, 2.9, 4.4.

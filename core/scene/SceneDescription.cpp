@@ -2,8 +2,10 @@
 
 #include "core/Error.h"
 #include "core/Units.h"
+#include "core/contact/ContactStatus.h"
 #include "core/contact/Within.h"
 #include "core/probe/ForceDecoupling.h"
+#include "core/scene/BelievedModel.h"
 #include "core/scene/SettingFields.h"
 #include "core/scene/TermChecks.h"
 
@@ -97,6 +99,32 @@ void check(const Uncertainty& uncertainty) {
     }
 }
 
+/// A law of a paraboloid would leave the cone out without a word; its name stands for that shape
+/// in every file, so that it is not read as another law's.
+void checkLawHasCone(const SceneDescription& scene) {
+    const LawChoice choice = usualLaw(scene);
+    const bool isApproximation = choice.reason != LawReason::AskedFor && !isFilm(choice.law);
+    if (!leavesOutCone(choice.law) || isApproximation) {
+        return;
+    }
+    const std::optional<ContactLaw> exact = lawLike(choice.law, true, hasTail(choice.law));
+    throw Error(std::string("[tip]: cone_half_angle_rad must be 0 under the law ") +
+                keyOf(choice.law) + ", which takes the tip for a paraboloid; " +
+                (exact ? std::string("[physics] law ") + keyOf(*exact) + " has the cone"
+                       : "no law of its kind has a cone"));
+}
+
+void check(const TipDescription& tip, const SceneDescription& scene) {
+    check(tip.elastic, "[tip]");
+    require(std::isfinite(tip.radius) && tip.radius > 0.0,
+            "[tip]: radius_m must be a positive number of meters");
+    require(checkCone(tip.coneHalfAngle) == ContactStatus::Solved,
+            "[tip]: cone_half_angle_rad must be 0 (no cone) or lie between 0.01 and 1.55");
+    if (tip.shape().hasCone()) {
+        checkLawHasCone(scene);
+    }
+}
+
 /// The window must show the upper side alone, and not where it is steeper than a picture shows.
 double widestWindow(const ShapeDescription& shape) {
     constexpr double kOfASphere = 1.25;    // radii: its corners lie at 0.88 of the radius
@@ -159,6 +187,7 @@ ContactOptions contactOptions(const SceneDescription& scene, const SampleMateria
             .filmThickness = material.filmThickness,
             .film = {.poissonRatio = material.elastic.poissonRatio,
                      .share = sampleShare(material.elastic, scene.tip.elastic)},
+            .coneHalfAngle = scene.tip.coneHalfAngle,
             .meniscus = scene.meniscus,
             .solver = scene.choices.solver};
 }
@@ -169,10 +198,8 @@ void checkScene(const SceneDescription& scene) {
     }
     check(scene.sample.material, "[sample]");
     check(scene.truth.material, "[truth]");
-    check(scene.tip.elastic, "[tip]");
+    check(scene.tip, scene);
     check(scene.sample);
-    require(std::isfinite(scene.tip.radius) && scene.tip.radius > 0.0,
-            "[tip]: radius_m must be a positive number of meters");
     require(isWithin(scene.cohesiveRange, 1e-12, 1e-6),
             "[physics]: cohesive_range_m must lie between 1e-12 and 1e-6");
     check(scene.meniscus);

@@ -14,6 +14,7 @@
 #include "core/scene/Uncertainty.h"
 #include "core/surface/GivenScale.h"
 #include "core/surface/PixelRectangle.h"
+#include "core/surface/RoundTip.h"
 #include "core/surface/leveling/LevelingStep.h"
 
 #include <cstdint>
@@ -80,6 +81,9 @@ struct SampleDescription {
 struct TipDescription {
     double radius = 15e-9;                                          ///< [m]
     Elastic elastic{.youngsModulus = 169e9, .poissonRatio = 0.27};  ///< silicon
+    double coneHalfAngle = 0.0;  ///< of the cone that the sphere goes on as [rad]; 0: no cone
+
+    [[nodiscard]] RoundTip shape() const noexcept { return {radius, coneHalfAngle}; }
 
     bool operator==(const TipDescription&) const = default;
 };

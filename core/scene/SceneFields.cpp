@@ -1,5 +1,6 @@
 #include "core/scene/SceneFields.h"
 
+#include "core/contact/ContactStatus.h"
 #include "core/probe/CantileverModes.h"
 #include "core/probe/ForceDecoupling.h"
 #include "core/scene/MaterialMapFields.h"
@@ -89,6 +90,12 @@ std::vector<SceneField> tipFields() {
             kGroup, "radius_m", {"Radius", "Of the sphere that ends the tip", "nm", kNano},
             {1e-10, 1e-4, "lie between 1e-10 and 1e-4"},
             [](auto& scene) -> auto& { return scene.tip.radius; }),
+        at(
+            kGroup, "cone_half_angle_rad",
+            {"Cone half angle", "Between axis and cone that the sphere goes on as; 0: no cone", "°",
+             kDegree},
+            {0.0, kMaxConeHalfAngle, "be 0 or lie between 0.01 and 1.55"},
+            [](auto& scene) -> auto& { return scene.tip.coneHalfAngle; }),
         at(
             kGroup, "youngs_modulus_pa", {"Young's modulus", "Of the tip", "GPa", kGiga}, kModulus,
             [](auto& scene) -> auto& { return scene.tip.elastic.youngsModulus; }),

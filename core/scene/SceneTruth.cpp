@@ -10,7 +10,8 @@ ProbeSystem trueSystem(const SceneDescription& description) {
     probe.thickness = thicknessForStiffness(probe, truth.stiffness);
     const SampleMaterial& material = truth.material;
     const ContactPair pair = contactPair(description, material);
-    const LawChoice choice = chooseLaw(description.choices.law, pair, material.filmThickness);
+    const LawChoice choice = chooseLaw(description.choices.law, pair, material.filmThickness,
+                                       description.tip.coneHalfAngle);
     return {.contact = ContactModel(choice.law, pair, contactOptions(description, material)),
             .cantilever = Cantilever(probe),
             .friction = material.friction};

@@ -43,6 +43,7 @@ enum class Validity : std::uint32_t {
     RetardedAttraction = 1U << 27U,   ///< van der Waals attraction is retarded across this gap
     LargeDeflection = 1U << 28U,      ///< the lever is bent so far that it is no longer linear
     StrengthLimited = 1U << 29U,      ///< JKR would misread w from pull-off: AttractionValidity
+    BeyondSphere = 1U << 30U,  ///< contact as wide as a sphere whose shank the scene leaves out
 };
 
 /// What a flag means for a result, the mildest first.
@@ -158,6 +159,9 @@ inline constexpr std::array kValidityTraits{
     ValidityTraits{Validity::StrengthLimited, "strength_limited", "strength sets pull-off",
                    "strength limits adhesion: JKR misreads pull-off by over 5 %", Severity::Notice,
                    FlagBasis::Contact},
+    ValidityTraits{Validity::BeyondSphere, "beyond_sphere", "contact beyond sphere",
+                   "contact reaches the tip's shank, which has no cone_half_angle_rad",
+                   Severity::Doubt, FlagBasis::Contact},
 };
 
 inline constexpr std::size_t kValidityFlagCount = kValidityTraits.size();

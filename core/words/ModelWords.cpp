@@ -20,6 +20,7 @@ constexpr std::array kLawReasons{
     "set by the scene's terms",
     "auto: no adhesion",
     "auto: a film, no adhesion",
+    "auto: no adhesion, a tip with a cone",
     "below 0.3: Maugis-Dugdale, exact from DMT to JKR, with its van der Waals tail before contact",
     "above 0.3: paraboloid not valid, exact sphere used"};
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""A cone with a spherical apex, elastic and with JKR's adhesion, by quadrature over the tip's profile
-(docs/theory.md 4.8, first line) beside `asperity contact`. Usage: cone.py ASPERITY"""
+"""A cone with a spherical apex, elastic, with JKR's and with Maugis' adhesion, by quadrature over the
+tip's profile (docs/theory.md 4.8) beside `asperity contact`. Usage: cone.py ASPERITY"""
 
 import sys
 
@@ -42,6 +42,87 @@ class Tip:
         depth, force = self.elastic(contact)
         return (depth - mpmath.sqrt(2 * mp.pi * contact * work / MODULUS),
                 force - mpmath.sqrt(8 * mp.pi * work * MODULUS * contact**3))
+
+
+class Maugis:
+    """A cohesive zone of constant stress around the contact of a tip: docs/theory.md 4.8 as it stands
+    there, by the gap at the zone's edge."""
+
+    def __init__(self, tip, work, stress):
+        self.tip, self.work, self.stress = tip, mpf(work), mpf(stress)
+
+    def elastic_depth(self, contact):
+        """Closed form of 4.8: the quadrature within the quadrature would take minutes."""
+        tip = self.tip
+        if contact <= tip.joint:
+            return contact * mpmath.atanh(contact / RADIUS)
+        run, sine = mpmath.sqrt(contact**2 - tip.joint**2), RADIUS * mpmath.sin(tip.half_angle)
+        return contact * (mpmath.log((RADIUS + contact) / (sine + run)) +
+                          mpmath.cot(tip.half_angle) * mpmath.acos(tip.joint / contact))
+
+    def depth(self, contact, zone):
+        return (self.elastic_depth(contact) -
+                2 * self.stress / MODULUS * mpmath.sqrt(zone**2 - contact**2))
+
+    def excess_gap(self, contact, zone):
+        """Gap at the zone's edge less the range of the attraction."""
+        tip = self.tip
+        height = (RADIUS - mpmath.sqrt(RADIUS**2 - zone**2) if zone <= tip.joint else
+                  RADIUS * (1 - mpmath.sin(tip.half_angle)) +
+                  (zone - tip.joint) * tip.slope_beyond)
+        ends = [0, contact] if contact <= tip.joint else [0, tip.joint, contact]
+        angles = [mpmath.asin(end / zone) for end in ends]
+        pressed = mpmath.quad(lambda t: self.elastic_depth(zone * mpmath.sin(t)), angles)
+        depth = self.depth(contact, zone)
+        return (height - depth + 2 / mp.pi * (depth * mpmath.asin(contact / zone) - pressed) -
+                4 * self.stress / (mp.pi * MODULUS) * (zone - contact) - self.work / self.stress)
+
+    def zone(self, contact):
+        """Radius of the zone: a bracket, then a root, in the logarithm of what it is wider."""
+        excess = lambda wider: self.excess_gap(contact, contact * (1 + mpmath.exp(wider)))
+        low, high = mpf(-12), mpf(6)
+        for _ in range(12):
+            middle = (low + high) / 2
+            low, high = (middle, high) if excess(middle) < 0 else (low, middle)
+        return contact * (1 + mpmath.exp(mpmath.findroot(excess, (low, high), solver="anderson",
+                                                         tol=mpf("1e-22"), verify=False)))
+
+    def state(self, contact):
+        """(indentation, force, radius of the zone)"""
+        zone = self.zone(contact)
+        width = mpmath.sqrt(zone**2 - contact**2)
+        pull = 2 * self.stress * (zone**2 * mpmath.acos(contact / zone) + contact * width)
+        return self.depth(contact, zone), self.tip.elastic(contact)[1] - pull, zone
+
+
+def check_maugis(checks, program):
+    mp.dps = 20
+    kept, cases = [], []
+    for degrees in (10, 18, 35, 60):
+        half_angle = mpmath.radians(degrees)
+        tip = Tip(half_angle)
+        # Ranges from a hundredth to a third of the radius.
+        for work, stress in (("2e-4", "6e5"), ("2e-3", "4e5"), ("2e-2", "2e6")):
+            maugis = Maugis(tip, work, stress)
+            for share in ("0.9", "1.01", "1.5", "4", "20"):
+                contact = mpf(share) * tip.joint
+                state = maugis.state(contact)
+                wider = [maugis.state(contact * mpf(factor))[0]
+                         for factor in ("1.0001", "1.05", "1.2", "1.5", "2.5", "6")]
+                if all(depth > state[0] for depth in wider):
+                    kept.append((degrees, work, contact, state))
+                    cases.append({"model": "md_sphere", "radius_m": RADIUS, "e_star_pa": MODULUS,
+                                  "work_of_adhesion_j_m2": work, "sigma0_pa": stress,
+                                  "indentation_m": mpmath.nstr(state[0], 20), "branch": "retract",
+                                  "cone_half_angle_rad": mpmath.nstr(half_angle, 20)})
+    checks.holds("Maugis' states that are stable", len(kept) >= 30, len(kept))
+    for (degrees, work, contact, state), row in zip(kept, program.contact(cases)):
+        depth, force, zone = state
+        name = f"Maugis, {degrees} degrees, w {work}, a {float(contact):.4g} m"
+        size = max(abs(force), 2 * contact * MODULUS * abs(depth))
+        checks.near(name + ": force", row["force_n"], force, 1e-9, size)
+        checks.near(name + ": contact radius", row["contact_radius_m"], contact, 1e-9)
+        checks.near(name + ": cohesive radius", row["cohesive_radius_m"], zone, 1e-9)
 
 
 def case(model, half_angle, work, depth):
@@ -125,6 +206,7 @@ def main(path):
     program = Program(path)
     check_states(checks, program)
     check_limits(checks, program)
+    check_maugis(checks, program)
     checks.finish()
 
 

@@ -98,6 +98,7 @@ void GhostLayer::hide() {
 
 void GhostLayer::show(const Vector3& apex, const GhostStyle& style) {
     source_->SetRadius(style.radius);
+    source_->SetHalfAngle(style.shankHalfAngle);
     source_->SetCenter(apex.x(), apex.y(), apex.z() + style.radius);
     source_->SetParaboloidReach(style.paraboloidReach);
     source_->SetHeight(style.height / style.space.heightScale);

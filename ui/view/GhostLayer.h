@@ -16,6 +16,7 @@ namespace asperity {
 /// How a ghost is drawn.
 struct GhostStyle {
     double radius = 0.0;               ///< of the tip [m]
+    double shankHalfAngle = 0.0;       ///< [rad]
     double height = 0.0;               ///< of the part that is drawn, as drawn [m]
     double paraboloidReach = 0.0;      ///< see vtkAspTipSource [m]
     Vector3 right = Vector3::UnitX();  ///< rightwards in the view, unit

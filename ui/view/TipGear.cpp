@@ -26,7 +26,12 @@ void TipGear::hide() {
 
 void TipGear::show(const Scene& scene, const ContactShape& shape, const GearScale& scale,
                    const DrawnSpace& space, const Shading& shading) {
-    tip_.show(shape, {.height = scale.tipHeight(),
+    // A tip that is pressed deep into the surface still ends above it.
+    constexpr double kAboveSurface = 0.6;  // of its usual height
+    const double height =
+        std::max(scale.tipHeight(), (space.heightScale * shape.contact().indentation) +
+                                        (kAboveSurface * scale.tipHeight()));
+    tip_.show(shape, {.height = height,
                       .paraboloidReach = scale.paraboloidReach,
                       .space = space,
                       .shading = shading});
@@ -35,12 +40,11 @@ void TipGear::show(const Scene& scene, const ContactShape& shape, const GearScal
         return;
     }
     const CantileverGeometry& lever = scene.description.probe;
-    lever_.show(
-        {.shankTop = space.point(apexOf(shape.contact())) + scale.tipHeight() * Vector3::UnitZ(),
-         .size = kLeverHalfWidth * scale.size(),
-         .azimuth = lever.azimuth,
-         .tilt = lever.mountTilt},
-        shading);
+    lever_.show({.shankTop = space.point(apexOf(shape.contact())) + height * Vector3::UnitZ(),
+                 .size = kLeverHalfWidth * scale.size(),
+                 .azimuth = lever.azimuth,
+                 .tilt = lever.mountTilt},
+                shading);
 }
 
 }  // namespace asperity

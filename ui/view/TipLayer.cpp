@@ -44,6 +44,7 @@ void TipLayer::hide() {
 void TipLayer::show(const ContactShape& shape, const TipStyle& style) {
     const TipContact& contact = shape.contact();
     source_->SetRadius(contact.tipRadius);
+    source_->SetHalfAngle(contact.tip().shankHalfAngle());
     source_->SetCenter(contact.tipCenter.x(), contact.tipCenter.y(), contact.tipCenter.z());
     source_->SetParaboloidReach(style.paraboloidReach);
     source_->SetHeight(style.height / style.space.heightScale);

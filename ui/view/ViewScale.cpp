@@ -1,5 +1,7 @@
 #include "ui/view/ViewScale.h"
 
+#include "core/contact/laws/ForceCurve.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -30,14 +32,30 @@ double jkrPullOff(const ContactPair& pair) {
     return 1.5 * std::numbers::pi * pair.tipRadius * pair.workOfAdhesion;
 }
 
+/// Contact radius that views must have room for [m]: the unloaded one, on a cone also that at the
+/// setpoint, which may press it far in. On a sphere no contact is wider than the tip.
+double usualContactRadius(const Scene& scene) {
+    const ContactModel& model = scene.belief.contact;
+    const double paraboloid = unloadedContactRadius(model.pair());
+    if (!isSphere(model.law())) {
+        return paraboloid;
+    }
+    const double onSphere = std::min(paraboloid, scene.belief.tipRadius());
+    if (model.coneHalfAngle() == 0.0) {
+        return onSphere;
+    }
+    constexpr double kHeld = 0.0;  // compliance [m/N]
+    const auto depth = basePositionAt(model, kHeld, scene.description.setpoint);
+    return depth ? std::max(onSphere, model.equilibrium(*depth, kHeld, kBondedMemory).contactRadius)
+                 : onSphere;
+}
+
 }  // namespace
 
 ViewScale viewScale(const Scene& scene) {
     const double tip = scene.belief.tipRadius();
-    // On the exact sphere no contact is wider than the tip.
+    const double contact = usualContactRadius(scene);
     const double paraboloid = unloadedContactRadius(scene.belief.contact.pair());
-    const double contact =
-        isSphere(scene.belief.contact.law()) ? std::min(paraboloid, tip) : paraboloid;
     const bool isWide = !isSphere(scene.belief.contact.law()) && paraboloid > kWideContact * tip;
     const BSplineSurface::Grid& grid = scene.surface.grid();
     const double pixel = std::max(grid.pitchX, grid.pitchY);

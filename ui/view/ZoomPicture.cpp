@@ -310,6 +310,7 @@ void ZoomPicture::showGhosts(const ViewCamera& camera) {
     }
     ghosts_.show(options_, sample_->output.base.position, trueTip_,
                  {.radius = gear().tipRadius,
+                  .shankHalfAngle = scene_->description.tip.shape().shankHalfAngle(),
                   .height = gear().tipHeight(),
                   .paraboloidReach = scale_.paraboloidReach,
                   .right = camera.right(),

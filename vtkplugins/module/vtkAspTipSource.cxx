@@ -1,5 +1,6 @@
 #include "vtkplugins/module/vtkAspTipSource.h"
 
+#include "core/surface/RoundTip.h"
 #include "vtkplugins/module/StripGrid.h"
 
 #include <vtkObjectFactory.h>
@@ -55,7 +56,9 @@ void close(std::vector<ProfilePoint>& profile, double topAlong) {
 
 vtkStandardNewMacro(vtkAspTipSource)
 
-vtkAspTipSource::vtkAspTipSource() { this->SetNumberOfInputPorts(0); }
+vtkAspTipSource::vtkAspTipSource() : HalfAngle(asperity::kShankHalfAngle) {
+    this->SetNumberOfInputPorts(0);
+}
 
 void vtkAspTipSource::PrintSelf(ostream& os, vtkIndent indent) {
     this->Superclass::PrintSelf(os, indent);

@@ -55,7 +55,7 @@ private:
     double Radius = 1.0;
     double Axis[3] = {0.0, 0.0, 1.0};
     double Height = 4.0;
-    double HalfAngle = 0.3;
+    double HalfAngle;
     double ParaboloidReach = 0.0;
     int Resolution = 64;
 };

@@ -15,10 +15,11 @@ namespace asperity {
 /// One moment of a contact, as one panel shows it. World frame, SI units.
 struct DeformationView {
     std::string title;
-    std::string caption;                  ///< below the panel; wrapped
-    SurfacePatch patch;                   ///< its grid runs along x and y
-    Vector3 tipCenter = Vector3::Zero();  ///< center of the tip's sphere [m]
-    double tipRadius = 0.0;               ///< [m]
+    std::string caption;                      ///< below the panel; wrapped
+    SurfacePatch patch;                       ///< its grid runs along x and y
+    Vector3 tipCenter = Vector3::Zero();      ///< center of the tip's sphere [m]
+    double tipRadius = 0.0;                   ///< [m]
+    double shankHalfAngle = kShankHalfAngle;  ///< between the tip's shank and its axis [rad]
     /// Above 0: the tip is a paraboloid to this distance from its axis, see vtkAspTipSource [m].
     double paraboloidReach = 0.0;
     /// How far the tip's own surface gives way, at a distance from the contact's axis [m -> m];

@@ -157,6 +157,7 @@ double DeformationScene::shownTipHeight() const {
 void DeformationScene::addTip() {
     vtkNew<vtkAspTipSource> tip;
     tip->SetRadius(data_.tipRadius);
+    tip->SetHalfAngle(data_.shankHalfAngle);
     tip->SetParaboloidReach(data_.paraboloidReach);
     tip->SetCenter(data_.tipCenter.x(), data_.tipCenter.y(), data_.tipCenter.z());
     tip->SetHeight(shownTipHeight());

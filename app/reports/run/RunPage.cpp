@@ -11,9 +11,11 @@
 #include "app/reports/run/TouchSection.h"
 #include "app/reports/run/UncertaintySection.h"
 #include "app/reports/run/ValiditySection.h"
+#include "core/FormattedText.h"
 #include "core/SiFormat.h"
 #include "core/words/SceneWords.h"
 
+#include <numbers>
 #include <string>
 
 namespace asperity {
@@ -22,7 +24,11 @@ namespace {
 
 std::string subtitleOf(const Scene& scene) {
     const SceneDescription& description = scene.description;
-    return "Tip of " + formatSi(description.tip.radius, "m") + " radius on " +
+    const RoundTip tip = description.tip.shape();
+    constexpr double kDegree = std::numbers::pi / 180.0;  // [rad]
+    const std::string cone =
+        tip.hasCone() ? formatted(" and a cone of %.3g degrees", tip.coneHalfAngle / kDegree) : "";
+    return "Tip of " + formatSi(tip.radius, "m") + " radius" + cone + " on " +
            description.sample.material.name + "; " + sampleName(description.sample);
 }
 

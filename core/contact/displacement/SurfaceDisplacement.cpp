@@ -42,7 +42,8 @@ CohesiveContact contactProfile(const ContactModel& model, const ContactState& st
                             .cohesiveRadius = state.cohesiveRadius,
                             .edgeWork = isJkr(model.law()) ? model.pair().workOfAdhesion : 0.0,
                             .shape =
-                                isSphere(model.law()) ? TipShape::Sphere : TipShape::Paraboloid};
+                                isSphere(model.law()) ? TipShape::Sphere : TipShape::Paraboloid,
+                            .coneHalfAngle = model.coneHalfAngle()};
     if (isFilm(model.law())) {
         contact.film = model.film();
         contact.filmThickness = model.filmThickness();

@@ -1,9 +1,12 @@
 #include "core/contact/displacement/SurfaceProfile.h"
 
 #include "core/contact/Within.h"
+#include "core/contact/laws/PunchIntegrals.h"
 #include "core/contact/laws/SpherePunch.h"
 #include "core/contact/numerics/EllipticIntegrals.h"
 #include "core/contact/numerics/GaussLegendre.h"
+#include "core/contact/numerics/Leg.h"
+#include "core/surface/RoundTip.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,11 +20,6 @@ namespace {
 using std::numbers::pi;
 
 constexpr double kBelowOne = 1.0 - 1e-16;
-
-/// sqrt(large^2 - small^2) without cancellation.
-double leg(double large, double small) noexcept {
-    return std::sqrt(std::max(0.0, large - small) * (large + small));
-}
 
 /// sin and cos of acos(ratio), 0 <= ratio <= 1, without cancellation near 1.
 struct EdgeAngle {
@@ -65,11 +63,15 @@ double cohesiveIntegral(double a, double c, double r) noexcept {
 
 /// Height of the undeformed tip over its lowest point.
 double tipHeight(const CohesiveContact& contact, double r) noexcept {
-    const double tip = contact.tipRadius;
-    if (contact.shape == TipShape::Paraboloid) {
-        return r * r / (2.0 * tip);
-    }
-    return r < tip ? r * r / (tip + leg(tip, r)) : tip;
+    return contact.shape == TipShape::Paraboloid
+               ? r * r / (2.0 * contact.tipRadius)
+               : RoundTip{contact.tipRadius, contact.coneHalfAngle}.height(r);
+}
+
+/// The contact with the cone beyond a unit sphere; none where its edge is on the sphere.
+PunchContact coneEdge(const TipPunch& punch, const CohesiveContact& contact) noexcept {
+    const double a = contact.contactRadius / contact.tipRadius;
+    return punch.hasCone() && a > punch.jointRadius() ? punch.contactOfRadius(a) : PunchContact{};
 }
 
 /// Contact with a unit sphere. Where the contact radius has rounded towards the equator, the
@@ -126,7 +128,12 @@ double shapeTransform(const CohesiveContact& contact, double r) noexcept {
     if (contact.shape == TipShape::Paraboloid) {
         return paraboloidTransform(contact.contactRadius, r) / tip;
     }
-    return tip * sphereTransform(sphereOf(contact), r / tip);
+    const TipPunch punch(contact.coneHalfAngle);
+    const PunchContact edge = coneEdge(punch, contact);
+    return edge.run > 0.0
+               ? tip * (sphereTransform(sphereContact(punch.jointCoordinate()), r / tip) +
+                        coneTransform(punch, edge.run, r / tip))
+               : tip * sphereTransform(sphereOf(contact), r / tip);
 }
 
 /// Pressure of a unit sphere on a half-space of unit modulus, less that of a singular edge:
@@ -162,6 +169,15 @@ double shapePressure(const CohesiveContact& contact, double r) noexcept {
     const double tip = contact.tipRadius;
     if (contact.shape == TipShape::Paraboloid) {
         return 2.0 * contact.reducedModulus / (pi * tip) * leg(contact.contactRadius, r);
+    }
+    const TipPunch punch(contact.coneHalfAngle);
+    const PunchContact edge = coneEdge(punch, contact);
+    if (edge.run > 0.0) {
+        const double onSphere =
+            r / tip < punch.jointRadius()
+                ? spherePressure(sphereContact(punch.jointCoordinate()), r / tip)
+                : 0.0;
+        return contact.reducedModulus * (onSphere + (conePressure(punch, edge.run, r / tip) / pi));
     }
     return contact.reducedModulus * spherePressure(sphereOf(contact), r / tip);
 }

@@ -7,7 +7,7 @@ namespace asperity {
 /// Undeformed shape of the tip around its lowest point.
 enum class TipShape {
     Paraboloid,  ///< r^2 / 2R, of Hertz, DMT, JKR, Maugis and Dugdale
-    Sphere       ///< up to the equator, r = R, of the exact laws of docs/theory.md 4.4
+    Sphere  ///< up to the equator, r = R, or to a cone: the exact laws of docs/theory.md 4.4, 4.8
 };
 
 /// What the shape of the deformed surface depends on, for every contact law: an elastic contact,
@@ -21,6 +21,7 @@ struct CohesiveContact {
     double cohesiveRadius = 0.0;  ///< the contact radius without a cohesive zone [m]
     double edgeWork = 0.0;        ///< work of adhesion of the JKR laws, 0 for others [J/m^2]
     TipShape shape = TipShape::Paraboloid;
+    double coneHalfAngle = 0.0;       ///< of the cone that a sphere goes on as [rad]; 0: none
     const FilmTable* film = nullptr;  ///< that the law takes the sample for; null: a half-space
     double filmThickness = 0.0;       ///< [m]
 };
@@ -30,11 +31,11 @@ inline constexpr double kFarAway = 1e3;
 
 /// Displacement of the surface at distance `radius` >= 0 from the axis, > 0 into the sample [m],
 /// sum of both bodies (sampleShare() divides it); 0 for a radius outside 0 .. kFarAway. Bounded, no
-/// allocation. Source: docs/theory.md 4.3, 4.4.
+/// allocation. Source: docs/theory.md 4.3, 4.4, 4.8.
 [[nodiscard]] double surfaceDisplacement(const CohesiveContact& contact, double radius) noexcept;
 
-/// Distance between surface and tip at `radius` [m], 0 in contact. Of a sphere, up to its equator
-/// (beyond it the equator's height counts).
+/// Distance between surface and tip at `radius` [m], 0 in contact. Of a sphere without a cone, up
+/// to its equator (beyond it the equator's height counts).
 [[nodiscard]] double surfaceGap(const CohesiveContact& contact, double radius) noexcept;
 
 /// Pressure on the surface at `radius`, > 0 compression [Pa]; without the attraction that DMT adds

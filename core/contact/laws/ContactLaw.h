@@ -36,7 +36,7 @@ struct LawTraits {
     const char* key;   ///< in scenes and tables
     const char* name;  ///< for people
     Attraction attraction = Attraction::None;
-    bool sphere = false;  ///< the tip is an exact sphere, not the paraboloid that osculates it
+    bool sphere = false;  ///< the tip is exact, sphere or sphere and cone, not its paraboloid
     bool tail = false;    ///< van der Waals attraction before contact
     bool film = false;    ///< the sample is a film on a rigid base
     bool table = false;   ///< it may be looked up in MaugisTable, see SolverSetting
@@ -95,11 +95,9 @@ inline constexpr auto kEnumTable<ContactLaw> = std::to_array<LawTraits>(
     return traitsOf(law).attraction == Attraction::Inside;
 }
 
-/// Whether this is a law of the exact sphere that cannot take the cone above the sphere into
-/// account.
-[[nodiscard]] constexpr bool leavesOutCone(ContactLaw law) noexcept {
-    return isSphere(law) && traitsOf(law).attraction == Attraction::Zone;
-}
+/// Returns whether the law takes the tip for its paraboloid, so that a cone above the sphere makes
+/// no difference to it.
+[[nodiscard]] constexpr bool leavesOutCone(ContactLaw law) noexcept { return !isSphere(law); }
 
 /// The law that differs from this one by these two traits alone; none where there is no such law.
 [[nodiscard]] std::optional<ContactLaw> lawLike(ContactLaw law, bool sphere, bool tail) noexcept;

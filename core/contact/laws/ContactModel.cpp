@@ -73,17 +73,6 @@ std::shared_ptr<const MaugisTable> tableFor(ContactLaw law, const ContactPair& p
 
 }  // namespace
 
-ContactStatus checkCone(ContactLaw law, const ContactPair& pair, double halfAngle) noexcept {
-    if (halfAngle == 0.0) {
-        return ContactStatus::Solved;
-    }
-    if (!isWithin(halfAngle, 0.01, 1.55)) {
-        return ContactStatus::ConeHalfAngleOutOfRange;
-    }
-    return leavesOutCone(law) && pair.workOfAdhesion >= kMinAdhesion ? ContactStatus::LawWithoutCone
-                                                                     : ContactStatus::Solved;
-}
-
 ContactModel::ContactModel(ContactLaw law, const ContactPair& pair, const ContactOptions& options)
     : ContactModel(checked(law, pair, options)) {}
 
@@ -98,7 +87,7 @@ ContactModel::Checked ContactModel::checked(ContactLaw law, const ContactPair& p
     }
     requirePair(pair, options.cohesiveStress);
     checkMeniscus(options.meniscus);
-    const ContactStatus cone = checkCone(law, pair, options.coneHalfAngle);
+    const ContactStatus cone = checkCone(options.coneHalfAngle);
     if (cone != ContactStatus::Solved) {
         throw Error(std::string("contact: ") + nameOf(cone));
     }
@@ -112,6 +101,9 @@ ContactModel ContactModel::withTipRadius(double tipRadius) const noexcept {
 }
 
 ContactModel ContactModel::withPair(const ContactPair& pair) const noexcept {
+    if (pair == given_.pair) {
+        return *this;  // a law may take long to make, see ConeMaugisLaw
+    }
     Checked given = given_;
     given.pair = pair;
     given.pair.tipRadius = std::isnan(pair.tipRadius)

@@ -16,11 +16,6 @@ class FilmTable;
 class MaugisTable;
 struct AdhesionSplit;
 
-/// Returns why a law cannot have a tip with this cone, or Solved. @param halfAngle [rad]; 0: no
-/// cone
-[[nodiscard]] ContactStatus checkCone(ContactLaw law, const ContactPair& pair,
-                                      double halfAngle) noexcept;
-
 /// One contact law by name for one material pair, in SI units: constant after construction (about a
 /// microsecond; the first of a film some 40 ms, see sharedFilmTable(), of a table some 0.2 s, see
 /// sharedMaugisTable()), no allocation, never throws after construction.
@@ -82,6 +77,10 @@ public:
     /// half-space gives 1 / 1.05 of its force, where `hertz_film` is no longer held to a reference;
     /// infinite on a half-space.
     [[nodiscard]] double widestFilmContact() const noexcept;
+    /// Half angle of the cone that the law takes the tip's sphere to go on as [rad]; 0: none.
+    [[nodiscard]] double coneHalfAngle() const noexcept {
+        return leavesOutCone(given_.law) ? 0.0 : given_.options.coneHalfAngle;
+    }
     /// Of the sample [m]; 0: a half-space.
     [[nodiscard]] double filmThickness() const noexcept { return given_.options.filmThickness; }
 
@@ -115,7 +114,7 @@ private:
     [[nodiscard]] ContactState bare(double approach, double compliance,
                                     const ContactMemory& memory) const noexcept;
 
-    static constexpr std::size_t kJoinedSize = 384;  ///< [bytes]
+    static constexpr std::size_t kJoinedSize = 640;  ///< [bytes]
 
     Checked given_;
     alignas(double) std::array<std::byte, kJoinedSize> joined_;

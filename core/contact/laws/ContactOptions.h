@@ -25,7 +25,7 @@ struct ContactOptions {
     double filmThickness = 0.0;   ///< of the sample [m]; 0: a half-space
     FilmElasticity film;          ///< of that film; by default incompressible, under a rigid tip
     /// Half angle of the cone that touches the tip's sphere all around, 0.01 .. 1.55 [rad]; 0: a
-    /// sphere up to its equator. Laws of a paraboloid use neither.
+    /// sphere up to its equator. Laws of a paraboloid use neither, see leavesOutCone().
     double coneHalfAngle = 0.0;
     Meniscus meniscus;  ///< by default none
     SolverSetting solver = SolverSetting::Newton;

@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include "core/contact/laws/ConeMaugisLaw.h"
 #include "core/contact/laws/ContactModel.h"
 #include "core/contact/laws/DmtLaw.h"
 #include "core/contact/laws/FilmLaw.h"
@@ -29,8 +30,9 @@ struct ContactModel::Joined {
     using Tailed = JoinedLaw<WithTail, Bonded>;
 
     std::variant<Sudden<HertzLaw>, Sudden<DmtLaw>, Sudden<JkrLaw>, Sudden<MaugisLaw>,
-                 Sudden<SneddonLaw>, Sudden<SphereJkrLaw>, Sudden<SphereMaugisLaw>, Sudden<FilmLaw>,
-                 Tailed<SplitLaw>, Tailed<SphereSplitLaw>>
+                 Sudden<SneddonLaw>, Sudden<SphereJkrLaw>, Sudden<SphereMaugisLaw>,
+                 Sudden<ConeMaugisLaw>, Sudden<FilmLaw>, Tailed<SplitLaw>, Tailed<SphereSplitLaw>,
+                 Tailed<ConeSplitLaw>>
         law;
 };
 
@@ -38,6 +40,7 @@ inline ContactModel::Joined ContactModel::joinedLaw(const Checked& given) noexce
     const ContactLaw law = given.law;
     const ContactPair& pair = given.pair;
     const ContactOptions& options = given.options;
+    const double cone = options.coneHalfAngle;
     const auto sudden = [](const auto& bonded) {
         return Joined{JoinedLaw(NoTail(bonded.onset()), bonded)};
     };
@@ -47,8 +50,7 @@ inline ContactModel::Joined ContactModel::joinedLaw(const Checked& given) noexce
     };
     const MaugisSolver solver{options.solver, given.table.get()};
     if (isAdhesive(law) && pair.workOfAdhesion < kMinAdhesion) {
-        return isSphere(law) ? sudden(SneddonLaw(pair, options.coneHalfAngle))
-                             : sudden(HertzLaw(pair));
+        return isSphere(law) ? sudden(SneddonLaw(pair, cone)) : sudden(HertzLaw(pair));
     }
     switch (law) {  // no default: the compiler names a law that is missing here
     case ContactLaw::Hertz:
@@ -60,15 +62,19 @@ inline ContactModel::Joined ContactModel::joinedLaw(const Checked& given) noexce
     case ContactLaw::Maugis:
         return sudden(MaugisLaw(pair, options.cohesiveStress, solver));
     case ContactLaw::Sneddon:
-        return sudden(SneddonLaw(pair, options.coneHalfAngle));
+        return sudden(SneddonLaw(pair, cone));
     case ContactLaw::SphereJkr:
-        return sudden(SphereJkrLaw(pair, options.coneHalfAngle));
+        return sudden(SphereJkrLaw(pair, cone));
     case ContactLaw::SphereMaugis:
-        return sudden(SphereMaugisLaw(pair, options.cohesiveStress));
+        return cone > 0.0 ? sudden(ConeMaugisLaw(pair, options.cohesiveStress, cone))
+                          : sudden(SphereMaugisLaw(pair, options.cohesiveStress));
     case ContactLaw::Split:
         return tailed([&](const AttractiveTail& tail) { return splitLaw(pair, tail, solver); });
     case ContactLaw::SphereSplit:
-        return tailed([&](const AttractiveTail& tail) { return sphereSplitLaw(pair, tail); });
+        return cone > 0.0
+                   ? tailed(
+                         [&](const AttractiveTail& tail) { return coneSplitLaw(pair, tail, cone); })
+                   : tailed([&](const AttractiveTail& tail) { return sphereSplitLaw(pair, tail); });
     case ContactLaw::HertzFilm:
         return sudden(FilmLaw(pair, options.filmThickness, *given.film));
     }

@@ -26,16 +26,18 @@ bool isLargeContact(double contactRadius, double effectiveRadius) noexcept {
     return contactRadius > kLargeContact * effectiveRadius;
 }
 
-LawChoice chooseLaw(std::optional<ContactLaw> wanted, const ContactPair& pair,
-                    double filmThickness) {
+LawChoice chooseLaw(std::optional<ContactLaw> wanted, const ContactPair& pair, double filmThickness,
+                    double coneHalfAngle) {
     if (wanted) {
         return {.law = *wanted, .reason = LawReason::AskedFor};
     }
     requirePair(pair, pair.workOfAdhesion);  // any stress will do to look at the pair
     if (pair.workOfAdhesion < kMinAdhesion) {
-        return filmThickness > 0.0
-                   ? LawChoice{ContactLaw::HertzFilm, LawReason::FilmWithoutAdhesion}
-                   : LawChoice{ContactLaw::Hertz, LawReason::NoAdhesion};
+        if (filmThickness > 0.0) {
+            return {ContactLaw::HertzFilm, LawReason::FilmWithoutAdhesion};
+        }
+        return coneHalfAngle > 0.0 ? LawChoice{ContactLaw::Sneddon, LawReason::NoAdhesionCone}
+                                   : LawChoice{ContactLaw::Hertz, LawReason::NoAdhesion};
     }
     const double ratio = unloadedRatio(pair);
     return ratio > kLargeContact ? LawChoice{ContactLaw::SphereSplit, LawReason::WideContact, ratio}

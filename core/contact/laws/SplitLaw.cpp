@@ -49,4 +49,10 @@ SphereSplitLaw sphereSplitLaw(const ContactPair& pair, const AttractiveTail& tai
     return {split, SphereMaugisLaw(pairOfZone(pair, split), split.cohesiveStress)};
 }
 
+ConeSplitLaw coneSplitLaw(const ContactPair& pair, const AttractiveTail& tail,
+                          double coneHalfAngle) noexcept {
+    const AdhesionSplit split = adhesionSplit(pair, tail);
+    return {split, ConeMaugisLaw(pairOfZone(pair, split), split.cohesiveStress, coneHalfAngle)};
+}
+
 }  // namespace asperity

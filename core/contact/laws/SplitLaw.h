@@ -2,6 +2,7 @@
 
 #include "core/contact/Material.h"
 #include "core/contact/laws/AttractiveTail.h"
+#include "core/contact/laws/ConeMaugisLaw.h"
 #include "core/contact/laws/LawPoint.h"
 #include "core/contact/laws/MaugisLaw.h"
 #include "core/contact/laws/SphereMaugisLaw.h"
@@ -92,6 +93,7 @@ private:
 
 using SplitLaw = TailedLaw<MaugisLaw>;
 using SphereSplitLaw = TailedLaw<SphereMaugisLaw>;
+using ConeSplitLaw = TailedLaw<ConeMaugisLaw>;
 
 /// The pair's work of adhesion must be > 0. @param tail splitTail() of the pair
 [[nodiscard]] SplitLaw splitLaw(const ContactPair& pair, const AttractiveTail& tail,
@@ -100,5 +102,9 @@ using SphereSplitLaw = TailedLaw<SphereMaugisLaw>;
 /// The same under the exact sphere.
 [[nodiscard]] SphereSplitLaw sphereSplitLaw(const ContactPair& pair,
                                             const AttractiveTail& tail) noexcept;
+
+/// The same under a sphere that goes on as a cone; the tail is the sphere's alone.
+[[nodiscard]] ConeSplitLaw coneSplitLaw(const ContactPair& pair, const AttractiveTail& tail,
+                                        double coneHalfAngle) noexcept;
 
 }  // namespace asperity

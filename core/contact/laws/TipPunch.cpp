@@ -62,6 +62,18 @@ PunchContact TipPunch::onCone(double excess, double coordinate) const noexcept {
             .run = q};
 }
 
+PunchRing TipPunch::sphereRing(double radius) noexcept {
+    const double depth = std::atanh(radius);
+    return {radius, radius * depth, depth + (radius / ((1.0 - radius) * (1.0 + radius)))};
+}
+
+PunchRing TipPunch::coneRing(double run) const noexcept {
+    const double a = std::hypot(cosine_, run);
+    const double depth = sphereLogarithm(a, run) + (slope_ * std::atan2(run, cosine_));
+    const double bend = (((a * sine_) - run) / (1.0 + a)) + (cosine_ * slope_);
+    return {a, a * depth, depth + (bend / (sine_ + run))};
+}
+
 /// Integral of r^2 f'(r) / sqrt(a^2 - r^2) over the sphere f, to the joint: in closed form, or,
 /// where that would cancel, by its depth u = a - sqrt(a^2 - r^2).
 double TipPunch::sphereShare(double radius, double run) const noexcept {

@@ -20,6 +20,13 @@ struct PunchContact {
     double run = 0.0;        ///< sqrt(a^2 - r0^2) beyond the radius r0 of the joint; else 0
 };
 
+/// A contact within a wider one, as integrals over its radius need it.
+struct PunchRing {
+    double radius = 0.0;
+    double indentation = 0.0;  ///< elastic
+    double rate = 0.0;         ///< of the indentation, by the radius
+};
+
 /// A sphere that goes on to its equator, or whose tangent cone begins at the radius R cos(alpha).
 class TipPunch {
 public:
@@ -29,10 +36,21 @@ public:
     [[nodiscard]] bool hasCone() const noexcept { return sine_ > 0.0; }
     /// Radius at which the cone begins; 1, the equator, without one.
     [[nodiscard]] double jointRadius() const noexcept { return cosine_; }
+    /// Coordinate there; infinite without a cone.
+    [[nodiscard]] double jointCoordinate() const noexcept { return joint_; }
+    /// Sine of the half angle, and height of the joint below the sphere's center; 0 without a cone.
+    [[nodiscard]] double sine() const noexcept { return sine_; }
+    /// Slope of the cone, its cotangent; 0 without one.
+    [[nodiscard]] double slope() const noexcept { return slope_; }
 
     [[nodiscard]] PunchContact contact(double coordinate) const noexcept;
     /// The contact with this radius; as sphereContactOfRadius() without a cone.
     [[nodiscard]] PunchContact contactOfRadius(double radius) const noexcept;
+
+    /// A ring on the sphere, of a radius below 1 and up to the joint.
+    [[nodiscard]] static PunchRing sphereRing(double radius) noexcept;
+    /// A ring on the cone. @param run as PunchContact has it
+    [[nodiscard]] PunchRing coneRing(double run) const noexcept;
 
     /// Force, in units of E* R^2.
     [[nodiscard]] double force(const PunchContact& contact) const noexcept;

@@ -5,9 +5,10 @@
 namespace asperity {
 
 /// Integral of a smooth function from `low` to `high` by the 16-point rule of Gauss and Legendre,
-/// exact for polynomials up to degree 31. Bounded, no allocation.
+/// exact for polynomials up to degree 31. Bounded, no allocation. A function may return several
+/// numbers at once, of a type with +, += and a product with a number, whose default is zero.
 template <typename Function>
-double gaussLegendre(const Function& function, double low, double high) noexcept {
+auto gaussLegendre(const Function& function, double low, double high) noexcept {
     struct Node {
         double place;
         double weight;
@@ -22,7 +23,7 @@ double gaussLegendre(const Function& function, double low, double high) noexcept
                                           {0.09501250983763744, 0.1894506104550685}}};
     const double center = 0.5 * (low + high);
     const double half = 0.5 * (high - low);
-    double sum = 0.0;
+    decltype(function(low)) sum{};
     for (const Node& node : kNodes) {
         const double offset = half * node.place;
         sum += node.weight * (function(center - offset) + function(center + offset));

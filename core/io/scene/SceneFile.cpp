@@ -147,6 +147,7 @@ SampleDescription readSample(TomlSection section, const SampleDescription& other
 TipDescription readTip(TomlSection section, const TipDescription& otherwise) {
     TipDescription tip;
     tip.radius = section.number("radius_m", otherwise.radius);
+    tip.coneHalfAngle = section.number("cone_half_angle_rad", otherwise.coneHalfAngle);
     tip.elastic.youngsModulus =
         section.number("youngs_modulus_pa", otherwise.elastic.youngsModulus);
     tip.elastic.poissonRatio = section.number("poisson_ratio", otherwise.elastic.poissonRatio);
@@ -357,6 +358,7 @@ std::string sceneText(const SceneDescription& scene) {
     toml::table table{
         {"sample", sampleTable(scene.sample)},
         {"tip", toml::table{{"radius_m", scene.tip.radius},
+                            {"cone_half_angle_rad", scene.tip.coneHalfAngle},
                             {"youngs_modulus_pa", scene.tip.elastic.youngsModulus},
                             {"poisson_ratio", scene.tip.elastic.poissonRatio}}},
         {"probe", probeSectionTable(scene)},

@@ -13,8 +13,11 @@ constexpr double kControlsPerRadius = 8.0;
 /// From a point near the contact's axis, along that axis, to the side of the tip that faces the
 /// sample.
 Vector3 ontoTip(const TipContact& contact, const Vector3& point) {
-    const double fromAxis = std::min(distanceFromAxis(contact, point), contact.tipRadius);
-    const double drop = std::sqrt((contact.tipRadius - fromAxis) * (contact.tipRadius + fromAxis));
+    const RoundTip tip = contact.tip();
+    const double fromAxis = std::min(distanceFromAxis(contact, point), tip.reach());
+    const double drop = tip.hasCone()
+                            ? tip.radius - tip.height(fromAxis)
+                            : std::sqrt((tip.radius - fromAxis) * (tip.radius + fromAxis));
     const double above = (point - contact.tipCenter).dot(contact.normal);
     return -(above + drop) * contact.normal;
 }
@@ -30,8 +33,8 @@ double partInside(const TipContact& contact, const Vector3& point, double reach,
 DisplacementField contactRadiusField(const BSplineSurface& surface, const TipContact& contact) {
     const double spacing = contact.contactRadius / kControlsPerRadius;
     SplinePatch net = netAroundContact(surface, contact, spacing);
-    // A contact wider than the tip has no sphere to lie on beyond the tip's own radius.
-    const double reach = std::min(contact.contactRadius, contact.tipRadius);
+    // A contact wider than a sphere has nothing to lie on beyond the sphere's own radius.
+    const double reach = std::min(contact.contactRadius, contact.tip().reach());
     for (Vector3& control : net.controls) {
         control = partInside(contact, control, reach, spacing) * ontoTip(contact, control);
     }

@@ -2,6 +2,7 @@
 
 #include "core/EnumTable.h"
 #include "core/Vector.h"
+#include "core/surface/RoundTip.h"
 #include "core/surface/deformation/DeformationModel.h"
 
 #include <cstddef>
@@ -35,6 +36,9 @@ struct TipContact {
     double tipRadius = 0.0;               ///< [m]
     double contactRadius = 0.0;           ///< 0: no contact [m]
     double indentation = 0.0;             ///< < 0 where the surface is drawn up to the tip [m]
+    double coneHalfAngle = 0.0;           ///< of the tip [rad]; 0: no cone
+
+    [[nodiscard]] RoundTip tip() const noexcept { return {tipRadius, coneHalfAngle}; }
 };
 
 /// Displacement of the surface into the sample at a distance from the contact's axis [m -> m].

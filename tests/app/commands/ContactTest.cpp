@@ -117,6 +117,33 @@ TEST_F(Contact, RefusesALawOrABranchThatItDoesNotKnow) {
     }
 }
 
+/// Two rows of T25 (20 degrees, a = 2 R, w = 0 and 0.01 E* R), and what has no cone.
+TEST_F(Contact, HasTheConeOfTheTip) {
+    const std::string header =
+        std::string(kContactHeader).substr(0, std::string(kContactHeader).size() - 1) +
+        ",cone_half_angle_rad\n";
+    const CsvTable out =
+        contactTable("sneddon,1,1,0,0,6.649984875718411118,retract,0.34906585039886592\n"
+                     "jkr_sphere,1,1,0.01,0,6.295494105537307913,retract,0.34906585039886592\n"
+                     "md_sphere,1,1,0.01,1e6,6.295494105537307913,retract,0.34906585039886592\n"
+                     "sneddon,1,1,0,0,1,retract,1.6\n"
+                     "sneddon,1,1,0,0,1,retract,nan\n"
+                     "hertz,1,1,0,0,1,retract,0.35\n"
+                     "md,1,1,0.01,1,1,retract,0.35\n"
+                     "md,1,1,0.01,1,1,retract,0\n",
+                     header);
+    EXPECT_NEAR(out.number(0, "force_n"), 16.81503808879238025, 1e-11);
+    EXPECT_NEAR(out.number(1, "force_n"), 15.39707500806796743, 1e-11);
+    EXPECT_NEAR(out.number(1, "contact_radius_m"), 2.0, 1e-12);
+    EXPECT_NEAR(out.number(2, "force_n"), 15.39707500806796743, 1e-8) << "of hardly any range";
+    EXPECT_EQ(out.text(0, "status"), "large_contact");
+    EXPECT_EQ(out.text(2, "status"), "large_contact");
+    EXPECT_EQ(out.text(3, "status"), "cone_half_angle_out_of_range");
+    EXPECT_EQ(out.text(5, "status"), "law_without_cone");
+    EXPECT_EQ(out.text(6, "status"), "law_without_cone");
+    EXPECT_TRUE(out.text(7, "status").ends_with("large_contact")) << out.text(7, "status");
+}
+
 TEST_F(Contact, WarnsOfALargeContact) {
     EXPECT_EQ(contactTable(lineWith(5, "2e-9")).text(0, "status"), "law_out_of_range|large_contact")
         << "a paraboloid whose adhesion reaches too far";

@@ -10,6 +10,7 @@
 #include <QPushButton>
 
 #include <algorithm>
+#include <string>
 
 namespace asperity::test {
 namespace {
@@ -49,7 +50,10 @@ TEST_F(EngageControlTest, EngagesFromFarInAboutTwoSecondsAndGivesTheTipBack) {
     EXPECT_EQ(device(), "Scripted path");
     ASSERT_TRUE(framesUntil([this] { return engaged(); })) << told();
     EXPECT_LT(time.elapsed(), 4000);
-    EXPECT_EQ(told(), "Engaged at 3 nN");
+    EXPECT_TRUE(told().ends_with(" (setpoint 3 nN)")) << told();
+    EXPECT_NEAR(std::stod(told().substr(std::string("Engaged at ").size())),
+                latest().model.force.z() * 1e9, 0.6)
+        << "the force that is there, with the detector's noise";
     EXPECT_EQ(device(), "Mouse and keyboard");
     EXPECT_NEAR(latest().model.force.z(), 3e-9, 0.6e-9);
     EXPECT_LT((run().basePosition() - start).head<2>().norm(), 1e-15);

@@ -80,6 +80,21 @@ TEST(ContactSection, TipIsASphereWithAShankThatGoesOnSmoothly) {
     EXPECT_FALSE(section.rim);
 }
 
+TEST(ContactSection, TipHasTheConeOfTheScene) {
+    constexpr double kHalfAngle = 0.6;
+    SceneDescription description = test::plainScene();
+    description.tip.coneHalfAngle = kHalfAngle;
+    const Scene scene = buildScene(description, test::flatMap());
+    EquilibriumMemory memory;
+    const TipState state = tipEquilibrium(scene.surface, scene.belief,
+                                          {.position = {64.0_nm, 64.0_nm, 50.0_nm}}, memory);
+    const ContactDeformation deformation(scene, state, DeformationModel::ClosedForm);
+    const RoundTip tip = description.tip.shape();
+    for (const Vector2& point : contactSection(scene, deformation, kPlane).tip) {
+        EXPECT_NEAR(point.y() - state.tip.z(), tip.height(std::abs(point.x())), 1e-14);
+    }
+}
+
 TEST(ContactSection, LiesInItsPlaneAndEndsAtTheScansEdge) {
     const Scene scene = hertzOn(test::slopedMap(0.2));
     const TipState state = pressed(scene, {120.0_nm, 64.0_nm});

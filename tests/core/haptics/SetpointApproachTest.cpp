@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <random>
@@ -115,6 +116,48 @@ TEST(SetpointApproach, AForceThatIsNoNumberEndsTheDescent) {
     EXPECT_FALSE(run.approach.hasEngaged());
     EXPECT_GT(run.lowest.z(), 25.9e-9);
     EXPECT_EQ(run.base, kStart);
+}
+
+/// Over a step of the sample the force jumps past the setpoint.
+TEST(SetpointApproach, MeasuresTheForceThatIsThere) {
+    constexpr double kThere = 7e-9;  // [N]
+    ApproachPlan plan = kPlan;
+    plan.dwell = std::numeric_limits<double>::infinity();
+    std::mt19937 random(1);
+    std::normal_distribution<double> noise(0.0,
+                                           1.5e-9);  // so that a mean of some ticks is compared
+    const Course run(
+        plan, 5.0, [&](double z) { return (z < kSurface ? kThere : 0.0) + 40e-9 + noise(random); });
+    ASSERT_TRUE(run.approach.hasMeasured());
+    const double deviation = run.approach.measuredDeviation();
+    EXPECT_GT(deviation, 0.1e-9);
+    EXPECT_LT(deviation, plan.setpoint / 6.0 + 0.2e-9);
+    EXPECT_NEAR(run.approach.measuredForce(), kThere, 4.0 * deviation);
+    const Course still(plan, 5.0, [](double z) { return z < kSurface ? kThere : 0.0; });
+    EXPECT_EQ(still.approach.measuredForce(), kThere);
+    EXPECT_EQ(still.approach.measuredDeviation(), 0.0);
+}
+
+/// Without an equilibrium the descent ends, but not for a tick or two.
+TEST(SetpointApproach, EndsWhereTheTipHasNoEquilibrium) {
+    const auto lowestOf = [](int unsolvedTicks) {
+        SetpointApproach approach(kPlan, kStart);
+        double lowest = kStart.z();
+        int unsolved = 0;
+        double z = kStart.z();
+        for (int i = 0; i < 5000; ++i) {
+            const bool isThere = z < kStart.z() - 2e-9 && unsolved < unsolvedTicks;
+            unsolved += isThere ? 1 : 0;
+            z = approach.advance(kTimeStep, 0.0, !isThere).z();
+            lowest = std::min(lowest, z);
+        }
+        EXPECT_FALSE(approach.hasEngaged());
+        EXPECT_EQ(approach.phase(), ApproachPhase::Done);
+        EXPECT_EQ(approach.isBlocked(), unsolvedTicks >= 50);
+        return lowest;
+    };
+    EXPECT_NEAR(lowestOf(49), kStart.z() - kPlan.maxDescent, 1e-18);
+    EXPECT_NEAR(lowestOf(10000), kStart.z() - 2.5e-9, 0.05e-9);
 }
 
 TEST(RunningMoments, AreMeanAndDeviation) {

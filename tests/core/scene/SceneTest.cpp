@@ -12,6 +12,8 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <optional>
+#include <string>
 
 namespace asperity {
 namespace {
@@ -109,6 +111,9 @@ TEST(Scene, RefusesEachValueOutsideItsRange) {
         [](SceneDescription& s) { s.truth.signalNoise = -1.0; },
         [](SceneDescription& s) { s.truth.material.workOfAdhesion = 2000.0; },
         [](SceneDescription& s) { s.tip.radius = 0.0; },
+        [](SceneDescription& s) { s.tip.coneHalfAngle = -0.1; },
+        [](SceneDescription& s) { s.tip.coneHalfAngle = 1.6; },
+        [nan](SceneDescription& s) { s.tip.coneHalfAngle = nan; },
         [](SceneDescription& s) { s.tip.elastic.youngsModulus = -1.0; },
         [](SceneDescription& s) { s.tip.elastic.poissonRatio = 0.7; },
         [nan](SceneDescription& s) { s.probe.length = nan; },
@@ -142,6 +147,64 @@ TEST(Scene, RefusesEachValueOutsideItsRange) {
         EXPECT_THROW((void)buildScene(description, test::flatMap()), Error) << "mistake " << index;
         ++index;
     }
+}
+
+/// What a scene with a cone says under a law; empty: it is accepted.
+std::string refusalOfCone(std::optional<ContactLaw> law, double filmThickness = 0.0) {
+    SceneDescription description = test::plainScene();
+    description.tip.coneHalfAngle = 0.3;
+    description.choices.law = law;
+    description.sample.material.filmThickness = filmThickness;
+    if (filmThickness > 0.0) {
+        description.sample.material.workOfAdhesion = 0.0;
+    }
+    try {
+        checkScene(description);
+    } catch (const Error& error) {
+        return error.what();
+    }
+    return "";
+}
+
+TEST(Scene, RefusesAConeUnderALawOfAParaboloid) {
+    EXPECT_EQ(refusalOfCone(ContactLaw::Hertz),
+              "[tip]: cone_half_angle_rad must be 0 under the law hertz, which takes the tip for a "
+              "paraboloid; [physics] law sneddon has the cone");
+    EXPECT_TRUE(refusalOfCone(ContactLaw::Jkr).ends_with("law jkr_sphere has the cone"));
+    EXPECT_TRUE(refusalOfCone(ContactLaw::Maugis).ends_with("law md_sphere has the cone"));
+    EXPECT_TRUE(refusalOfCone(ContactLaw::Split).ends_with("law split_sphere has the cone"));
+    EXPECT_TRUE(refusalOfCone(ContactLaw::Dmt).ends_with("no law of its kind has a cone"));
+    EXPECT_TRUE(refusalOfCone({}, 1e-8).ends_with("no law of its kind has a cone")) << "hertz_film";
+    for (const ContactLaw law : {ContactLaw::Sneddon, ContactLaw::SphereJkr,
+                                 ContactLaw::SphereMaugis, ContactLaw::SphereSplit}) {
+        EXPECT_EQ(refusalOfCone(law), "") << keyOf(law);
+    }
+    EXPECT_EQ(refusalOfCone({}), "") << "auto";
+}
+
+/// Far in soft rubber the model, what is true and the drawn tip have the same cone.
+TEST(Scene, HasOneConeForLawTruthAndPictures) {
+    SceneDescription description = test::plainScene();
+    description.sample.material.elastic = {.youngsModulus = 1.0_MPa, .poissonRatio = 0.5};
+    description.sample.material.workOfAdhesion = 0.022;
+    description.truth.material = description.sample.material;
+    description.tip.coneHalfAngle = 0.3;
+    const Scene scene = buildScene(description, test::flatMap());
+    EXPECT_EQ(scene.model.law, ContactLaw::SphereSplit);
+    EXPECT_EQ(scene.belief.contact.coneHalfAngle(), 0.3);
+    EXPECT_EQ(truthOf(scene).system.contact.coneHalfAngle(), 0.3);
+    EquilibriumMemory memory;
+    TipState state;
+    const double start = scene.surface.at(64.0_nm, 64.0_nm).height;
+    for (int i = 0; i <= 60; ++i) {
+        const BaseMotion base{.position = {64.0_nm, 64.0_nm, start - i * 1.0_nm}};
+        state = tipEquilibrium(scene.surface, scene.belief, base, memory);
+        ASSERT_TRUE(state.converged) << i;
+    }
+    EXPECT_GT(state.contact.contactRadius, scene.belief.tipRadius());
+    const ContactState expected =
+        scene.belief.contact.equilibrium(state.contact.indentation, 0.0, kBondedMemory);
+    EXPECT_NEAR(state.force.z(), expected.force, 1e-6 * expected.force);
 }
 
 TEST(Scene, ChoosesTheContactLawAndSaysWhy) {

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <optional>
 
 namespace asperity {
@@ -87,6 +88,21 @@ TEST(ViewScale, OnTheExactSphereNoContactIsWiderThanTheTip) {
     const Scene scene = rubberScene(std::nullopt);
     ASSERT_EQ(scene.belief.contact.law(), ContactLaw::SphereSplit);
     EXPECT_DOUBLE_EQ(viewScale(scene).patch, 2.5 * scene.belief.tipRadius());
+}
+
+TEST(ViewScale, HasRoomForAConeAtTheSetpoint) {
+    SceneDescription description = rubberScene(std::nullopt).description;
+    description.tip.coneHalfAngle = 0.3;
+    description.setpoint = 20.0_nN;
+    const Scene scene = buildScene(description, test::flatMap());
+    const ContactModel& model = scene.belief.contact;
+    const double shown = viewScale(scene).patch / 2.5;
+    ASSERT_GT(shown, scene.belief.tipRadius());
+    // Elastic cone: P = (pi/2) E* a^2 cot(alpha), and adhesion, which presses it farther in.
+    const double elastic =
+        std::sqrt(20.0_nN * std::tan(0.3) * 2.0 / std::numbers::pi / model.pair().reducedModulus);
+    EXPECT_GT(shown, elastic);
+    EXPECT_LT(shown, 1.5 * elastic);
 }
 
 TEST(ViewScale, OpensAtAWidthOfThirtyPixels) {

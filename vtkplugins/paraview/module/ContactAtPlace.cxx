@@ -55,7 +55,7 @@ ContactAtPlace contactAt(const Scene& scene, const ContactRequest& request) {
             .patch = drawnPatch(scene, deformation,
                                 {.halfWidth = halfWidth, .samples = request.samples}),
             .halfWidth = halfWidth,
-            .tipRadius = tipRadius,
+            .tip = deformation.contact().tip(),
             .tipDisplacement =
                 [deformation](double distance) { return deformation.tipDisplacement(distance); },
             .contactPoint = displacedPoint(scene, state, scene.model.deformation)};

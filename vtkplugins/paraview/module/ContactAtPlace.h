@@ -22,7 +22,7 @@ struct ContactAtPlace {
     TipState state;
     SurfacePatch patch;
     double halfWidth = 0.0;              ///< of the patch [m]
-    double tipRadius = 0.0;              ///< [m]
+    RoundTip tip;                        ///< [m]
     RadialDisplacement tipDisplacement;  ///< into the tip, over the distance from the axis [m -> m]
     Vector3 contactPoint;                ///< middle of the contact on the deformed surface [m]
 };

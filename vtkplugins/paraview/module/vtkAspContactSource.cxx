@@ -61,7 +61,7 @@ void fillSurface(const asperity::ContactAtPlace& contact, const asperity::Length
 double shownTipHeight(const asperity::ContactAtPlace& contact) {
     constexpr double kHeight = 3.0;      // in tip radii
     constexpr double kWidthShare = 0.8;  // of the surface's
-    const double radius = contact.tipRadius;
+    const double radius = contact.tip.radius;
     const double wide = kWidthShare * contact.halfWidth;
     return wide < radius ? radius - std::sqrt(radius * radius - wide * wide)
                          : std::min(kHeight * radius, contact.halfWidth);
@@ -70,10 +70,11 @@ double shownTipHeight(const asperity::ContactAtPlace& contact) {
 void fillTip(const asperity::ContactAtPlace& contact, const asperity::LengthUnit& unit,
              vtkPolyData& output) {
     const asperity::Vector3 center =
-        contact.state.tip + contact.tipRadius * asperity::Vector3::UnitZ();
+        contact.state.tip + contact.tip.radius * asperity::Vector3::UnitZ();
     vtkNew<vtkAspTipSource> source;
     source->SetCenter(center.x(), center.y(), center.z());
-    source->SetRadius(contact.tipRadius);
+    source->SetRadius(contact.tip.radius);
+    source->SetHalfAngle(contact.tip.shankHalfAngle());
     source->SetHeight(shownTipHeight(contact));
     source->Update();
     output.ShallowCopy(source->GetOutput());

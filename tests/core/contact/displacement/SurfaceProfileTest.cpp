@@ -220,5 +220,43 @@ TEST(SurfaceProfile, IsFiniteForAnyContactWithASphere) {
     });
 }
 
+/// Beyond the joint of a cone: the pressure bears the force, the surface leaves the tip at the
+/// contact's edge without a step, and far away it is that of a point force.
+TEST(SurfaceProfile, IsThatOfACone) {
+    constexpr double kHalfAngle = 0.35;
+    for (const double a : {0.5, 0.95, 1.5, 6.0}) {
+        const LawPoint point = SneddonLaw({1.0, 1.0, 0.0}, kHalfAngle).at(a);
+        const CohesiveContact contact{.tipRadius = 1.0,
+                                      .reducedModulus = 1.0,
+                                      .indentation = point.indentation,
+                                      .contactRadius = a,
+                                      .cohesiveRadius = a,
+                                      .shape = TipShape::Sphere,
+                                      .coneHalfAngle = kHalfAngle};
+        SCOPED_TRACE(a);
+        const double joint = std::cos(kHalfAngle);
+        const auto load = [&](double from, double to) {
+            constexpr int kPieces = 200;
+            double sum = 0.0;
+            for (int i = 0; i < kPieces; ++i) {
+                sum += gaussLegendre(
+                    [&](double y) {  // r = a (1 - y^2): the pressure ends as a root
+                        const double r = a * (1.0 - (y * y));
+                        return 2.0 * pi * r * contactPressure(contact, r) * 2.0 * a * y;
+                    },
+                    from + ((to - from) * i / kPieces), from + ((to - from) * (i + 1) / kPieces));
+            }
+            return sum;
+        };
+        const double turn = a > joint ? std::sqrt(1.0 - (joint / a)) : 0.0;
+        expectClose(load(0.0, turn) + load(turn, 1.0), point.force, 1e-5);
+        const double inside = surfaceDisplacement(contact, a);
+        EXPECT_NEAR(surfaceDisplacement(contact, std::nextafter(a, 9.0)), inside, 1e-6);
+        const double far = 500.0;
+        expectClose(surfaceDisplacement(contact, far), point.force / pi / far, 1e-3);
+        EXPECT_GT(surfaceGap(contact, 1.01 * a), 0.0);
+    }
+}
+
 }  // namespace
 }  // namespace asperity

@@ -249,7 +249,6 @@ TEST(ConeTip, IsPartOfAContactModel) {
     EXPECT_EQ(wide.force, SphereJkrLaw(pair, 0.3).stable(200e-9, 0.0)->force);
     const ContactModel other = jkr.withTipRadius(10e-9);
     EXPECT_GT(other.equilibrium(200e-9, 0.0, kBondedMemory).contactRadius, 10e-9);
-    EXPECT_THROW(ContactModel(ContactLaw::SphereMaugis, pair, options), Error);
     EXPECT_THROW(ContactModel(ContactLaw::SphereJkr, pair, {.coneHalfAngle = 1.6}), Error);
     EXPECT_THROW(ContactModel(ContactLaw::Sneddon, pair, {.coneHalfAngle = NAN}), Error);
 }

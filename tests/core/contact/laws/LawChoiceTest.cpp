@@ -33,6 +33,7 @@ TEST(LawChoice, NeedsNoAdhesionForHertz) {
     pair.workOfAdhesion = 0.0;
     EXPECT_EQ(chooseLaw({}, pair).law, ContactLaw::Hertz);
     EXPECT_EQ(chooseLaw({}, pair, 10e-9).law, ContactLaw::HertzFilm);
+    EXPECT_EQ(chooseLaw({}, pair, 0.0, 0.3).law, ContactLaw::Sneddon) << "a paraboloid has no cone";
 }
 
 }  // namespace

@@ -126,6 +126,15 @@ TEST_F(SceneFile, SaysThatASampleDoesNotYield) {
         readScene(write("plain.toml", "[sample]\nfile = \"map.gsf\"\n")).sample.material.yields);
 }
 
+TEST_F(SceneFile, KeepsTheConeOfTheTip) {
+    const std::string sample = "[sample]\nfile = \"map.gsf\"\n";
+    const SceneDescription scene =
+        readScene(write("cone.toml", sample + "[tip]\ncone_half_angle_rad = 0.35\n"));
+    EXPECT_EQ(scene.tip.coneHalfAngle, 0.35);
+    EXPECT_EQ(readScene(write("again.toml", sceneText(scene))).tip.coneHalfAngle, 0.35);
+    EXPECT_EQ(readScene(write("none.toml", sample)).tip.coneHalfAngle, 0.0);
+}
+
 TEST_F(SceneFile, TakesAShapeInPlaceOfAHeightMap) {
     const SceneDescription ball = readScene(write("ball.toml", R"(
 [sample]
