@@ -18,9 +18,9 @@ QString smoothingText(const SampleDescription& sample) {
             .arg(1e9 * sample.smoothingLength, 0, 'g', 3);
     }
     const double pixels = sample.smoothingPixels.value_or(0.0);
-    return pixels > 0.0 ? RoughnessControl::tr("Gaussian, standard deviation %1 px")
-                              .arg(pixels, 0, 'g', 3)
-                        : RoughnessControl::tr("none");
+    return pixels > 0.0
+               ? RoughnessControl::tr("Gaussian, standard deviation %1 px").arg(pixels, 0, 'g', 3)
+               : RoughnessControl::tr("none");
 }
 
 }  // namespace

@@ -198,7 +198,8 @@ std::optional<double> smoothingIn(std::string_view text) {
     double pixels = 0.0;
     const char* const last = text.data() + text.size();
     const auto [end, problem] = std::from_chars(text.data(), last, pixels);
-    const bool isWidth = problem == std::errc() && end == last && isWithin(pixels, 0.0, kMaxSmoothing);
+    const bool isWidth =
+        problem == std::errc() && end == last && isWithin(pixels, 0.0, kMaxSmoothing);
     return isWidth ? std::optional(pixels) : std::nullopt;
 }
 

@@ -21,7 +21,7 @@ struct SmoothingChoice {
 /// Returns the smallest low-pass after which noise moves the effective radius by less than the
 /// tolerance on a flat sample, or, where it comes first, the widest that takes less from the
 /// curvature than noise leaves; in tenths of a pixel, and steps of a tenth of the width.
-/// Source: docs/uncertainty.md 1.5.
+/// Source: docs/uncertainty.md 1.4.
 /// @param tipRadius [m]
 /// @param tolerance of the effective radius, relative
 [[nodiscard]] SmoothingChoice chooseSmoothing(const CurvatureNoise& scan, double tipRadius,

@@ -37,9 +37,9 @@ struct Scene {
     /// that they have, estimated [m].
     double heightNoise = 0.0;
     std::optional<SmoothingChoice> smoothing;  ///< none: the scene file stated it, or has a shape
-    std::optional<NurbsSurface> shape;  ///< what the tip touches in place of `surface`
-    SceneMaps maps;                     ///< of materials that are not the same everywhere
-    ForceModelOptions model;            ///< with which the believed force is computed
+    std::optional<NurbsSurface> shape;         ///< what the tip touches in place of `surface`
+    SceneMaps maps;                            ///< of materials that are not the same everywhere
+    ForceModelOptions model;                   ///< with which the believed force is computed
     ProbeSystem belief;        ///< what the operator's side takes tip, lever and sample to be
     ProbeSystem truth;         ///< what they are inside the simulated instrument
     LeverSignals signalSigma;  ///< noise of the signals as the estimator takes it [rad]
@@ -63,7 +63,8 @@ struct Scene {
 [[nodiscard]] ContactModel contactModelAt(const Scene& scene, const TipState& state) noexcept;
 
 /// Levels, fills, smooths, on request erodes, and fits the map, and sets up both sides of the
-/// instrument. The description of the scene states the low-pass, chosen or not. In the map's precision: a ScanMap is for scans that are too large for double.
+/// instrument. The description of the scene states the low-pass, chosen or not. In the map's
+/// precision: a ScanMap is for scans that are too large for double.
 /// @param maps all that the description's materials name
 /// @throw Error when a value of the description is outside its range, or a map is missing; Canceled
 [[nodiscard]] Scene buildScene(const SceneDescription& description, ScanMap map,

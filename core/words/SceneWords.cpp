@@ -37,11 +37,12 @@ std::string smoothingNote(const Scene& scene) {
                                       : (pixels > 0.0 ? pixelWords(pixels) : "none");
         return "smoothing: " + width + ", as the scene states; " + noise;
     }
-    const SmoothingChoice& choice = *scene.smoothing;
-    const std::string more = choice.isBounded ? "; more would take away the surface's own curvature" : "";
-    return choice.pixels > 0.0
-               ? "smoothing: " + pixelWords(choice.pixels) + ", by " + noise + " and " + tip + more
-               : "smoothing: none, the scan is clean: " + noise + " under " + tip + more;
+    const auto& [pixels, isBounded] = *scene.smoothing;
+    const std::string width = pixels > 0.0 ? pixelWords(pixels)
+                              : isBounded  ? "none"
+                                           : "none, the scan is clean";
+    return "smoothing: " + width + ", by " + noise + " and " + tip +
+           (isBounded ? "; more would take away the surface's own curvature" : "");
 }
 
 std::string sampleName(const SampleDescription& sample) {

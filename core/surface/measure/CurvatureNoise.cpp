@@ -36,7 +36,8 @@ LineKernel lineKernel(double sigma) {
     LineKernel kernel{.value = halfGaussian(sigma), .bend = {}};
     const std::vector<double>& gaussian = kernel.value;
     const auto difference = [&gaussian](std::ptrdiff_t k) {
-        return weightAt(gaussian, k - 1) - (2.0 * weightAt(gaussian, k)) + weightAt(gaussian, k + 1);
+        return weightAt(gaussian, k - 1) - (2.0 * weightAt(gaussian, k)) +
+               weightAt(gaussian, k + 1);
     };
     const auto reach = static_cast<std::ptrdiff_t>(gaussian.size()) + kDecay;
     for (std::ptrdiff_t k = 0; k < reach; ++k) {
@@ -73,8 +74,10 @@ struct FitKernel {
 double covariance(const FitKernel& a, const FitKernel& b, double pitchX, double pitchY) {
     const double x = pitchX * pitchX;
     const double y = pitchY * pitchY;
-    const double alongX = kernelProduct(a.x.bend, b.x.bend) * kernelProduct(a.y.value, b.y.value) / (x * x);
-    const double alongY = kernelProduct(a.x.value, b.x.value) * kernelProduct(a.y.bend, b.y.bend) / (y * y);
+    const double alongX =
+        kernelProduct(a.x.bend, b.x.bend) * kernelProduct(a.y.value, b.y.value) / (x * x);
+    const double alongY =
+        kernelProduct(a.x.value, b.x.value) * kernelProduct(a.y.bend, b.y.bend) / (y * y);
     const double mixed = (kernelProduct(a.x.bend, b.x.value) * kernelProduct(a.y.value, b.y.bend)) +
                          (kernelProduct(a.x.value, b.x.bend) * kernelProduct(a.y.bend, b.y.value));
     return 0.25 * (alongX + alongY + (mixed / (x * y)));
@@ -97,8 +100,9 @@ struct NumberGrid {
 };
 
 NumberGrid emptyNumbers(int rows, int columns) {
-    return {rows, columns,
-            std::vector<double>(static_cast<std::size_t>(rows) * static_cast<std::size_t>(columns))};
+    return {
+        rows, columns,
+        std::vector<double>(static_cast<std::size_t>(rows) * static_cast<std::size_t>(columns))};
 }
 
 NumberGrid transposed(const NumberGrid& field) {
@@ -137,12 +141,14 @@ NumberGrid behindKernel(const NumberGrid& field, const std::vector<double>& half
 }
 
 /// Mean curvature at every kEvery-th pixel along both axes, by columns [1/m].
-NumberGrid meanCurvature(const NumberGrid& heights, const FitKernel& kernel, double pitchX, double pitchY) {
+NumberGrid meanCurvature(const NumberGrid& heights, const FitKernel& kernel, double pitchX,
+                         double pitchY) {
     NumberGrid sum = behindKernel(transposed(behindKernel(heights, kernel.x.bend)), kernel.y.value);
-    const NumberGrid other = behindKernel(transposed(behindKernel(heights, kernel.x.value)), kernel.y.bend);
+    const NumberGrid other =
+        behindKernel(transposed(behindKernel(heights, kernel.x.value)), kernel.y.bend);
     for (std::size_t i = 0; i < sum.values.size(); ++i) {
-        sum.values[i] = 0.5 * ((sum.values[i] / (pitchX * pitchX)) +
-                               (other.values[i] / (pitchY * pitchY)));
+        sum.values[i] =
+            0.5 * ((sum.values[i] / (pitchX * pitchX)) + (other.values[i] / (pitchY * pitchY)));
     }
     return sum;
 }
@@ -155,8 +161,8 @@ NumberGrid differencesAcrossRows(const NumberGrid& heights) {
         for (int column = 0; column < result.columns; ++column) {
             const auto height = [&](int i) { return heights.row(row + i)[column]; };
             result.row(row)[column] =
-                kScale * (height(0) + height(4) - (4.0 * (height(1) + height(3))) +
-                          (6.0 * height(2)));
+                kScale *
+                (height(0) + height(4) - (4.0 * (height(1) + height(3))) + (6.0 * height(2)));
         }
     }
     return result;
@@ -184,24 +190,22 @@ std::pair<std::vector<int>, int> partsOf(int pixels, bool isLarge) {
     constexpr int kParts = 4;
     constexpr int kSide = 64;
     if (!isLarge || pixels <= kSide) {
-        return {{0}, pixels};
+        return {std::vector<int>{0}, pixels};
     }
     std::vector<int> firsts;
     for (int i = 0; i < kParts; ++i) {
-        firsts.push_back(static_cast<int>(
-            static_cast<long long>(pixels - kSide) * i / (kParts - 1)));
+        firsts.push_back(
+            static_cast<int>(static_cast<long long>(pixels - kSide) * i / (kParts - 1)));
     }
     return {firsts, kSide};
 }
 
 template <class Map>
 HeightMap cutOut(const Map& map, int firstRow, int rows, int firstColumn, int columns) {
-    HeightMap part{
-        .columns = columns, .rows = rows, .pitchX = map.pitchX, .pitchY = map.pitchY};
+    HeightMap part{.columns = columns, .rows = rows, .pitchX = map.pitchX, .pitchY = map.pitchY};
     for (int row = firstRow; row < firstRow + rows; ++row) {
         for (int column = firstColumn; column < firstColumn + columns; ++column) {
-            const bool isThere =
-                map.isValid(row, column) && isFiniteHeight(map.at(row, column));
+            const bool isThere = map.isValid(row, column) && isFiniteHeight(map.at(row, column));
             part.heights.push_back(isThere ? map.at(row, column)
                                            : std::numeric_limits<double>::quiet_NaN());
         }
@@ -289,8 +293,9 @@ double CurvatureNoise::noise(const Smoothing& smoothing) const {
 
 double CurvatureNoise::blur(const Smoothing& smoothing, double noise) const {
     const FitKernel kernel(smoothing);
-    const FitKernel wider({.x = std::numbers::sqrt2 * smoothing.x,
-                           .y = std::numbers::sqrt2 * smoothing.y});
+    const Smoothing twice{.x = std::numbers::sqrt2 * smoothing.x,
+                          .y = std::numbers::sqrt2 * smoothing.y};
+    const FitKernel wider(twice);
     NormalSpread changes;
     for (const Part& part : parts_) {
         const NumberGrid heights{part.rows, part.columns, part.heights};

@@ -13,7 +13,7 @@ namespace asperity {
 /// Noise of a scan is white from one line to the next, and along a line what the feedback loop has
 /// made of it. Fourth differences across the lines show it, and with it what they leave of the
 /// surface; those along the lines show that part of the surface alone, as the surface prefers no
-/// direction. A scan's lines are its rows. Source: docs/uncertainty.md 1.5.
+/// direction. A scan's lines are its rows. Source: docs/uncertainty.md 1.2.
 class CurvatureNoise {
 public:
     /// @param heightNoise standard deviation of white noise that is known [m]; 0: not known

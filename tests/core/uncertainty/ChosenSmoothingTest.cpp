@@ -24,8 +24,7 @@ SceneDescription ballScene() {
 }
 
 HeightMap noisyBall(double noise, std::uint64_t seed) {
-    HeightMap map{
-        .columns = kBallPixels, .rows = kBallPixels, .pitchX = 1e-9, .pitchY = 1e-9};
+    HeightMap map{.columns = kBallPixels, .rows = kBallPixels, .pitchX = 1e-9, .pitchY = 1e-9};
     Random random(seed);
     for (int row = 0; row < kBallPixels; ++row) {
         for (int column = 0; column < kBallPixels; ++column) {

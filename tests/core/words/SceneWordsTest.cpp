@@ -68,8 +68,8 @@ TEST(SceneWords, SayByWhatAScanIsSmoothed) {
               "smoothing: 1 pixel, by 30 pm of height noise and a 15 nm tip; more would take away "
               "the surface's own curvature");
     scene.smoothing = SmoothingChoice{};
-    EXPECT_EQ(smoothingNote(scene), "smoothing: none, the scan is clean: 30 pm of height noise "
-                                    "under a 15 nm tip");
+    EXPECT_EQ(smoothingNote(scene), "smoothing: none, the scan is clean, by 30 pm of height noise "
+                                    "and a 15 nm tip");
     scene.smoothing.reset();
     scene.description.sample.smoothingLength = 2e-9;
     EXPECT_EQ(smoothingNote(scene), "smoothing: 2 nm, as the scene states; 30 pm of height noise");

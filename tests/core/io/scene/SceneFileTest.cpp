@@ -57,9 +57,9 @@ TEST_F(SceneFile, SmoothsByPixelsOrByALength) {
 TEST_F(SceneFile, LeavesTheSmoothingOpenUnlessItIsStated) {
     const std::string start = "[sample]\nfile = \"map.gsf\"\n";
     EXPECT_EQ(readScene(write("open.toml", start)).sample.smoothingPixels, std::nullopt);
-    EXPECT_EQ(readScene(write("auto.toml", start + "smoothing_px = \"auto\"\n"))
-                  .sample.smoothingPixels,
-              std::nullopt);
+    EXPECT_EQ(
+        readScene(write("auto.toml", start + "smoothing_px = \"auto\"\n")).sample.smoothingPixels,
+        std::nullopt);
     EXPECT_EQ(readScene(write("zero.toml", start + "smoothing_px = 0\n")).sample.smoothingPixels,
               0.0);
 }

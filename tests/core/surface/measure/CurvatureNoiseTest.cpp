@@ -16,10 +16,10 @@ namespace asperity {
 namespace {
 
 constexpr int kNoisySide = 160;
-constexpr double kNoisyPitch = 1e-9;    // [m]
-constexpr double kScanNoise = 30e-12;   // of each height [m]
-constexpr ScanSize kNoisyScan{kNoisySide, kNoisySide, kNoisySide * kNoisyPitch,
-                              kNoisySide * kNoisyPitch};
+constexpr double kNoisyPitch = 1e-9;   // [m]
+constexpr double kScanNoise = 30e-12;  // of each height [m]
+constexpr ScanSize kNoisyScan{kNoisySide, kNoisySide, kNoisySide* kNoisyPitch,
+                              kNoisySide* kNoisyPitch};
 
 /// Noise that follows what was before it along each row, as a feedback loop leaves it.
 /// @param memory 0: white
