@@ -36,7 +36,7 @@ RULES = {
     "core/surface/fit": "core core/surface",
     "core/surface/imaging": "core core/surface",
     "core/surface/leveling": "core core/surface",
-    "core/surface/measure": "core core/surface",
+    "core/surface/measure": "core core/surface core/surface/fit",
     "core/surface/nurbs": "core core/surface core/surface/closest",
     "core/surface/synthetic": "core core/surface",
     "core/surface/sample": "core core/surface core/surface/closest core/surface/nurbs",

@@ -39,6 +39,7 @@ OrderedJson inputJson(const LoadedScene& loaded) {
             {"size_y_m", surface.sizeY()},
             {"removed_slope_x", loaded.scene.removedPlane.slopeX},
             {"removed_slope_y", loaded.scene.removedPlane.slopeY},
+            {"height_noise_m", loaded.scene.heightNoise},
             {"notes", notesOn(loaded)},
             {"provenance", provenanceJson(loaded.provenance)}};
 }

@@ -118,7 +118,7 @@ std::string ColorControl::imageKey() const {
     }
     if (look_.quantity == SurfaceQuantity::Residual) {
         key << sample.channel << '\n'
-            << sample.smoothingPixels << '\n'
+            << sample.smoothingPixels.value_or(0.0) << '\n'
             << sample.smoothingLength << '\n'
             << sample.erode << sample.imagingTipRadius << '\n'
             << textOf(sample.leveling);

@@ -17,9 +17,10 @@ QString smoothingText(const SampleDescription& sample) {
         return RoughnessControl::tr("Gaussian, standard deviation %1 nm")
             .arg(1e9 * sample.smoothingLength, 0, 'g', 3);
     }
-    return sample.smoothingPixels > 0.0 ? RoughnessControl::tr("Gaussian, standard deviation %1 px")
-                                              .arg(sample.smoothingPixels, 0, 'g', 3)
-                                        : RoughnessControl::tr("none");
+    const double pixels = sample.smoothingPixels.value_or(0.0);
+    return pixels > 0.0
+               ? RoughnessControl::tr("Gaussian, standard deviation %1 px").arg(pixels, 0, 'g', 3)
+               : RoughnessControl::tr("none");
 }
 
 }  // namespace

@@ -49,8 +49,9 @@ void sharpen(HeightSample& sharp, const HeightSample& middle, const HeightSample
 
 /// Variance of the scene's low-pass along an axis [m^2]. @param pitch of a pixel [m]
 double smoothingVariance(const SampleDescription& sample, double pitch) noexcept {
-    const double length =
-        sample.smoothingLength > 0.0 ? sample.smoothingLength : sample.smoothingPixels * pitch;
+    const double length = sample.smoothingLength > 0.0
+                              ? sample.smoothingLength
+                              : sample.smoothingPixels.value_or(0.0) * pitch;
     return length * length;
 }
 

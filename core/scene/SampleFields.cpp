@@ -2,6 +2,7 @@
 
 #include "core/FormattedText.h"
 #include "core/scene/SceneFieldOf.h"
+#include "core/surface/fit/GaussianFilter.h"
 
 #include <algorithm>
 #include <charconv>
@@ -187,19 +188,46 @@ std::vector<SceneField> levelingFields() {
     return fields;
 }
 
+std::string smoothingText(const SampleDescription& sample) {
+    return sample.smoothingPixels ? formatted("%.12g", *sample.smoothingPixels)
+                                  : std::string(kLeftOpen);
+}
+
+/// None where the text is no width.
+std::optional<double> smoothingIn(std::string_view text) {
+    double pixels = 0.0;
+    const char* const last = text.data() + text.size();
+    const auto [end, problem] = std::from_chars(text.data(), last, pixels);
+    const bool isWidth =
+        problem == std::errc() && end == last && isWithin(pixels, 0.0, kMaxSmoothing);
+    return isWidth ? std::optional(pixels) : std::nullopt;
+}
+
+/// A number, or the word by which it is left to the program.
+SceneField smoothingField() {
+    SceneField field = row(
+        "smoothing_px",
+        {"Smoothing",
+         "Standard deviation of the Gaussian low-pass; 0: none; auto: chosen once, by the scan's "
+         "noise and the tip",
+         "px"},
+        SceneInput::Text, {},
+        [](const SceneDescription& scene) -> SceneValue { return smoothingText(scene.sample); },
+        [](SceneDescription& scene, const SceneValue& value) {
+            scene.sample.smoothingPixels = smoothingIn(std::get<std::string>(value));
+            scene.sample.smoothingLength = 0.0;
+        });
+    field.refusal = [](const std::string& text) {
+        return text == kLeftOpen || smoothingIn(text)
+                   ? std::string()
+                   : "a number from 0 to 100, or " + std::string(kLeftOpen);
+    };
+    return field;
+}
+
 std::vector<SceneField> filterFields() {
     return {
-        row(
-            "smoothing_px",
-            {"Smoothing", "Standard deviation of the Gaussian low-pass; 0: none", "px"},
-            SceneInput::Number, {0.0, 100.0, "lie between 0 and 100"},
-            [](const SceneDescription& scene) -> SceneValue {
-                return scene.sample.smoothingPixels;
-            },
-            [](SceneDescription& scene, const SceneValue& value) {
-                scene.sample.smoothingPixels = std::get<double>(value);
-                scene.sample.smoothingLength = 0.0;
-            }),
+        smoothingField(),
         row(
             "smoothing_m",
             {"… as a length",
@@ -213,7 +241,7 @@ std::vector<SceneField> filterFields() {
             [](SceneDescription& scene, const SceneValue& value) {
                 scene.sample.smoothingLength = std::get<double>(value);
                 scene.sample.smoothingPixels =
-                    std::get<double>(value) > 0.0 ? 0.0 : SampleDescription{}.smoothingPixels;
+                    std::get<double>(value) > 0.0 ? std::optional(0.0) : std::nullopt;
             }),
         at(
             SceneGroup::Sample, "imaging_tip_radius_m",

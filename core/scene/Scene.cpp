@@ -9,7 +9,6 @@
 #include "core/surface/InvalidPixels.h"
 #include "core/surface/fit/BSplineFit.h"
 #include "core/surface/imaging/TipErosion.h"
-#include "core/surface/measure/HeightNoise.h"
 
 #include <algorithm>
 #include <cmath>
@@ -46,7 +45,7 @@ struct Ground {
     std::vector<RemovedByStep> removed;
     BSplineSurface surface;
     CertaintyMap certainty;
-    double heightNoise = 0.0;  ///< [m]
+    ScanSmoothing smoothing;
     std::optional<NurbsSurface> shape = std::nullopt;
 };
 
@@ -64,32 +63,40 @@ BasicTipReconstruction<Map> surfaceUnder(const SampleDescription& sample, Map im
 
 /// Smoothing goes before erosion, which would take every dip of the noise for the surface.
 template <class Map>
-Ground groundUnder(const SampleDescription& sample, LeveledMap<Map> level, Progress* progress) {
-    const Smoothing smoothing = smoothingOf(sample, level.map);
-    const double noise = heightNoise(level.map);
+Ground groundUnder(const SceneDescription& scene, LeveledMap<Map> level, Progress* progress) {
+    const SampleDescription& sample = scene.sample;
+    const ScanSmoothing smoothing = smoothingFor(scene, level.map);
     ProgressPart smoothingPart(progress, 0.0, 0.2);
-    Map map = smoothed(withInvalidPixelsFilled(std::move(level.map)), smoothing, &smoothingPart);
+    Map map =
+        smoothed(withInvalidPixelsFilled(std::move(level.map)), smoothing.width, &smoothingPart);
     ProgressPart eroding(progress, 0.2, 0.8);
     BasicTipReconstruction<Map> known = surfaceUnder(sample, std::move(map), &eroding);
     CertaintyMap certainty(known.surface, known.certain);
     ProgressPart fitting(progress, 0.8, 1.0);
     return {std::move(level.removed), fitSurface(std::move(known.surface), {}, &fitting),
-            std::move(certainty), noise};
+            std::move(certainty), smoothing};
 }
 
 template <class Map>
-Ground groundOf(const SampleDescription& sample, Map map, Progress* progress) {
+Ground groundOf(const SceneDescription& scene, Map map, Progress* progress) {
+    const SampleDescription& sample = scene.sample;
     ProgressPart leveling(progress, 0.0, 0.4);
     LeveledMap<Map> level =
         leveledInSteps(std::move(map), sample.leveling, sample.levelPoints, &leveling);
     ProgressPart rest(progress, 0.4, 1.0);
     if (sample.imagingTipRadius > 0.0) {
-        return groundUnder(sample, std::move(level), &rest);
+        return groundUnder(scene, std::move(level), &rest);
     }
-    const Smoothing smoothing = smoothingOf(sample, level.map);
-    const double noise = heightNoise(level.map);
-    return {
-        std::move(level.removed), fitSurface(std::move(level.map), smoothing, &rest), {}, noise};
+    const ScanSmoothing smoothing = smoothingFor(scene, level.map);
+    return {std::move(level.removed),
+            fitSurface(std::move(level.map), smoothing.width, &rest),
+            {},
+            smoothing};
+}
+
+/// What the surface of a scene was smoothed by, but for the width, which its description states.
+ScanSmoothing keptSmoothing(const Scene& scene) {
+    return {.width = {}, .heightNoise = scene.heightNoise, .choice = scene.smoothing};
 }
 
 /// With the model's friction or none.
@@ -103,7 +110,11 @@ std::shared_ptr<const MaterialField> believedField(const Scene& scene) {
                          description.tip.elastic);
 }
 
+/// The description of the scene states a low-pass that was chosen.
 Scene assemble(SceneDescription description, Ground ground, const SceneMaps& read) {
+    if (ground.smoothing.choice && leavesSmoothing(description.sample)) {
+        description.sample.smoothingPixels = ground.smoothing.choice->pixels;
+    }
     SampleMaterial& believed = description.sample.material;
     SampleMaterial& actual = description.truth.material;
     const SceneMaps maps{.sample = mapsOf(believed, read.sample, "[sample]"),
@@ -118,7 +129,8 @@ Scene assemble(SceneDescription description, Ground ground, const SceneMaps& rea
         .removedPlane = sumOfPlanes(ground.removed),
         .surface = std::move(ground.surface),
         .certainty = std::move(ground.certainty),
-        .heightNoise = ground.heightNoise,
+        .heightNoise = ground.smoothing.heightNoise,
+        .smoothing = ground.smoothing.choice,
         .shape = std::move(ground.shape),
         .maps = maps,
         .model = model,
@@ -137,7 +149,7 @@ Scene sceneOn(const SceneDescription& description, Map map, Progress* progress,
               const SceneMaps& maps) {
     checkScene(description);
     checkMap(map);
-    return assemble(description, groundOf(description.sample, std::move(map), progress), maps);
+    return assemble(description, groundOf(description, std::move(map), progress), maps);
 }
 
 }  // namespace
@@ -168,24 +180,30 @@ Scene buildScene(const SceneDescription& description, const SceneMaps& maps) {
         throw Error("[sample]: a scene without a height map needs a shape");
     }
     const ShapeDescription& shape = *description.sample.shape;
-    return assemble(description, {{}, fitSurface(shapeMap(shape)), {}, 0.0, shapeSurface(shape)},
+    return assemble(description, {{}, fitSurface(shapeMap(shape)), {}, {}, shapeSurface(shape)},
                     maps);
 }
 
 Scene withMaterial(Scene scene, const SampleMaterial& material) {
+    const ScanSmoothing smoothing = keptSmoothing(scene);
     const SceneDescription description = withMaterial(scene.description, material);
     checkScene(description);
     return assemble(description,
                     {std::move(scene.removedBySteps), std::move(scene.surface),
-                     std::move(scene.certainty), scene.heightNoise, std::move(scene.shape)},
+                     std::move(scene.certainty), smoothing, std::move(scene.shape)},
                     scene.maps);
 }
 
 Scene withDescription(const Scene& scene, const SceneDescription& description) {
     checkScene(description);
+    SceneDescription next = description;
+    if (leavesSmoothing(next.sample)) {
+        next.sample.smoothingPixels = scene.description.sample.smoothingPixels;
+        next.sample.smoothingLength = scene.description.sample.smoothingLength;
+    }
     return assemble(
-        description,
-        {scene.removedBySteps, scene.surface, scene.certainty, scene.heightNoise, scene.shape},
+        std::move(next),
+        {scene.removedBySteps, scene.surface, scene.certainty, keptSmoothing(scene), scene.shape},
         scene.maps);
 }
 

@@ -5,6 +5,7 @@
 #include "core/probe/ProbeSystem.h"
 #include "core/probe/TipEquilibrium.h"
 #include "core/scene/ForceModelOptions.h"
+#include "core/scene/ScanSmoothing.h"
 #include "core/scene/SceneDescription.h"
 #include "core/scene/Settings.h"
 #include "core/surface/BSplineSurface.h"
@@ -32,10 +33,13 @@ struct Scene {
     PlaneFit removedPlane;                      ///< the sum of the planes that they removed
     BSplineSurface surface;                     ///< as drawn; the tip touches it without `shape`
     CertaintyMap certainty;                     ///< of the surface, where its imaging tip is known
-    double heightNoise = 0.0;           ///< white noise of the scan before smoothing, estimated [m]
-    std::optional<NurbsSurface> shape;  ///< what the tip touches in place of `surface`
-    SceneMaps maps;                     ///< of materials that are not the same everywhere
-    ForceModelOptions model;            ///< with which the believed force is computed
+    /// White noise of the scan's heights before smoothing that would leave the curvatures the noise
+    /// that they have, estimated [m].
+    double heightNoise = 0.0;
+    std::optional<SmoothingChoice> smoothing;  ///< none: the scene file stated it, or has a shape
+    std::optional<NurbsSurface> shape;         ///< what the tip touches in place of `surface`
+    SceneMaps maps;                            ///< of materials that are not the same everywhere
+    ForceModelOptions model;                   ///< with which the believed force is computed
     ProbeSystem belief;        ///< what the operator's side takes tip, lever and sample to be
     ProbeSystem truth;         ///< what they are inside the simulated instrument
     LeverSignals signalSigma;  ///< noise of the signals as the estimator takes it [rad]
@@ -59,7 +63,8 @@ struct Scene {
 [[nodiscard]] ContactModel contactModelAt(const Scene& scene, const TipState& state) noexcept;
 
 /// Levels, fills, smooths, on request erodes, and fits the map, and sets up both sides of the
-/// instrument. In the map's precision: a ScanMap is for scans that are too large for double.
+/// instrument. The description of the scene states the low-pass, chosen or not. In the map's
+/// precision: a ScanMap is for scans that are too large for double.
 /// @param maps all that the description's materials name
 /// @throw Error when a value of the description is outside its range, or a map is missing; Canceled
 [[nodiscard]] Scene buildScene(const SceneDescription& description, ScanMap map,
@@ -76,7 +81,8 @@ struct Scene {
 [[nodiscard]] Scene withMaterial(Scene scene, const SampleMaterial& material);
 
 /// A copy of the same surface under another tip, lever and material. Reads nothing but the surface
-/// and the maps of its materials, which the new one may have, too.
+/// and the maps of its materials, which the new one may have, too. A low-pass that the description
+/// leaves open is that of the surface.
 /// @throw Error as buildScene()
 [[nodiscard]] Scene withDescription(const Scene& scene, const SceneDescription& description);
 

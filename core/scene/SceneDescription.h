@@ -69,8 +69,10 @@ struct SampleDescription {
     std::optional<PixelRectangle> crop;     ///< the part of the map that is loaded; none: all of it
     LevelingSteps leveling{LevelingStep::Plane};
     std::optional<LevelPoints> levelPoints;  ///< places of the step three_point
-    double smoothingPixels = 1.0;  ///< standard deviation of the Gaussian low-pass [pixel]; 0: none
-    double smoothingLength = 0.0;  ///< above 0: it is this, in place of smoothingPixels [m]
+    /// Standard deviation of the Gaussian low-pass [pixel]; 0: none; without a value it is chosen,
+    /// and stated, when a scene is built.
+    std::optional<double> smoothingPixels;
+    double smoothingLength = 0.0;   ///< above 0: it is this, in place of smoothingPixels [m]
     double imagingTipRadius = 0.0;  ///< of the tip that recorded the map [m]; 0: not known
     bool erode = false;             ///< whether that tip's shape is taken out of the map
     SampleMaterial material;

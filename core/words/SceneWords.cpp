@@ -19,7 +19,31 @@ std::string cropWords(const PixelRectangle& crop) {
                      crop.row);
 }
 
+/// Tenths without end zeros: "1", "1.2".
+std::string pixelWords(double pixels) {
+    return formatted("%.3g", pixels) + (pixels == 1.0 ? " pixel" : " pixels");
+}
+
 }  // namespace
+
+std::string smoothingNote(const Scene& scene) {
+    const SampleDescription& sample = scene.description.sample;
+    const std::string noise = formatSi(scene.heightNoise, "m") + " of height noise";
+    const std::string tip = "a " + formatSi(scene.description.tip.radius, "m") + " tip";
+    if (!scene.smoothing) {
+        const double pixels = sample.smoothingPixels.value_or(0.0);
+        const std::string width = sample.smoothingLength > 0.0
+                                      ? formatSi(sample.smoothingLength, "m")
+                                      : (pixels > 0.0 ? pixelWords(pixels) : "none");
+        return "smoothing: " + width + ", as the scene states; " + noise;
+    }
+    const auto& [pixels, isBounded] = *scene.smoothing;
+    const std::string width = pixels > 0.0 ? pixelWords(pixels)
+                              : isBounded  ? "none"
+                                           : "none, the scan is clean";
+    return "smoothing: " + width + ", by " + noise + " and " + tip +
+           (isBounded ? "; more would take away the surface's own curvature" : "");
+}
 
 std::string sampleName(const SampleDescription& sample) {
     if (!sample.shape) {
@@ -58,6 +82,7 @@ std::vector<std::string> surfaceNotes(const Scene& scene) {
         return {"the sample is an exact shape, drawn by 256 x 256 heights"};
     }
     std::vector<std::string> notes = levelingNotes(scene.removedBySteps);
+    notes.push_back(smoothingNote(scene));
     notes.push_back(imagingTipNote(scene));
     if (const auto& crop = scene.description.sample.crop) {
         notes.insert(notes.begin(), "crop: " + cropWords(*crop) +

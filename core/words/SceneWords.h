@@ -13,6 +13,10 @@ namespace asperity {
 /// The hardness of a material, or what is made of it where it is not stated, in one clause.
 [[nodiscard]] std::string hardnessText(const SampleMaterial& material);
 
+/// By how much a scan is smoothed and why, in one line: "smoothing: 1.2 pixels, by 30 pm of height
+/// noise and a 15 nm tip".
+[[nodiscard]] std::string smoothingNote(const Scene& scene);
+
 /// What was decided about the heights of a scene, one sentence each.
 [[nodiscard]] std::vector<std::string> surfaceNotes(const Scene& scene);
 

@@ -55,9 +55,9 @@ std::string smoothingText(const SampleDescription& sample) {
     if (sample.smoothingLength > 0.0) {
         return "Gaussian, standard deviation " + formatSi(sample.smoothingLength, "m");
     }
-    return sample.smoothingPixels > 0.0
-               ? formatted("Gaussian, standard deviation %.3g pixels", sample.smoothingPixels)
-               : std::string("none");
+    const double pixels = sample.smoothingPixels.value_or(0.0);
+    return pixels > 0.0 ? formatted("Gaussian, standard deviation %.3g pixels", pixels)
+                        : std::string("none");
 }
 
 void addScan(PageTable& facts, const ReportedRun& run) {
@@ -81,6 +81,7 @@ void addScan(PageTable& facts, const ReportedRun& run) {
     }
     addFact(facts, "Leveling", levelingText(loaded.scene));
     addFact(facts, "Smoothing", smoothingText(sample));
+    addFact(facts, "Height noise", formatSi(loaded.scene.heightNoise, "m"));
 }
 
 void addPlaces(PageTable& facts, const RunEvents& events) {

@@ -12,6 +12,7 @@
 #include "core/io/scene/TomlFile.h"
 #include "core/io/scene/UncertaintyKeys.h"
 #include "core/scene/ModelTerm.h"
+#include "core/surface/fit/GaussianFilter.h"
 
 #include <fstream>
 #include <sstream>
@@ -65,7 +66,7 @@ SampleMaterial readMaterialOf(TomlSection& section, const SampleMaterial& otherw
     return material;
 }
 
-/// By pixels or by length.
+/// By pixels or by length; kAutomatic leaves it to the program.
 void readSmoothing(TomlSection& section, SampleDescription& sample) {
     if (section.has("smoothing_m")) {
         if (section.has("smoothing_px")) {
@@ -78,10 +79,19 @@ void readSmoothing(TomlSection& section, SampleDescription& sample) {
         sample.smoothingPixels = 0.0;
         return;
     }
-    sample.smoothingPixels = section.number("smoothing_px", sample.smoothingPixels);
-    if (!(sample.smoothingPixels >= 0.0 && sample.smoothingPixels <= 100.0)) {
-        section.refuse("smoothing_px", "a number from 0 to 100");
+    if (!section.has("smoothing_px")) {
+        return;
     }
+    const bool isText = section.isText("smoothing_px");
+    if (isText && section.text("smoothing_px", "") == kAutomatic) {
+        sample.smoothingPixels.reset();
+        return;
+    }
+    const double pixels = isText ? -1.0 : section.number("smoothing_px", 0.0);
+    if (!(pixels >= 0.0 && pixels <= kMaxSmoothing)) {
+        section.refuse("smoothing_px", "a number from 0 to 100, or \"auto\"");
+    }
+    sample.smoothingPixels = pixels;
 }
 
 /// A shape; keys that are not its own stay unread, and are refused with the unknown ones.
@@ -283,8 +293,10 @@ toml::table sampleTable(const SampleDescription& sample) {
     insertLeveling(sample, table);
     if (sample.smoothingLength != 0.0) {
         table.insert("smoothing_m", sample.smoothingLength);
+    } else if (sample.smoothingPixels) {
+        table.insert("smoothing_px", *sample.smoothingPixels);
     } else {
-        table.insert("smoothing_px", sample.smoothingPixels);
+        table.insert("smoothing_px", kAutomatic);
     }
     table.insert("imaging_tip_radius_m", sample.imagingTipRadius);
     table.insert("erode", sample.erode);

@@ -1,6 +1,7 @@
 #include "core/scene/SceneChange.h"
 
 #include "core/scene/SceneFields.h"
+#include "tests/core/scene/FieldTexts.h"
 
 #include <gtest/gtest.h>
 
@@ -55,7 +56,7 @@ TEST(SceneChange, EveryKeyOfAScanOrShapeMakesTheSurfaceAnew) {
         } else if (field.input == SceneInput::Places) {
             field.set(after, std::string("1 2, 3 4, 5 7"));
         } else if (field.refusal != nullptr && field.input == SceneInput::Text) {
-            field.set(after, std::string("2, 3, 20, 10"));
+            field.set(after, std::string(test::textOf(field)));
         } else {
             field.set(after, std::string(field.input == SceneInput::Steps ? "zero" : "plane"));
         }

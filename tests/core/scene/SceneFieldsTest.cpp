@@ -1,5 +1,7 @@
 #include "core/scene/SceneFields.h"
 
+#include "tests/core/scene/FieldTexts.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -38,7 +40,7 @@ SceneValue anotherValue(const SceneField& field, const SceneValue& now) {
     case SceneInput::Places:
         return std::string("10 20, 30 40, 50 10");
     default:
-        return std::string(field.refusal == nullptr ? "another" : "2, 3, 20, 10");
+        return std::string(field.refusal == nullptr ? "another" : test::textOf(field));
     }
 }
 

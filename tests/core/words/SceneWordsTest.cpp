@@ -14,9 +14,10 @@ std::vector<std::string> notesOf(SceneDescription description, const LevelingSte
 
 TEST(SceneWords, TellOfHeightsTipLawAndModel) {
     const std::vector<std::string> notes = notesOf(test::plainScene(), {});
-    ASSERT_EQ(notes.size(), 2U);
+    ASSERT_EQ(notes.size(), 3U);
     EXPECT_EQ(notes[0], "leveling: none, heights as the file gives them");
-    EXPECT_EQ(notes[1].find("imaging tip: "), 0U) << notes[1];
+    EXPECT_EQ(notes[1].find("smoothing: none, as the scene states"), 0U) << notes[1];
+    EXPECT_EQ(notes[2].find("imaging tip: "), 0U) << notes[2];
     const Scene scene = buildScene(test::plainScene(), test::slopedMap(0.1));
     const std::vector<std::string> ofForce = forceNotes(scene, {});
     ASSERT_EQ(ofForce.size(), 2U);
@@ -53,6 +54,25 @@ TEST(SceneWords, SayHowTheHardnessIsKnown) {
     description.sample.material.hardness = 0.0;
     const auto notes = forceNotes(buildScene(description, test::slopedMap(0.1)), {});
     EXPECT_EQ(notes.back().find("hardness: not stated: estimated as "), 0U) << notes.back();
+}
+
+TEST(SceneWords, SayByWhatAScanIsSmoothed) {
+    Scene scene = buildScene(test::plainScene(), test::slopedMap(0.1));
+    scene.heightNoise = 30e-12;
+    EXPECT_EQ(smoothingNote(scene), "smoothing: none, as the scene states; 30 pm of height noise");
+    scene.smoothing = SmoothingChoice{.pixels = 1.2};
+    EXPECT_EQ(smoothingNote(scene),
+              "smoothing: 1.2 pixels, by 30 pm of height noise and a 15 nm tip");
+    scene.smoothing = SmoothingChoice{.pixels = 1.0, .isBounded = true};
+    EXPECT_EQ(smoothingNote(scene),
+              "smoothing: 1 pixel, by 30 pm of height noise and a 15 nm tip; more would take away "
+              "the surface's own curvature");
+    scene.smoothing = SmoothingChoice{};
+    EXPECT_EQ(smoothingNote(scene), "smoothing: none, the scan is clean, by 30 pm of height noise "
+                                    "and a 15 nm tip");
+    scene.smoothing.reset();
+    scene.description.sample.smoothingLength = 2e-9;
+    EXPECT_EQ(smoothingNote(scene), "smoothing: 2 nm, as the scene states; 30 pm of height noise");
 }
 
 TEST(SceneWords, NameTheSample) {

@@ -54,6 +54,16 @@ TEST_F(SceneFile, SmoothsByPixelsOrByALength) {
     EXPECT_EQ(none.sample.smoothingPixels, 0.0);
 }
 
+TEST_F(SceneFile, LeavesTheSmoothingOpenUnlessItIsStated) {
+    const std::string start = "[sample]\nfile = \"map.gsf\"\n";
+    EXPECT_EQ(readScene(write("open.toml", start)).sample.smoothingPixels, std::nullopt);
+    EXPECT_EQ(
+        readScene(write("auto.toml", start + "smoothing_px = \"auto\"\n")).sample.smoothingPixels,
+        std::nullopt);
+    EXPECT_EQ(readScene(write("zero.toml", start + "smoothing_px = 0\n")).sample.smoothingPixels,
+              0.0);
+}
+
 TEST_F(SceneFile, SaysTheScaleOfAScanWhoseFileDoesNot) {
     const std::string start = "[sample]\nfile = \"map.txt\"\n";
     const GivenScale none = readScene(write("none.toml", start)).sample.scale;

@@ -48,6 +48,11 @@ TEST_F(SceneSaving, SoIsOneWithAllThatAUserCanChange) {
     scene.choices.friction = false;
     scene.markers.push_back({.name = "grain", .x = 1e-7, .y = 1.0 / 3e7});
     EXPECT_EQ(savedAndRead(scene, scratch.file("mine.toml")), scene);
+    scene.sample.smoothingLength = 0.0;
+    for (const std::optional<double> pixels : {std::optional(1.2), std::optional<double>()}) {
+        scene.sample.smoothingPixels = pixels;
+        EXPECT_EQ(savedAndRead(scene, scratch.file("mine.toml")), scene);
+    }
 }
 
 TEST_F(SceneSaving, NamesTheScanByItsWayFromTheScene) {
