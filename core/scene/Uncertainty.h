@@ -36,10 +36,13 @@ struct Uncertainty {
     double heightCalibration = 0.03;   ///< relative
     double lateralCalibration = 0.01;  ///< relative
     double heightNoise = 0.0;          ///< [m]; 0: estimated from the scan
-    double surfaceNormal = 0.02;       ///< about each axis [rad]
+    double surfaceNormal = 0.02;       ///< about each axis across it [rad]
     /// The stiffness comes from a thermal spectrum that was read with the same InvOLS: it goes as
     /// 1 / InvOLS^2, and forces as 1 / InvOLS.
     bool thermalStiffness = false;
+
+    /// Standard deviation of the surface normal as the force estimate takes it [rad]; 0: exact.
+    [[nodiscard]] double normalDeviation() const noexcept { return enabled ? surfaceNormal : 0.0; }
 
     bool operator==(const Uncertainty&) const = default;
 };
@@ -83,7 +86,8 @@ inline constexpr auto kEnumTable<UncertaintyInput> = std::to_array<UncertaintyRo
       "White noise of the scan's heights; 0: estimated from its highest frequencies",
       &Uncertainty::heightNoise, "pm", 1e-12, 1e-6, "lie between 0 and 1e-6"},
      {UncertaintyInput::SurfaceNormal, "surface_normal_rad", "surface normal", "Surface normal",
-      "Tilt about each axis that leveling took from the sample: a degree",
+      "About each axis: tilt of sample and lever that leveling took out, a degree; the force "
+      "estimate assumes it",
       &Uncertainty::surfaceNormal, "°", std::numbers::pi / 180.0, 0.5, "lie between 0 and 0.5"},
      {UncertaintyInput::Smoothing, "smoothing", "smoothing"},
      {UncertaintyInput::Pixels, "pixels", "pixels"}});
