@@ -159,9 +159,8 @@ TEST_F(SceneFile, ReadsTheNormalsDeviationOfEarlierFilesAndRuns) {
     const auto now = write("now.toml", sample + "[uncertainty]\nsurface_normal_rad = 0.03\n");
     EXPECT_EQ(readScene(now).uncertainty.surfaceNormal, 0.03);
     EXPECT_EQ(readRecordedScene(now).uncertainty.surfaceNormal, 0.03);
-    const auto both = write("both.toml", sample +
-                                             "[probe]\nnormal_deviation_rad = 0.0\n"
-                                             "[uncertainty]\nsurface_normal_rad = 0.02\n");
+    const auto both = write("both.toml", sample + "[probe]\nnormal_deviation_rad = 0.0\n"
+                                                  "[uncertainty]\nsurface_normal_rad = 0.02\n");
     EXPECT_EQ(readRecordedScene(both).uncertainty.surfaceNormal, 0.0) << "what the estimator took";
 }
 
@@ -304,8 +303,7 @@ TEST_F(SceneFile, RefusesMistakesWithTheirPlace) {
         {std::string(sample) + "size_x_m = \"5um\"\nsize_y_m = 1e-6\n", "a number"},
         {std::string(sample) + "z_scale_m = 0\n", "z_scale_m"},
         {std::string(sample) + "z_scale_m = nan\n", "z_scale_m"},
-        {std::string(sample) + "[uncertainty]\nsurface_normal_rad = -0.01\n",
-         "surface_normal_rad"},
+        {std::string(sample) + "[uncertainty]\nsurface_normal_rad = -0.01\n", "surface_normal_rad"},
         {std::string(sample) + "[probe]\nnormal_deviation_rad = 1.5\n", "surface_normal_rad"},
         {"[sample]\nshape = \"sphere\"\nsize_x_m = 1e-6\nsize_y_m = 1e-6\n", "size_x_m"},
         {std::string(sample) + "erode = true\n", "erode needs imaging_tip_radius_m"},
