@@ -187,7 +187,9 @@ void ForcePanel::buildForces(QGridLayout& grid) {
                                    "by noise, model and calibration together");
         for (QLabel* const label : {name, force_.at(axis), sigma_.at(axis)}) {
             label->setToolTip(meaning);
-            explain(*label, [this, row] { return forceDetails(row); });
+            explain(*label, [this, row] {
+                return forceDetails(QStringLiteral("F") + kAxes[row].toLower(), Vector3::Unit(row));
+            });
         }
         grid.addWidget(name, row, 0);
         grid.addWidget(force_.at(axis), row, 1);
@@ -197,7 +199,9 @@ void ForcePanel::buildForces(QGridLayout& grid) {
     auto* caption = captionLabel(QStringLiteral("|F|"), this);
     for (QLabel* const label : {caption, magnitude_}) {
         label->setToolTip(tr("Magnitude of the estimated force on the tip"));
-        explain(*label, [this] { return magnitudeDetails(); });
+        explain(*label, [this] {
+            return forceDetails(QStringLiteral("|F|"), shown_->estimate.force.stableNormalized());
+        });
     }
     grid.addWidget(caption, 3, 0);
     grid.addWidget(magnitude_, 3, 1);
@@ -271,19 +275,10 @@ bool ForcePanel::eventFilter(QObject* watched, QEvent* event) {
     return Card::eventFilter(watched, event);
 }
 
-QString ForcePanel::forceDetails(int axis) const {
+QString ForcePanel::forceDetails(const QString& name, const Vector3& way) const {
     const ForceEstimate& estimate = shown_->estimate;
-    const double sigma = std::sqrt(std::max(0.0, estimate.covariance(axis, axis)));
-    return namedBudget(QStringLiteral("F") + kAxes.at(static_cast<std::size_t>(axis)).toLower(),
-                       shownForce(scene_, estimate.force[axis], sigma), "N");
-}
-
-QString ForcePanel::magnitudeDetails() const {
-    const ForceEstimate& estimate = shown_->estimate;
-    const Vector3 way = estimate.force.stableNormalized();
     const double sigma = std::sqrt(std::max(0.0, way.dot(estimate.covariance * way)));
-    return namedBudget(QStringLiteral("|F|"),
-                       shownForce(scene_, estimate.force.stableNorm(), sigma), "N");
+    return namedBudget(name, shownForce(scene_, estimate.force.dot(way), sigma), "N");
 }
 
 QString ForcePanel::contactText() const {

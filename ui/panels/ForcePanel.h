@@ -54,8 +54,8 @@ private:
     void buildContact(QGridLayout& grid);
     void clearNumbers();
     void explain(QLabel& label, std::function<QString()> text);
-    [[nodiscard]] QString forceDetails(int axis) const;
-    [[nodiscard]] QString magnitudeDetails() const;
+    /// @param way unit vector along which the force is read
+    [[nodiscard]] QString forceDetails(const QString& name, const Vector3& way) const;
     [[nodiscard]] QString contactText() const;
     void showForces(const ForceEstimate& estimate);
     void showPosition(const Vector3& tip);
