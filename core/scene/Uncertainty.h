@@ -13,6 +13,7 @@ enum class UncertaintyInput : std::uint8_t {
     Stiffness,           ///< of the lever
     InvOls,              ///< deflection per volt
     TipRadius,           ///< of the tip
+    ImagingTip,          ///< radius of the tip that recorded the scan, where it is known
     Modulus,             ///< Young's modulus of the sample
     WorkOfAdhesion,      ///< of tip and sample
     CohesiveRange,       ///< h0 of the Maugis-Dugdale laws
@@ -30,6 +31,7 @@ struct Uncertainty {
     double stiffness = 0.10;           ///< relative
     double invOls = 0.03;              ///< relative
     double tipRadius = 0.10;           ///< relative
+    double imagingTip = 0.10;          ///< relative
     double modulus = 0.10;             ///< relative
     double workOfAdhesion = 0.10;      ///< relative
     double cohesiveRange = 0.10;       ///< relative
@@ -69,6 +71,9 @@ inline constexpr auto kEnumTable<UncertaintyInput> = std::to_array<UncertaintyRo
       "Deflection per volt; ramps on a hard wall repeat to some 3 %", &Uncertainty::invOls},
      {UncertaintyInput::TipRadius, "tip_radius", "tip radius", "Tip radius",
       "Of a tip that was characterized; a maker's value leaves more", &Uncertainty::tipRadius},
+     {UncertaintyInput::ImagingTip, "imaging_tip_radius", "imaging tip", "Imaging tip radius",
+      "Of the tip that recorded the scan; a scan that is not eroded leaves all of it",
+      &Uncertainty::imagingTip},
      {UncertaintyInput::Modulus, "youngs_modulus", "modulus", "Young's modulus",
       "Of the sample; values of one material in the literature differ by this and more",
       &Uncertainty::modulus},

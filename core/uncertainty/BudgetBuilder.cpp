@@ -120,4 +120,15 @@ void BudgetBuilder::takeHeightScales() {
               given_.lateralCalibration);
 }
 
+void BudgetBuilder::takeImagingTip(const SampleDescription& sample) {
+    const double radius = sample.imagingTipRadius;
+    if (radius > 0.0 && sample.erode) {
+        addBy(UncertaintyInput::ImagingTip, [&](double sign) {
+            return PlaceNumbers{.imagingTip = sign * given_.imagingTip * radius};
+        });
+    } else if (radius > 0.0) {
+        add(UncertaintyInput::ImagingTip, movesTo({.imagingTip = radius}));
+    }
+}
+
 }  // namespace asperity

@@ -38,6 +38,8 @@ public:
     void takeMaterial(bool hasCohesiveRange);
     void takeNormal();
     void takeHeightScales();
+    /// @param sample whose scan may have the shape of its imaging tip in it
+    void takeImagingTip(const SampleDescription& sample);
 
 private:
     void addBy(UncertaintyInput input, const std::function<PlaceNumbers(double sign)>& moved) {

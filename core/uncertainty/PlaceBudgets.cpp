@@ -92,6 +92,7 @@ PlaceBudgets budgetsAt(const Scene& scene, const TipState& state, double force) 
         builder.takeMaterial(hasCohesiveRange(scene.belief.contact));
         builder.takeNormal();
         if (!scene.shape) {
+            builder.takeImagingTip(scene.description.sample);
             HeightShares(scene, state.closest.point.head<2>(), builder).take();
         }
     }

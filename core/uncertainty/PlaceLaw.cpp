@@ -3,6 +3,8 @@
 #include "core/contact/EffectiveRadius.h"
 #include "core/surface/Curvature.h"
 
+#include <algorithm>
+
 namespace asperity {
 
 PlaceLaw::PlaceLaw(const Scene& scene, const TipState& state, double force)
@@ -12,6 +14,17 @@ PlaceLaw::PlaceLaw(const Scene& scene, const TipState& state, double force)
             asperity::reliefOf(scene.surface.at(state.closest.point.x(), state.closest.point.y()));
     }
 }
+
+namespace {
+
+/// A surface lies inside the scan of it as a parallel surface does: its radii of curvature are less
+/// by that of the tip.
+double withoutTip(double curvature, double tip) noexcept {
+    constexpr double kLeast = 0.1;  // what a scan shows sharper than its own tip is noise
+    return curvature / std::max(1.0 - (tip * curvature), kLeast);
+}
+
+}  // namespace
 
 Relief PlaceLaw::reliefOf(const PlaceNumbers& numbers) const noexcept {
     const double slope = numbers.heightScale / numbers.lateralScale;
@@ -28,7 +41,9 @@ double PlaceLaw::radiusOf(const PlaceNumbers& numbers) const noexcept {
     }
     const PrincipalCurvatures bend =
         scene_.shape ? state_.closest.curvatures : principalCurvatures(sampleOf(reliefOf(numbers)));
-    return effectiveRadius(tip, bend.largest, bend.smallest).radius;
+    return effectiveRadius(tip, withoutTip(bend.largest, numbers.imagingTip),
+                           withoutTip(bend.smallest, numbers.imagingTip))
+        .radius;
 }
 
 double PlaceLaw::complianceOf(const PlaceNumbers& numbers) const noexcept {

@@ -17,6 +17,8 @@ struct PlaceNumbers {
     double workOfAdhesion = 1.0;
     double heightScale = 1.0;
     double lateralScale = 1.0;
+    /// By how much the radius of the imaging tip is larger than what was taken out of the scan [m].
+    double imagingTip = 0.0;
     Relief relief = Relief::Zero();  ///< to be added to that of the place
     Vector2 turn = Vector2::Zero();  ///< of the normal about two axes along the surface [rad]
     std::optional<double> cohesiveRange = std::nullopt;  ///< none: the scene's

@@ -1,8 +1,8 @@
 #include "core/map/MapDeviations.h"
 
+#include "core/Error.h"
 #include "core/map/MapRow.h"
 #include "core/uncertainty/PlaceBudgets.h"
-#include "tests/support/Refusal.h"
 #include "tests/support/TestScenes.h"
 
 #include <gtest/gtest.h>
@@ -55,11 +55,10 @@ TEST(MapDeviations, AreMissingWhereTheyAreNotAskedForAndRefusedWhereThereAreNone
     const Scene scene = buildScene(description, test::flatMap());
     EXPECT_FALSE(hasDeviations(planMap(scene, {})));
     EXPECT_TRUE(hasDeviations(planMap(scene, {.quantities = {"stiffness_deviation"}})));
-    EXPECT_NE(test::refusalOf([&] { (void)planMap(scene, {.deviations = true, .truth = true}); }),
-              "");
+    EXPECT_THROW((void)planMap(scene, {.deviations = true, .truth = true}), Error);
     description.uncertainty.enabled = false;
     const Scene certain = buildScene(description, test::flatMap());
-    EXPECT_NE(test::refusalOf([&] { (void)planMap(certain, {.deviations = true}); }), "");
+    EXPECT_THROW((void)planMap(certain, {.deviations = true}), Error);
 }
 
 }  // namespace
