@@ -115,6 +115,9 @@ public:
     /// The magnitude that is written at the arrow, of the present scene: that of the panels, which
     /// are not drawn as often [N]; none: that of the sample.
     void setWrittenForce(std::optional<double> force) { writtenForce_ = force; }
+    [[nodiscard]] double writtenForce() const {
+        return writtenForce_.value_or(sample_ ? sample_->output.estimate.force.stableNorm() : 0.0);
+    }
     /// What is written in a corner of the picture; empty: nothing.
     void setCaption(std::string caption) { caption_ = std::move(caption); }
     /// Size and colors have room for all that was shown of the scene, and stay so. There is a

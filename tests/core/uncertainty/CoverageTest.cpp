@@ -250,7 +250,7 @@ TEST_P(CoverageLong, OfAThousandScans) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Grounds, CoverageLong, ::testing::Range<std::size_t>(0, kGrounds.size()));
+INSTANTIATE_TEST_SUITE_P(, CoverageLong, ::testing::Range<std::size_t>(0, kGrounds.size()));
 
 }  // namespace
 }  // namespace asperity
