@@ -7,14 +7,6 @@
 
 namespace asperity {
 
-PlaceLaw::PlaceLaw(const Scene& scene, const TipState& state, double force)
-    : scene_(scene), state_(state), force_(force) {
-    if (!scene.shape) {
-        relief_ =
-            asperity::reliefOf(scene.surface.at(state.closest.point.x(), state.closest.point.y()));
-    }
-}
-
 namespace {
 
 /// A surface lies inside the scan of it as a parallel surface does: its radii of curvature are less
@@ -25,6 +17,14 @@ double withoutTip(double curvature, double tip) noexcept {
 }
 
 }  // namespace
+
+PlaceLaw::PlaceLaw(const Scene& scene, const TipState& state, double force)
+    : scene_(scene), state_(state), force_(force) {
+    if (!scene.shape) {
+        relief_ =
+            asperity::reliefOf(scene.surface.at(state.closest.point.x(), state.closest.point.y()));
+    }
+}
 
 Relief PlaceLaw::reliefOf(const PlaceNumbers& numbers) const noexcept {
     const double slope = numbers.heightScale / numbers.lateralScale;

@@ -187,8 +187,9 @@ void ForcePanel::buildForces(QGridLayout& grid) {
                                    "by noise, model and calibration together");
         for (QLabel* const label : {name, force_.at(axis), sigma_.at(axis)}) {
             label->setToolTip(meaning);
-            explain(*label, [this, row] {
-                return forceDetails(QStringLiteral("F") + kAxes[row].toLower(), Vector3::Unit(row));
+            explain(*label, [this, axis] {
+                return forceDetails(QStringLiteral("F") + kAxes.at(axis).toLower(),
+                                    Vector3::Unit(static_cast<int>(axis)));
             });
         }
         grid.addWidget(name, row, 0);
