@@ -22,7 +22,7 @@ constexpr double kNoise = 20e-12;     // of the heights [m]
 constexpr double kSetpoint = 5e-9;    // [N]
 constexpr double kInterval = 1.96;    // standard deviations of 95 %
 constexpr double kImagingTip = 8e-9;  // [m]
-const Vector2 kMiddle(30e-9, 30e-9);  // of scan and sample
+const Vector2 kCenter(30e-9, 30e-9);  // of scan and sample
 const Vector2 kAside(3e-9, 0.0);      // where the tip goes down, from the middle
 
 /// A sample, and what a scan of it is taken for.
@@ -31,6 +31,9 @@ struct Ground {
     double (*height)(const Vector2& fromMiddle);  ///< [m]
     std::optional<ShapeDescription> shape = {};   ///< that is exactly this one
     bool eroded = false;                          ///< whether its scan is
+    /// Whether the share of the imaging tip is a shift that all scans have: an interval by its
+    /// square holds the truth more often than a scatter as large would.
+    bool shifted = false;
 };
 
 double sphere(const Vector2& place) {
@@ -56,7 +59,7 @@ const std::array<Ground, 5> kGrounds{
      {"sphere", sphere,
       ShapeDescription{.kind = ShapeKind::Sphere, .radius = 60e-9, .size = kSide}},
      {"film", film},
-     {"particle", particle},
+     {"particle, not eroded", particle, std::nullopt, false, true},
      {"particle, eroded", particle, std::nullopt, true}}};
 
 struct Compared {
@@ -104,7 +107,7 @@ HeightMap mapOf(int pixels, const auto& heightAt) {
     for (int row = 0; row < pixels; ++row) {
         for (int column = 0; column < pixels; ++column) {
             map.heights.push_back(
-                heightAt(Vector2((column + 0.5) * pitch, kSide - ((row + 0.5) * pitch)) - kMiddle));
+                heightAt(Vector2((column + 0.5) * pitch, kSide - ((row + 0.5) * pitch)) - kCenter));
         }
     }
     return map;
@@ -153,7 +156,7 @@ struct Truth {
         constexpr int kFine = 120;  // of half a nanometer
         const Scene real =
             ground.shape ? buildScene(scene) : buildScene(scene, mapOf(kFine, ground.height));
-        return pixelCycle(MapInstrument(real, false), kMiddle + (lateralScale * kAside),
+        return pixelCycle(MapInstrument(real, false), kCenter + (lateralScale * kAside),
                           scene.setpoint);
     }
 };
@@ -189,7 +192,7 @@ Coverages coverageOf(const Ground& ground, int scans) {
     for (int i = 0; i < scans; ++i) {
         const Truth truth(ground, random);
         const Scene scene = buildScene(believed(ground), truth.scan(random));
-        const Vector2 place = kMiddle + kAside;
+        const Vector2 place = kCenter + kAside;
         const MapValues shown = pixelCycle(MapInstrument(scene, false), place, kSetpoint);
         const PlaceBudgets budgets = budgetsAt(scene, place, kSetpoint);
         const MapValues real = truth.values();
@@ -243,9 +246,10 @@ TEST(Coverage, OfFiftyScansOfEach) {
 class CoverageLong : public ::testing::TestWithParam<std::size_t> {};
 
 TEST_P(CoverageLong, OfAThousandScans) {
-    for (const Coverage& one : coverageOf(kGrounds.at(GetParam()), 1000)) {
+    const Ground& ground = kGrounds.at(GetParam());
+    for (const Coverage& one : coverageOf(ground, 1000)) {
         EXPECT_GE(one.held, 920);
-        EXPECT_LE(one.held, 980);
+        EXPECT_LE(one.held, ground.shifted ? 1000 : 980);
         EXPECT_LT(one.widthOverScatter(), 1.3);
     }
 }

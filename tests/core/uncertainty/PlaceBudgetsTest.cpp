@@ -105,7 +105,7 @@ TEST(PlaceBudgets, TheImagingTipSharpensWhatItsScanShows) {
                         UncertaintyInput::ImagingTip);
     };
     const double all = 1.0 - (radiusWithout(kImaging) / radiusWithout(0.0));
-    EXPECT_GT(all, 0.05);
+    EXPECT_GT(all, 0.04);
     EXPECT_NEAR(share(), all, 0.03 * all) << "nothing was taken out of it";
     scene.description.sample.erode = true;
     const double tenth = 0.1 * kImaging;
