@@ -140,7 +140,7 @@ std::string pullText(const std::optional<ForceCurvePoint>& strongest) {
                      : "the law never pulls";
 }
 
-/// "adhesion force 17.9 nN ± 2.5 (adhesion, tip radius)", a line for each number that the curve
+/// "adhesion force 17.9 nN ± 2 (tip radius, adhesion)", a line for each number that the curve
 /// has.
 void addBudgets(const CurveResult& result, std::vector<std::string>& lines) {
     if (!result.asked.scene.uncertainty.enabled) {
