@@ -3,11 +3,14 @@
 #include "app/commands/CaseFiles.h"
 #include "core/Error.h"
 #include "core/Version.h"
+#include "core/contact/Within.h"
 #include "core/contact/laws/ContactModel.h"
 #include "core/contact/laws/LawChoice.h"
 #include "core/io/tables/CaseTable.h"
 #include "core/scene/LawRange.h"
 
+#include <array>
+#include <cmath>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -36,6 +39,24 @@ struct ContactAnswer {
     std::string status;
     std::optional<ContactState> state = {};  ///< none where there is no answer
     double lambda = kNaN;
+};
+
+/// A number of the cases whose relative standard deviation a table may state.
+struct DeviationColumn {
+    const char* column;
+    double ContactPair::*number;
+    const char* name;  ///< for people
+};
+constexpr auto kDeviations = std::to_array<DeviationColumn>(
+    {{"radius_deviation", &ContactPair::tipRadius, "radius"},
+     {"e_star_deviation", &ContactPair::reducedModulus, "e_star"},
+     {"work_of_adhesion_deviation", &ContactPair::workOfAdhesion, "work_of_adhesion"}});
+using CaseDeviations = std::array<double, kDeviations.size()>;
+
+/// What they leave open in the force.
+struct ForceDeviation {
+    double sigma = 0.0;       ///< [N]
+    std::string by = "none";  ///< the number with the largest share
 };
 
 /// The number in a column that a table need not have.
@@ -145,6 +166,54 @@ ContactAnswer answerTo(const ContactCase& asked) {
     return {statusOf(model, state), state, model.lambda()};
 }
 
+/// A case whose number differs by a factor; the range of adhesion stays.
+ContactCase moved(ContactCase asked, double ContactPair::*number, double factor) {
+    asked.pair.*number *= factor;
+    if (number == &ContactPair::workOfAdhesion) {
+        asked.cohesiveStress *= factor;
+    }
+    return asked;
+}
+
+double forceOf(const ContactCase& asked) {
+    const ContactAnswer answer = answerTo(asked);
+    return answer.state ? answer.state->force : kNaN;
+}
+
+/// Half the difference between each number one deviation above and below, by the squares; not a
+/// number where one of them has no answer.
+ForceDeviation forceDeviation(const ContactCase& asked, const CaseDeviations& deviations) {
+    ForceDeviation all;
+    double largest = 0.0;
+    for (std::size_t i = 0; i < kDeviations.size(); ++i) {
+        const double factor = 1.0 + deviations[i];
+        const double share =
+            0.5 * std::abs(forceOf(moved(asked, kDeviations[i].number, factor)) -
+                           forceOf(moved(asked, kDeviations[i].number, 1 / factor)));
+        all.sigma = std::hypot(all.sigma, share);
+        if (share > largest) {
+            largest = share;
+            all.by = kDeviations[i].name;
+        }
+    }
+    return all;
+}
+
+/// None where the table states none. @throw InputError where one is no share
+std::optional<CaseDeviations> readDeviations(const CsvTable& table, std::size_t row) {
+    CaseDeviations deviations{};
+    bool any = false;
+    for (std::size_t i = 0; i < kDeviations.size(); ++i) {
+        any = any || table.has(kDeviations[i].column);
+        deviations[i] = numberOr(table, row, kDeviations[i].column, 0.0);
+        if (!isWithin(deviations[i], 0.0, 1.0)) {
+            throw InputError(table.file(), "line " + std::to_string(table.line(row)),
+                             std::string(kDeviations[i].column) + " must lie between 0 and 1");
+        }
+    }
+    return any ? std::optional(deviations) : std::nullopt;
+}
+
 /// Numbers only where there is a state behind them.
 void write(CsvWriter& csv, const ContactAnswer& answer) {
     const auto& state = answer.state;
@@ -177,11 +246,24 @@ void contact(const CaseFiles& files) {
     for (std::size_t row = 0; row < table.rows(); ++row) {
         cases.push_back(readCase(table, row));
     }
-    const CaseAnswers answers{
-        .comments = commentsFor(files.cases),
-        .columns = {"force_n", "contact_radius_m", "cohesive_radius_m", "lambda", "state",
-                    "status"},
-        .add = [&](CsvWriter& csv, std::size_t row) { write(csv, answerTo(cases[row])); }};
+    std::vector<std::optional<CaseDeviations>> deviations;
+    for (std::size_t row = 0; row < table.rows(); ++row) {
+        deviations.push_back(readDeviations(table, row));
+    }
+    CaseAnswers answers{.comments = commentsFor(files.cases),
+                        .columns = {"force_n", "contact_radius_m", "cohesive_radius_m", "lambda",
+                                    "state", "status"},
+                        .add = [&](CsvWriter& csv, std::size_t row) {
+                            write(csv, answerTo(cases[row]));
+                            if (deviations[row]) {
+                                const ForceDeviation found =
+                                    forceDeviation(cases[row], *deviations[row]);
+                                csv.add(found.sigma).add(found.by);
+                            }
+                        }};
+    if (!deviations.empty() && deviations.front()) {
+        answers.columns.insert(answers.columns.end(), {"force_sigma_n", "force_sigma_by"});
+    }
     writeTable(files.out, [&](std::ostream& out, Progress* progress) {
         writeCases(out, table, answers, progress);
     });
@@ -200,7 +282,9 @@ void addContactCommand(CLI::App& program) {
         "gap),\nbranch (approach, retract). Of a film on a "
         "rigid base, too: film_thickness_m (0: a half-space),\npoisson_ratio (0 to 0.5). Of a tip "
         "whose sphere goes on as a cone (sneddon, jkr_sphere, md_sphere, split_sphere), too:\n"
-        "cone_half_angle_rad (0: no cone).");
+        "cone_half_angle_rad (0: no cone).\nWith relative standard deviations, radius_deviation, "
+        "e_star_deviation, work_of_adhesion_deviation\n(0 to 1), force_sigma_n and force_sigma_by "
+        "are added: what they leave open in the force, and which most.");
     const auto files = std::make_shared<CaseFiles>();
     addCaseFiles(*command, *files);
     command->callback([files] { contact(*files); });

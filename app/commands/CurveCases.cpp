@@ -55,7 +55,8 @@ CurveCase caseOf(const SceneDescription& scene, ContactLaw law, const std::strin
                  double compliance) {
     const SampleMaterial& material = scene.sample.material;
     const ContactPair pair = contactPair(scene, material);
-    return {material, ContactModel(law, pair, contactOptions(scene, material)), compliance, why};
+    return {scene, material, ContactModel(law, pair, contactOptions(scene, material)), compliance,
+            why};
 }
 
 /// The case of the scene's material, and another for comparison where the law is not the usual one.

@@ -22,6 +22,7 @@ struct CurveRequest {
 
 /// One curve to be made.
 struct CurveCase {
+    SceneDescription scene;  ///< with the material
     SampleMaterial material;
     ContactModel model;
     double compliance = 0.0;  ///< along the normal [m/N]

@@ -15,12 +15,15 @@
 #include "core/scene/AttractionValidity.h"
 #include "core/scene/ContactValidity.h"
 #include "core/scene/SampleHardness.h"
+#include "core/uncertainty/PlaceBudgets.h"
+#include "core/words/BudgetWords.h"
 #include "core/words/SceneWords.h"
 #include "vtkplugins/pictures/Charts.h"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <iostream>
 #include <limits>
 #include <memory>
@@ -49,6 +52,7 @@ struct CurveOptions {
 struct CurveResult {
     CurveCase asked;
     ForceCurve curve;
+    PlaceBudgets budgets;
 };
 
 /// "-20nm:5nm", from far to deep; none where it is not that.
@@ -144,6 +148,20 @@ std::string coneText(const ContactModel& model) {
     return halfAngle > 0.0 ? formatted("cone of %.4g degrees, ", halfAngle / kDegree) : "";
 }
 
+/// "adhesion force 17.9 nN ± 2 (tip radius, adhesion)", a line for each number that the curve
+/// has.
+void addBudgets(const CurveResult& result, std::vector<std::string>& lines) {
+    if (!result.asked.scene.uncertainty.enabled) {
+        return;
+    }
+    for (const LandmarkRow& row : kEnumTable<Landmark>) {
+        const Budget& budget = budgetOf(result.budgets, row.value);
+        if (std::isfinite(budget.value)) {
+            lines.push_back("  " + std::string(row.name) + " " + budgetText(budget, row.unit));
+        }
+    }
+}
+
 std::vector<std::string> summary(const CurveResult& result) {
     const CurveCase& asked = result.asked;
     const std::string parameters =
@@ -158,6 +176,7 @@ std::vector<std::string> summary(const CurveResult& result) {
     if (hardnessOf(asked.material).source == HardnessSource::Estimated) {
         lines.push_back("  hardness " + hardnessText(asked.material));
     }
+    addBudgets(result, lines);
     addFlagged(result, lines);
     return lines;
 }
@@ -258,7 +277,9 @@ void curve(const CurveOptions& options) {
     std::vector<CurveResult> results;
     for (const CurveCase& asked : curveCases(options.request)) {
         const ForceCurvePlan plan = planFor(asked, options);
-        results.push_back({asked, forceCurve(asked.model, asked.compliance, plan)});
+        results.push_back({asked, forceCurve(asked.model, asked.compliance, plan),
+                           budgetsOf(asked.scene, asked.model, asked.compliance,
+                                     options.setpoint.value_or(0.0))});
         for (const std::string& line : summary(results.back())) {
             std::cerr << printable(line) << '\n';
         }

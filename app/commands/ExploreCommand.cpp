@@ -13,7 +13,6 @@
 #include "app/recording/RunPacking.h"
 #include "app/reports/RunCurves.h"
 #include "app/reports/RunPictures.h"
-#include "app/runs/CycleBudgets.h"
 #include "app/runs/OutputFolder.h"
 #include "app/runs/RunFolder.h"
 #include "app/runs/RunSummary.h"
@@ -27,6 +26,7 @@
 #include "core/io/scene/DevicePathFile.h"
 #include "core/io/scene/SceneFile.h"
 #include "core/scene/BelievedModel.h"
+#include "core/uncertainty/CycleBudgets.h"
 #include "core/words/BudgetWords.h"
 
 #include <CLI/CLI.hpp>

@@ -79,8 +79,13 @@ void addRequest(CLI::App& command, MapRequest& request) {
         ->check(modeName());
     command
         .add_option("--quantities", request.quantities,
-                    "channels, separated by commas (docs/maps.md); default: all of the mode")
+                    "channels, separated by commas (docs/maps.md); default: all of the mode but "
+                    "deviations")
         ->delimiter(',');
+    command.add_flag(
+        "--uncertainty", request.deviations,
+        "standard deviations of adhesion, work, indentation and stiffness by model and "
+        "calibration, too (docs/uncertainty.md)");
     command.add_flag("--truth", request.truth,
                      "map the simulated true instrument, section [truth] of the scene, in place of "
                      "the model");

@@ -1,6 +1,7 @@
 #include "app/loading/SceneLoader.h"
 
 #include "app/loading/SurfaceImages.h"
+#include "app/runs/RunFolder.h"
 #include "core/Error.h"
 #include "core/fidelity/SceneNeeds.h"
 #include "core/io/heightmap/ScanFile.h"
@@ -123,7 +124,8 @@ SampleDescription withOverrides(SampleDescription sample, const SceneOverrides& 
 
 LoadedScene loadScene(const std::filesystem::path& input, const SceneOverrides& overrides,
                       Progress* progress, ModelFit fit) {
-    SceneDescription description = sceneFromInput(input);
+    SceneDescription description =
+        isSceneOfRun(input) ? readRecordedScene(input) : sceneFromInput(input);
     description.setpoint = overrides.setpoint.value_or(description.setpoint);
     return loadNamed(input.string(), description, overrides, progress, fit);
 }

@@ -75,7 +75,7 @@ std::vector<BundledFile> filesOf(const std::filesystem::path& run,
             files.push_back({name, run / name});
         }
     }
-    SceneDescription scene = sceneFromInput(run / run_files::kScene);
+    SceneDescription scene = readRecordedScene(run / run_files::kScene);
     if (!scene.sample.shape) {
         scene.sample.file = addInput(scene.sample.file, recordedHash(run), files);
     }

@@ -81,6 +81,12 @@ bool isThere(const std::filesystem::path& path) {
     return std::filesystem::exists(std::filesystem::symlink_status(path, unknown));
 }
 
+bool isSceneOfRun(const std::filesystem::path& file) {
+    const std::filesystem::path folder = file.parent_path();
+    return file.filename() == run_files::kScene &&
+           (isThere(folder / run_files::kInput) || isThere(folder / run_files::kTables));
+}
+
 void requireFree(const std::filesystem::path& file, bool force) {
     if (!force && isThere(file)) {
         throw Error(file.string() +

@@ -2,12 +2,12 @@
 
 #include "app/program/JsonText.h"
 #include "app/program/ProvenanceJson.h"
-#include "app/runs/CycleBudgets.h"
 #include "core/PathText.h"
 #include "core/Version.h"
 #include "core/deformation/HalfSpaceModel.h"
 #include "core/io/scene/SceneFile.h"
 #include "core/scene/BelievedModel.h"
+#include "core/uncertainty/CycleBudgets.h"
 #include "core/words/BudgetWords.h"
 #include "core/words/ModelWords.h"
 

@@ -98,6 +98,9 @@ void ViewControl::show(double now) {
 }
 
 void ViewControl::draw(const Snapshot& latest, bool everywhere) {
+    if (everywhere) {  // the arrow's number is that of the panels, which show every second frame
+        window_.view().setWrittenForce(latest.sample.output.estimate.force.stableNorm());
+    }
     window_.view().showSnapshot(latest);
     if (everywhere) {
         window_.second().showSnapshot(latest);

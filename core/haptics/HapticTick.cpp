@@ -29,7 +29,7 @@ DecouplingInput decouplingInput(const Scene& scene, const TickInput& input, cons
             .sigma = {.bending = std::hypot(scene.signalSigma.bending, staleness.bending),
                       .torsion = std::hypot(scene.signalSigma.torsion, staleness.torsion)},
             .normal = out.model.normal,
-            .normalDeviation = scene.description.normalDeviation,
+            .normalDeviation = scene.normalDeviation,
             .velocity = out.base.velocity,
             .frictionCoefficient = friction.coefficient,
             .shearStrength = friction.shearStrength,

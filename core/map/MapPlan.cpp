@@ -3,6 +3,7 @@
 #include "core/Error.h"
 #include "core/FormattedText.h"
 #include "core/SiFormat.h"
+#include "core/map/MapDeviations.h"
 
 #include <algorithm>
 #include <cmath>
@@ -36,9 +37,10 @@ std::vector<MapQuantity> quantitiesOf(const MapRequest& request) {
     }
     std::vector<MapQuantity> chosen;
     for (const MapQuantityRow& row : kEnumTable<MapQuantity>) {
-        const bool isAsked =
-            request.quantities.empty() ||
+        const bool isNamed =
             std::ranges::find(request.quantities, row.key) != request.quantities.end();
+        const bool isAsked =
+            isNamed || (row.onRequest ? request.deviations : request.quantities.empty());
         if (isAsked && hasQuantity(request.mode, row)) {
             chosen.push_back(row.value);
         }
@@ -78,6 +80,15 @@ MapGrid gridOf(const BSplineSurface::Grid& scan, const MapRegion& region,
     return grid;
 }
 
+void requireDeviations(const Scene& scene, const MapPlan& plan) {
+    if (hasDeviations(plan) && plan.truth) {
+        throw Error("standard deviations are of the model: the simulated true instrument has none");
+    }
+    if (hasDeviations(plan) && !scene.description.uncertainty.enabled) {
+        throw Error("the scene has standard deviations off: [uncertainty] enabled = false");
+    }
+}
+
 }  // namespace
 
 double setpointOn(const Scene& scene, const std::optional<double>& wanted) {
@@ -96,12 +107,14 @@ Vector2 MapPlan::place(int row, int column) const {
 
 MapPlan planMap(const Scene& scene, const MapRequest& request) {
     const MapRegion region = regionOf(scene.surface, request);
-    return {.mode = request.mode,
-            .grid = gridOf(scene.surface.grid(), region, request),
-            .region = region,
-            .setpoint = setpointOn(scene, request.setpoint),
-            .quantities = quantitiesOf(request),
-            .truth = request.truth};
+    const MapPlan plan{.mode = request.mode,
+                       .grid = gridOf(scene.surface.grid(), region, request),
+                       .region = region,
+                       .setpoint = setpointOn(scene, request.setpoint),
+                       .quantities = quantitiesOf(request),
+                       .truth = request.truth};
+    requireDeviations(scene, plan);
+    return plan;
 }
 
 }  // namespace asperity

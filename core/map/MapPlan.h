@@ -34,8 +34,9 @@ struct MapRequest {
     std::optional<MapGrid> grid = {};          ///< none: the scan's pixels in the region
     std::optional<MapRegion> region = {};      ///< none: the whole scan
     std::optional<double> setpoint = {};       ///< [N]; none: the scene's
-    std::vector<std::string> quantities = {};  ///< keys; none: all of the mode
-    bool truth = false;  ///< of the simulated true instrument, in place of the believed model
+    std::vector<std::string> quantities = {};  ///< keys; none: all of the mode, but on request
+    bool deviations = false;  ///< standard deviations by model and calibration, too
+    bool truth = false;       ///< of the simulated true instrument, in place of the believed model
 };
 
 /// The force along z at which an approach ends [N]: the one asked for, else the scene's.

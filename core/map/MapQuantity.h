@@ -34,6 +34,11 @@ enum class MapQuantity : std::uint8_t {
     ApparentModulus,   ///< reduced modulus of a DMT fit to the retract, see DmtFit.h
     LateralForce,      ///< at the setpoint, across z
     NormalAngle,       ///< between the normal at the main contact point and z, at the setpoint
+    // By what model and calibration leave open, see MapDeviations.h:
+    AdhesionForceDeviation,
+    SeparationWorkDeviation,
+    IndentationDeviation,
+    StiffnessDeviation,
     HeightTrace,
     HeightRetrace,
     LateralTrace,    ///< along x, the fast axis
@@ -53,6 +58,7 @@ struct MapQuantityRow {
     const char* unit;  ///< SI; empty: a number
     bool inApproach;   ///< whether the mode has it
     bool inContact;
+    bool onRequest = false;  ///< whether a map has it only where it is asked for
 };
 
 template <>
@@ -69,6 +75,14 @@ inline constexpr auto kEnumTable<MapQuantity> = std::to_array<MapQuantityRow>(
      {MapQuantity::ApparentModulus, "apparent_modulus", "apparent modulus", "Pa", true, false},
      {MapQuantity::LateralForce, "lateral_force", "lateral force", "N", true, false},
      {MapQuantity::NormalAngle, "normal_angle", "angle of the normal", "rad", true, false},
+     {MapQuantity::AdhesionForceDeviation, "adhesion_force_deviation",
+      "adhesion force, standard deviation", "N", true, false, true},
+     {MapQuantity::SeparationWorkDeviation, "separation_work_deviation",
+      "work of separation, standard deviation", "J", true, false, true},
+     {MapQuantity::IndentationDeviation, "indentation_deviation", "indentation, standard deviation",
+      "m", true, false, true},
+     {MapQuantity::StiffnessDeviation, "stiffness_deviation",
+      "contact stiffness, standard deviation", "N/m", true, false, true},
      {MapQuantity::HeightTrace, "height_trace", "height, trace", "m", false, true},
      {MapQuantity::HeightRetrace, "height_retrace", "height, retrace", "m", false, true},
      {MapQuantity::LateralTrace, "lateral_trace", "lateral force, trace", "N", false, true},

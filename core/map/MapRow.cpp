@@ -1,5 +1,6 @@
 #include "core/map/MapRow.h"
 
+#include "core/map/MapDeviations.h"
 #include "core/map/PixelCycle.h"
 #include "core/map/RasterLine.h"
 
@@ -10,9 +11,15 @@ namespace {
 std::vector<MapValues> cyclesOf(const MapInstrument& instrument, const MapPlan& plan, int row,
                                 const CancelCheck& check) {
     std::vector<MapValues> pixels;
+    const bool deviates = hasDeviations(plan);
     for (int column = 0; column < plan.grid.columns; ++column) {
         check();
-        pixels.push_back(pixelCycle(instrument, plan.place(row, column), plan.setpoint));
+        VerticalPath path(instrument, plan.place(row, column));
+        const CycleStates states = runCycle(path, plan.setpoint);
+        pixels.push_back(valuesOf(states, path));
+        if (deviates && states.engaged) {
+            takeDeviations(instrument.scene(), states.engaged->atSetpoint.state, pixels.back());
+        }
     }
     return pixels;
 }

@@ -137,6 +137,7 @@ Scene assemble(SceneDescription description, Ground ground, const SceneMaps& rea
         .belief = believedSystem(description, model),
         .truth = trueSystem(description),
         .signalSigma = {.bending = description.signalSigma, .torsion = description.signalSigma},
+        .normalDeviation = description.uncertainty.normalDeviation(),
         .settings = description.settings};
     scene.belief.field = believedField(scene);
     scene.truth.field =

@@ -40,10 +40,11 @@ struct Scene {
     std::optional<NurbsSurface> shape;         ///< what the tip touches in place of `surface`
     SceneMaps maps;                            ///< of materials that are not the same everywhere
     ForceModelOptions model;                   ///< with which the believed force is computed
-    ProbeSystem belief;        ///< what the operator's side takes tip, lever and sample to be
-    ProbeSystem truth;         ///< what they are inside the simulated instrument
-    LeverSignals signalSigma;  ///< noise of the signals as the estimator takes it [rad]
-    Settings settings;         ///< that a run starts with
+    ProbeSystem belief;            ///< what the operator's side takes tip, lever and sample to be
+    ProbeSystem truth;             ///< what they are inside the simulated instrument
+    LeverSignals signalSigma;      ///< noise of the signals as the estimator takes it [rad]
+    double normalDeviation = 0.0;  ///< of the surface normal, as the estimator takes it [rad]
+    Settings settings;             ///< that a run starts with
 
     /// The believed surface, searched with the effort of the model; the scene must outlive it.
     [[nodiscard]] SampleSurface believedSurface() const noexcept {

@@ -25,7 +25,10 @@ SceneChange changeBetween(const SceneDescription& from, const SceneDescription& 
     }
     SceneDescription shown = from;
     adoptShown(shown, to);
-    return shown == to ? SceneChange::Shown : SceneChange::Model;
+    // The one deviation that the tick reads.
+    const bool isSameEstimate =
+        from.uncertainty.normalDeviation() == to.uncertainty.normalDeviation();
+    return shown == to && isSameEstimate ? SceneChange::Shown : SceneChange::Model;
 }
 
 void adoptShown(SceneDescription& scene, const SceneDescription& from) {

@@ -4,7 +4,6 @@
 #include "core/Units.h"
 #include "core/contact/ContactStatus.h"
 #include "core/contact/Within.h"
-#include "core/probe/ForceDecoupling.h"
 #include "core/scene/BelievedModel.h"
 #include "core/scene/SettingFields.h"
 #include "core/scene/TermChecks.h"
@@ -206,8 +205,6 @@ void checkScene(const SceneDescription& scene) {
     check(scene.markers);
     require(scene.signalSigma > 0.0 && std::isfinite(scene.signalSigma),
             "[probe]: signal_noise_rad must be a positive number of radians");
-    require(isWithin(scene.normalDeviation, 0.0, kMaxNormalDeviation),
-            "[probe]: normal_deviation_rad must lie between 0 and 1");
     require(scene.truth.signalNoise >= 0.0 && std::isfinite(scene.truth.signalNoise),
             "[truth]: signal_noise_rad must be zero or a positive number of radians");
     require(scene.truth.stiffness > 0.0 && std::isfinite(scene.truth.stiffness),

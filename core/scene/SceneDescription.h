@@ -108,10 +108,6 @@ struct SceneDescription {
     CantileverGeometry probe;
     DetectorCalibration detector;
     double signalSigma = 1e-7;  ///< what the estimator takes each signal's noise to be [rad]
-    /// Standard deviation of the surface normal about each axis across it, as the estimator takes
-    /// it [rad]. 0 until it is stated: what it is depends on noise, pixels and smoothing of the
-    /// scan and on how the lever is mounted, and recordings that do not state it replay with 0.
-    double normalDeviation = 0.0;
     TruthDescription truth;
     double cohesiveRange = kCohesiveRange;  ///< h0 of the Maugis laws [m]
     Meniscus meniscus;

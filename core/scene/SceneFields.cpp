@@ -2,7 +2,6 @@
 
 #include "core/contact/ContactStatus.h"
 #include "core/probe/CantileverModes.h"
-#include "core/probe/ForceDecoupling.h"
 #include "core/scene/MaterialMapFields.h"
 #include "core/scene/SampleFields.h"
 #include "core/scene/SceneFieldOf.h"
@@ -346,12 +345,6 @@ std::vector<SceneField> detectorFields() {
             kGroup, "signal_noise_rad",
             {"Signal noise", "Of each lever signal, as the estimator assumes it", "µrad", kMicro},
             kNoise, [](auto& scene) -> auto& { return scene.signalSigma; }),
-        at(
-            kGroup, "normal_deviation_rad",
-            {"Normal's deviation", "Of the surface normal, as the estimator assumes it", "mrad",
-             kMilli},
-            {0.0, kMaxNormalDeviation, "lie between 0 and 1"},
-            [](auto& scene) -> auto& { return scene.normalDeviation; }),
     };
 }
 

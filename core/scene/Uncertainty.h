@@ -13,6 +13,7 @@ enum class UncertaintyInput : std::uint8_t {
     Stiffness,           ///< of the lever
     InvOls,              ///< deflection per volt
     TipRadius,           ///< of the tip
+    ImagingTip,          ///< radius of the tip that recorded the scan, where it is known
     Modulus,             ///< Young's modulus of the sample
     WorkOfAdhesion,      ///< of tip and sample
     CohesiveRange,       ///< h0 of the Maugis-Dugdale laws
@@ -30,16 +31,20 @@ struct Uncertainty {
     double stiffness = 0.10;           ///< relative
     double invOls = 0.03;              ///< relative
     double tipRadius = 0.10;           ///< relative
+    double imagingTip = 0.10;          ///< relative
     double modulus = 0.10;             ///< relative
     double workOfAdhesion = 0.10;      ///< relative
     double cohesiveRange = 0.10;       ///< relative
     double heightCalibration = 0.03;   ///< relative
     double lateralCalibration = 0.01;  ///< relative
     double heightNoise = 0.0;          ///< [m]; 0: estimated from the scan
-    double surfaceNormal = 0.02;       ///< about each axis [rad]
+    double surfaceNormal = 0.02;       ///< about each axis across it [rad]
     /// The stiffness comes from a thermal spectrum that was read with the same InvOLS: it goes as
     /// 1 / InvOLS^2, and forces as 1 / InvOLS.
     bool thermalStiffness = false;
+
+    /// Standard deviation of the surface normal as the force estimate takes it [rad]; 0: exact.
+    [[nodiscard]] double normalDeviation() const noexcept { return enabled ? surfaceNormal : 0.0; }
 
     bool operator==(const Uncertainty&) const = default;
 };
@@ -66,6 +71,9 @@ inline constexpr auto kEnumTable<UncertaintyInput> = std::to_array<UncertaintyRo
       "Deflection per volt; ramps on a hard wall repeat to some 3 %", &Uncertainty::invOls},
      {UncertaintyInput::TipRadius, "tip_radius", "tip radius", "Tip radius",
       "Of a tip that was characterized; a maker's value leaves more", &Uncertainty::tipRadius},
+     {UncertaintyInput::ImagingTip, "imaging_tip_radius", "imaging tip", "Imaging tip radius",
+      "Of the tip that recorded the scan; a scan that is not eroded leaves all of it",
+      &Uncertainty::imagingTip},
      {UncertaintyInput::Modulus, "youngs_modulus", "modulus", "Young's modulus",
       "Of the sample; values of one material in the literature differ by this and more",
       &Uncertainty::modulus},
@@ -83,7 +91,8 @@ inline constexpr auto kEnumTable<UncertaintyInput> = std::to_array<UncertaintyRo
       "White noise of the scan's heights; 0: estimated from its highest frequencies",
       &Uncertainty::heightNoise, "pm", 1e-12, 1e-6, "lie between 0 and 1e-6"},
      {UncertaintyInput::SurfaceNormal, "surface_normal_rad", "surface normal", "Surface normal",
-      "Tilt about each axis that leveling took from the sample: a degree",
+      "About each axis: tilt of sample and lever that leveling took out, a degree; the force "
+      "estimate assumes it",
       &Uncertainty::surfaceNormal, "°", std::numbers::pi / 180.0, 0.5, "lie between 0 and 0.5"},
      {UncertaintyInput::Smoothing, "smoothing", "smoothing"},
      {UncertaintyInput::Pixels, "pixels", "pixels"}});

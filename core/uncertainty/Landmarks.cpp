@@ -56,6 +56,7 @@ void takeSetpoint(const ContactModel& model, double compliance, double force,
     at(landmarks, Landmark::NormalForce) = state.force;
     at(landmarks, Landmark::Indentation) = state.indentation;
     at(landmarks, Landmark::Stiffness) = state.stiffness;
+    at(landmarks, Landmark::ContactRadius) = state.contactRadius;
 }
 
 }  // namespace

@@ -17,6 +17,7 @@ enum class Landmark : std::uint8_t {
     NormalForce,     ///< at the setpoint
     Indentation,     ///< there
     Stiffness,       ///< of the contact, there
+    ContactRadius,   ///< there
 };
 
 /// What there is to say of a landmark.
@@ -34,7 +35,8 @@ inline constexpr auto kEnumTable<Landmark> = std::to_array<LandmarkRow>(
      {Landmark::SeparationWork, "adhesion_work_j", "work of separation", "J"},
      {Landmark::NormalForce, "normal_force_n", "normal force", "N"},
      {Landmark::Indentation, "indentation_m", "indentation", "m"},
-     {Landmark::Stiffness, "contact_stiffness_n_m", "contact stiffness", "N/m"}});
+     {Landmark::Stiffness, "contact_stiffness_n_m", "contact stiffness", "N/m"},
+     {Landmark::ContactRadius, "contact_radius_m", "contact radius", "m"}});
 static_assert(isComplete<Landmark>());
 
 inline constexpr std::size_t kLandmarkCount = kEnumTable<Landmark>.size();

@@ -28,6 +28,13 @@ using PlaceBudgets = std::array<Budget, kLandmarkCount>;
 /// The same where the tip's apex touches the surface above a place. @param place world x, y [m]
 [[nodiscard]] PlaceBudgets budgetsAt(const Scene& scene, const Vector2& place, double force);
 
+/// Computes the budgets of a contact law that has no place: of a flat sample and a lever whose
+/// compliance along the normal is given. No heights and no normal move it.
+/// @param scene whose deviations, tip and sample the law has @param compliance [m/N]
+/// @param force as above
+[[nodiscard]] PlaceBudgets budgetsOf(const SceneDescription& scene, const ContactModel& model,
+                                     double compliance, double force);
+
 /// White noise of the scan's heights as the budgets take it: the scene's, or the estimate [m].
 [[nodiscard]] double usedHeightNoise(const Scene& scene) noexcept;
 

@@ -1,10 +1,22 @@
 #include "core/uncertainty/PlaceLaw.h"
 
 #include "core/contact/EffectiveRadius.h"
-#include "core/contact/laws/LawChoice.h"
 #include "core/surface/Curvature.h"
 
+#include <algorithm>
+
 namespace asperity {
+
+namespace {
+
+/// A surface lies inside the scan of it as a parallel surface does: its radii of curvature are less
+/// by that of the tip.
+double withoutTip(double curvature, double tip) noexcept {
+    constexpr double kLeast = 0.1;  // what a scan shows sharper than its own tip is noise
+    return curvature / std::max(1.0 - (tip * curvature), kLeast);
+}
+
+}  // namespace
 
 PlaceLaw::PlaceLaw(const Scene& scene, const TipState& state, double force)
     : scene_(scene), state_(state), force_(force) {
@@ -12,11 +24,6 @@ PlaceLaw::PlaceLaw(const Scene& scene, const TipState& state, double force)
         relief_ =
             asperity::reliefOf(scene.surface.at(state.closest.point.x(), state.closest.point.y()));
     }
-}
-
-bool PlaceLaw::hasCohesiveRange() const noexcept {
-    const LawTraits& law = traitsOf(scene_.belief.contact.law());
-    return law.attraction == Attraction::Zone && !law.tail;
 }
 
 Relief PlaceLaw::reliefOf(const PlaceNumbers& numbers) const noexcept {
@@ -34,7 +41,9 @@ double PlaceLaw::radiusOf(const PlaceNumbers& numbers) const noexcept {
     }
     const PrincipalCurvatures bend =
         scene_.shape ? state_.closest.curvatures : principalCurvatures(sampleOf(reliefOf(numbers)));
-    return effectiveRadius(tip, bend.largest, bend.smallest).radius;
+    return effectiveRadius(tip, withoutTip(bend.largest, numbers.imagingTip),
+                           withoutTip(bend.smallest, numbers.imagingTip))
+        .radius;
 }
 
 double PlaceLaw::complianceOf(const PlaceNumbers& numbers) const noexcept {
@@ -45,28 +54,11 @@ double PlaceLaw::complianceOf(const PlaceNumbers& numbers) const noexcept {
     return normal.dot(scene_.belief.cantilever.compliance() * normal) / numbers.stiffness;
 }
 
-ContactModel PlaceLaw::modelOf(const PlaceNumbers& numbers) const {
-    const ContactModel& believed = scene_.belief.contact;
-    if (!numbers.cohesiveRange) {
-        return believed;
-    }
-    ContactOptions options = contactOptions(scene_.description, scene_.description.sample.material);
-    options.cohesiveStress /= *numbers.cohesiveRange;
-    options.solver = SolverSetting::Exact;
-    return ContactModel(believed.law(), believed.pair(), options);
-}
-
 Landmarks PlaceLaw::at(const PlaceNumbers& numbers) const {
     const double radius = state_.effectiveRadius * radiusOf(numbers) / radiusOf({});
-    ContactPair pair = scene_.belief.pairAt(state_.closest.point, radius);
-    const Elastic& tip = scene_.description.tip.elastic;
-    const Elastic& sample = scene_.description.sample.material.elastic;
-    Elastic moved = sample;
-    moved.youngsModulus *= numbers.modulus;
-    pair.reducedModulus *= reducedModulus(moved, tip) / reducedModulus(sample, tip);
-    pair.workOfAdhesion *= numbers.workOfAdhesion;
-    return landmarksOf(modelOf(numbers).withPair(pair), complianceOf(numbers),
-                       force_ * numbers.force);
+    const ContactPair pair = scene_.belief.pairAt(state_.closest.point, radius);
+    return landmarksOf(withNumbers(scene_.description, scene_.belief.contact, pair, numbers),
+                       complianceOf(numbers), force_ * numbers.force);
 }
 
 }  // namespace asperity

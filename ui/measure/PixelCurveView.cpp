@@ -83,6 +83,10 @@ protected:
     }
 };
 
+bool isShown(MapMode mode, const MapQuantityRow& row) {
+    return hasQuantity(mode, row) && !row.onRequest && row.value != MapQuantity::Iterations;
+}
+
 QString titleOf(const MapQuantityRow& row) {
     return coreWords(row.value == MapQuantity::Validity ? "flags" : row.name);
 }
@@ -133,7 +137,7 @@ PixelCurveView::PixelCurveView(QWidget* parent)
 ReadingGrid* PixelCurveView::newReadings(MapMode mode) {
     auto* grid = new ReadingGrid(this);
     for (const MapQuantityRow& row : kEnumTable<MapQuantity>) {
-        if (hasQuantity(mode, row) && row.value != MapQuantity::Iterations) {
+        if (isShown(mode, row)) {
             grid->add(row.key, titleOf(row), tr("What the map has at this pixel"));
         }
     }
@@ -171,7 +175,7 @@ void PixelCurveView::clear(const QString& title) {
 
 void PixelCurveView::showValues(const MapValues& values) {
     for (const MapQuantityRow& row : kEnumTable<MapQuantity>) {
-        if (hasQuantity(mode_, row) && row.value != MapQuantity::Iterations) {
+        if (isShown(mode_, row)) {
             readings().set(row.key, valueText(row.value, values[row.value]));
         }
     }

@@ -43,6 +43,11 @@ CyclePanel::CyclePanel(QWidget* parent)
     column->addWidget(bar_);
     column->addWidget(table_);
     connect(table_, &CycleTable::rowClicked, this, &CyclePanel::toggle);
+    table_->setBudgetSource([this](int row) {
+        Kept& kept = keptAt(row);
+        takeBudgets(kept);
+        return kept.budgets;
+    });
     connect(bar_, &MeasuredBar::offsetChanged, this, &CyclePanel::refresh);
     connect(bar_, &MeasuredBar::removeChosen, this, [this] { setMeasured(std::nullopt); });
     refresh();
@@ -77,12 +82,31 @@ void CyclePanel::buildHeading() {
     connect(clearAll, &QToolButton::clicked, this, &CyclePanel::clear);
 }
 
-void CyclePanel::begin(const QString& material) { cycles_.present.material = material; }
+void CyclePanel::begin(const QString& material, const Scene* scene) {
+    cycles_.present.material = material;
+    cycles_.present.run = ++runs_;
+    scene_ = scene;
+}
 
 void CyclePanel::end() {
+    endCycle();
+    for (Kept& kept : cycles_.older) {
+        takeBudgets(kept);  // there is no scene later
+    }
+    scene_ = nullptr;
+    refresh();
+}
+
+void CyclePanel::endCycle() {
     keep();
     detector_ = {};
     number_ = 0;
+}
+
+void CyclePanel::restart() {
+    endCycle();
+    cycles_.older.clear();
+    plot_->forgetRange();
     refresh();
 }
 
@@ -104,9 +128,18 @@ void CyclePanel::keep() {
             dropOne();
         }
     }
+    cycles_.present.budgets.reset();
     cycles_.present.cycle = {};
     cycles_.present.trace.clear();
     cycles_.present.hidden = false;
+}
+
+void CyclePanel::takeBudgets(Kept& kept) const {
+    const ContactCycle& cycle = kept.cycle;
+    const bool isKnown = kept.budgets && cycle.complete();
+    if (scene_ != nullptr && kept.run == runs_ && cycle.touched() && !isKnown) {
+        kept.budgets = budgetsAt(*scene_, cycle.place, cycle.maxForce.value);
+    }
 }
 
 /// The oldest of which there is a newer one on the same material: each material stays for
@@ -124,7 +157,7 @@ void CyclePanel::dropOne() {
 
 void CyclePanel::clear() {
     if (cycles_.present.cycle.phase != CyclePhase::Contact) {
-        end();
+        endCycle();
     }
     cycles_.older.clear();
     if (paused_) {
@@ -146,10 +179,14 @@ std::vector<const CyclePanel::Kept*> CyclePanel::shown() const {
     return cycles;
 }
 
-void CyclePanel::toggle(int row) {
+CyclePanel::Kept& CyclePanel::keptAt(int row) {
     Cycles& cycles = paused_ ? *paused_ : cycles_;
     const int older = cycles.present.trace.size() > 0 ? row - 1 : row;
-    Kept& kept = older < 0 ? cycles.present : cycles.older.at(static_cast<std::size_t>(older));
+    return older < 0 ? cycles.present : cycles.older.at(static_cast<std::size_t>(older));
+}
+
+void CyclePanel::toggle(int row) {
+    Kept& kept = keptAt(row);
     kept.hidden = !kept.hidden;
     refresh();
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/haptics/VirtualRun.h"
+#include "core/uncertainty/PlaceBudgets.h"
 #include "ui/panels/CycleTrace.h"
 #include "ui/panels/ForceDistancePlot.h"
 
@@ -41,8 +42,9 @@ class CyclePanel : public QWidget {
 public:
     explicit CyclePanel(QWidget* parent = nullptr);
 
-    /// A run on this material begins.
-    void begin(const QString& material);
+    /// A run on this material begins. @param scene of it, until end(); null: readings have no
+    /// budgets
+    void begin(const QString& material, const Scene* scene = nullptr);
     /// The run is over: what the tip did so far stays if it touched.
     void end();
     /// Every tick, cheap.
@@ -51,6 +53,8 @@ public:
     void refresh();
     /// Forgets all cycles; one in contact goes on.
     void clear();
+    /// Forgets all cycles; the run, which goes on, begins anew.
+    void restart();
     /// Freezes what is drawn; cycles are kept on.
     void setPaused(bool paused);
     /// Draws it over the cycles, with no offset; none: takes it away.
@@ -74,6 +78,8 @@ private:
         bool hidden = false;  ///< its curves are not drawn
         ContactCycle cycle;
         CycleTrace trace;
+        int run = 0;                          ///< that it is of
+        std::optional<PlaceBudgets> budgets;  ///< of its place, once they were asked for
     };
 
     /// All cycles, as they are now or were when the plot was paused.
@@ -86,12 +92,19 @@ private:
     void toggle(int row);
     [[nodiscard]] const Cycles& drawnCycles() const { return paused_ ? *paused_ : cycles_; }
     [[nodiscard]] DrawnMeasurement drawnMeasurement() const;
+    void endCycle();
     void keep();
     void dropOne();
+    /// @param row of the table
+    [[nodiscard]] Kept& keptAt(int row);
+    /// Computes them if the run is not over: some ten milliseconds.
+    void takeBudgets(Kept& kept) const;
     [[nodiscard]] std::vector<const Kept*> shown() const;
     [[nodiscard]] DrawnCycle drawn(const Kept& kept) const;
     [[nodiscard]] AxisRange distancesOf(const std::vector<const Kept*>& cycles) const;
 
+    const Scene* scene_ = nullptr;  ///< of the run; none: there is no run
+    int runs_ = 0;
     CycleDetector detector_;
     std::int64_t number_ = 0;  ///< of the present cycle
     Cycles cycles_;

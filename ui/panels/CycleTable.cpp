@@ -4,6 +4,7 @@
 #include "ui/Steady.h"
 #include "ui/Theme.h"
 #include "ui/panels/ForceDistancePlot.h"
+#include "ui/panels/ReadingBudget.h"
 
 #include <QHelpEvent>
 #include <QMouseEvent>
@@ -11,6 +12,7 @@
 #include <QToolTip>
 
 #include <algorithm>
+#include <string_view>
 
 namespace asperity {
 
@@ -57,6 +59,12 @@ std::optional<Reading> workOf(const ContactCycle& cycle) {
                          : std::nullopt;
 }
 
+/// What model and calibration leave open in a reading.
+std::optional<double> modelSigmaOf(const std::vector<CycleBudget>& budgets, std::string_view key) {
+    const auto found = std::ranges::find(budgets, key, &CycleBudget::key);
+    return found == budgets.end() ? std::nullopt : std::optional(found->budget.model());
+}
+
 /// An open loop has no area, and one that could be nothing but noise is none.
 std::optional<Reading> hysteresisOf(const ContactCycle& cycle) {
     const std::optional<Reading> area = cycle.closedHysteresis();
@@ -68,6 +76,7 @@ QString explanation() {
                           "Work: work of adhesion, area between the retract branch and zero force\n"
                           "Hysteresis: area between approach and retract\n"
                           "Stiffness: of the contact, where unloading begins\n"
+                          "Over a row: the same with standard deviations, and what they come from\n"
                           "Click on a row: hide or show its curves");
 }
 
@@ -106,32 +115,49 @@ QString CycleTable::text(int row, Column column) const {
     }
 }
 
+std::vector<CycleBudget> CycleTable::budgets(int row) const {
+    const std::optional<PlaceBudgets> known = budgetsOf_ ? budgetsOf_(row) : std::nullopt;
+    return known ? cycleBudgets(*known, rows_.at(static_cast<std::size_t>(row)).cycle)
+                 : std::vector<CycleBudget>();
+}
+
 QString CycleTable::details(int row) const {
-    const ContactCycle& cycle = rows_.at(static_cast<std::size_t>(row)).cycle;
-    const QString& material = rows_.at(static_cast<std::size_t>(row)).material;
+    const CycleRow& shown = rows_.at(static_cast<std::size_t>(row));
+    const ContactCycle& cycle = shown.cycle;
+    const std::vector<CycleBudget> budgets = this->budgets(row);
+    const auto reading = [&](const char* key, const std::optional<Reading>& value,
+                             const SiScale& scale) {
+        return budgetedReading(budgets, key, withSigma(value, scale));
+    };
     return tr("%1\nPull-off force: %2\nWork of adhesion: %3\nHysteresis: %4\nContact stiffness: "
               "%5\nMaximum force: %6\nMaximum indentation: %7")
-        .arg(material, withSigma(cycle.pullOff, kNanonewtons), withSigma(workOf(cycle), energies()),
-             withSigma(hysteresisOf(cycle), energies()), withSigma(cycle.stiffness, kPerMeter),
-             withSigma(cycle.maxForce, kNanonewtons),
-             threeDigits(cycle.maxIndentation, kNanometers));
+        .arg(shown.material, reading("pull_off_force_n", cycle.pullOff, kNanonewtons),
+             cycle.pullOff ? reading("adhesion_work_j", workOf(cycle), energies()) : kNothing,
+             withSigma(hysteresisOf(cycle), energies()),
+             reading("contact_stiffness_n_m", cycle.stiffness, kPerMeter),
+             reading("max_force_n", cycle.maxForce, kNanonewtons),
+             budgetedReading(budgets, "max_indentation_m",
+                             threeDigits(cycle.maxIndentation, kNanometers)));
 }
 
 ShownNumbers CycleTable::numbers() const {
     ShownNumbers numbers;
-    for (const CycleRow& row : rows_) {
+    for (int i = 0; i < rows(); ++i) {
+        const CycleRow& row = rows_[static_cast<std::size_t>(i)];
         const ContactCycle& cycle = row.cycle;
+        const std::vector<CycleBudget> budgets = this->budgets(i);
         const auto add = [&](Column column, const std::optional<Reading>& reading,
-                             const QString& unit) {
+                             const QString& unit, const char* key) {
             if (reading) {
                 numbers.push_back({QStringLiteral("%1: %2").arg(row.material, nameOf(column)),
-                                   reading->value, reading->sigma, unit});
+                                   reading->value, reading->sigma, unit,
+                                   modelSigmaOf(budgets, key)});
             }
         };
-        add(PullOff, cycle.pullOff, QStringLiteral("N"));
-        add(Work, workOf(cycle), QStringLiteral("J"));
-        add(Hysteresis, hysteresisOf(cycle), QStringLiteral("J"));
-        add(Stiffness, cycle.stiffness, QStringLiteral("N/m"));
+        add(PullOff, cycle.pullOff, QStringLiteral("N"), "pull_off_force_n");
+        add(Work, workOf(cycle), QStringLiteral("J"), "adhesion_work_j");
+        add(Hysteresis, hysteresisOf(cycle), QStringLiteral("J"), "hysteresis_j");
+        add(Stiffness, cycle.stiffness, QStringLiteral("N/m"), "contact_stiffness_n_m");
     }
     return numbers;
 }

@@ -2,11 +2,15 @@
 
 #include "core/SiFormat.h"
 #include "core/haptics/cycle/ContactCycle.h"
+#include "core/uncertainty/CycleBudgets.h"
 #include "ui/panels/ShownNumbers.h"
 
 #include <QString>
 #include <QWidget>
 
+#include <functional>
+#include <optional>
+#include <utility>
 #include <vector>
 
 class QPainter;
@@ -31,11 +35,15 @@ public:
 
     explicit CycleTable(QWidget* parent = nullptr);
 
+    /// Where the budgets of a row's place come from, once they are asked for; none: not known.
+    using BudgetSource = std::function<std::optional<PlaceBudgets>(int row)>;
+    void setBudgetSource(BudgetSource source) { budgetsOf_ = std::move(source); }
     /// Each row's colors are those of its place, see branchColors().
     void setRows(const std::vector<CycleRow>& newestFirst);
     [[nodiscard]] int rows() const { return static_cast<int>(rows_.size()); }
     [[nodiscard]] QString text(int row, Column column) const;
-    /// All of a cycle, with standard deviations.
+    /// All of a cycle, with standard deviations by noise and by model, and what the latter come
+    /// from.
     [[nodiscard]] QString details(int row) const;
 
     /// All values of all rows, each with its material.
@@ -61,7 +69,11 @@ private:
     [[nodiscard]] QRect cell(int line, int column) const;
     void paintRow(QPainter& painter, int row) const;
 
+    /// The readings of a row with what is open in them.
+    [[nodiscard]] std::vector<CycleBudget> budgets(int row) const;
+
     std::vector<CycleRow> rows_;
+    BudgetSource budgetsOf_;
 };
 
 }  // namespace asperity

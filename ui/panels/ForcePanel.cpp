@@ -8,11 +8,14 @@
 #include "ui/panels/CyclePanel.h"
 #include "ui/panels/CycleTable.h"
 #include "ui/panels/PlotNavigation.h"
+#include "ui/panels/ReadingBudget.h"
 
 #include <QGridLayout>
+#include <QHelpEvent>
 #include <QStackedLayout>
 #include <QTabBar>
 #include <QToolButton>
+#include <QToolTip>
 #include <QVBoxLayout>
 #include <QVariant>
 
@@ -180,9 +183,14 @@ void ForcePanel::buildForces(QGridLayout& grid) {
         force_.at(axis) = valueLabel(objectName, QStringLiteral("-88.88 µN"), this);
         sigma_.at(axis) =
             valueLabel(objectName + QStringLiteral("Sigma"), QStringLiteral("± 88.88"), this);
-        const QString meaning = tr("Estimate from the two lever signals ± one standard deviation");
+        const QString meaning = tr("Estimate from the two lever signals ± one standard deviation, "
+                                   "by noise, model and calibration together");
         for (QLabel* const label : {name, force_.at(axis), sigma_.at(axis)}) {
             label->setToolTip(meaning);
+            explain(*label, [this, axis] {
+                return forceDetails(QStringLiteral("F") + kAxes.at(axis).toLower(),
+                                    Vector3::Unit(static_cast<int>(axis)));
+            });
         }
         grid.addWidget(name, row, 0);
         grid.addWidget(force_.at(axis), row, 1);
@@ -192,6 +200,9 @@ void ForcePanel::buildForces(QGridLayout& grid) {
     auto* caption = captionLabel(QStringLiteral("|F|"), this);
     for (QLabel* const label : {caption, magnitude_}) {
         label->setToolTip(tr("Magnitude of the estimated force on the tip"));
+        explain(*label, [this] {
+            return forceDetails(QStringLiteral("|F|"), shown_->estimate.force.stableNormalized());
+        });
     }
     grid.addWidget(caption, 3, 0);
     grid.addWidget(magnitude_, 3, 1);
@@ -224,17 +235,55 @@ void ForcePanel::buildContact(QGridLayout& grid) {
     const QString meaning =
         tr("From the tip to the undeformed surface: gap before contact, indentation in contact, "
            "neck height where adhesion pulls the surface up");
-    distanceName_->setToolTip(meaning);
-    distance_->setToolTip(meaning);
+    for (QLabel* const label : {distanceName_, distance_}) {
+        label->setToolTip(meaning);
+        explain(*label, [this] { return contactText(); });
+    }
     grid.addWidget(distanceName_, 0, 7, Qt::AlignRight);
     grid.addWidget(distance_, 1, 7, Qt::AlignRight);
     auto* caption = captionLabel(tr("contact radius"), this);
     for (QLabel* const label : {caption, contactRadius_}) {
         label->setToolTip(tr("Radius of the circle in which tip and sample touch, as the contact "
                              "law has it"));
+        explain(*label, [this] { return contactText(); });
     }
     grid.addWidget(caption, 2, 7, Qt::AlignRight);
     grid.addWidget(contactRadius_, 3, 7, Qt::AlignRight);
+}
+
+/// @param text in front of the label's tool tip
+void ForcePanel::explain(QLabel& label, std::function<QString()> text) {
+    label.installEventFilter(this);
+    details_.emplace_back(&label, std::move(text));
+}
+
+QString ForcePanel::details(const QLabel* label) const {
+    const auto found = std::find_if(details_.begin(), details_.end(),
+                                    [&](const auto& one) { return one.first == label; });
+    const QString text = found == details_.end() || !shown_ ? QString() : found->second();
+    return text.isEmpty() ? text : text + QLatin1Char('\n') + label->toolTip();
+}
+
+bool ForcePanel::eventFilter(QObject* watched, QEvent* event) {
+    if (event->type() == QEvent::ToolTip) {
+        auto* const label = qobject_cast<QLabel*>(watched);
+        const QString text = details(label);
+        if (!text.isEmpty()) {
+            QToolTip::showText(static_cast<QHelpEvent*>(event)->globalPos(), text, label);
+            return true;
+        }
+    }
+    return Card::eventFilter(watched, event);
+}
+
+QString ForcePanel::forceDetails(const QString& name, const Vector3& way) const {
+    const ForceEstimate& estimate = shown_->estimate;
+    const double sigma = std::sqrt(std::max(0.0, way.dot(estimate.covariance * way)));
+    return namedBudget(name, shownForce(scene_, estimate.force.dot(way), sigma), "N");
+}
+
+QString ForcePanel::contactText() const {
+    return scene_ != nullptr ? contactDetails(*scene_, *shown_) : QString();
 }
 
 void ForcePanel::take(const TickSample& sample) noexcept {
@@ -246,6 +295,7 @@ void ForcePanel::take(const TickSample& sample) noexcept {
 
 void ForcePanel::show(const Snapshot& snapshot) {
     const TickOutput& output = snapshot.sample.output;
+    shown_ = output;
     showForces(output.estimate);
     showPosition(output.tip);
     showContact(output.model.contact);
@@ -255,7 +305,10 @@ void ForcePanel::show(const Snapshot& snapshot) {
 }
 
 void ForcePanel::showForces(const ForceEstimate& estimate) {
-    const Vector3 sigma = estimate.covariance.diagonal().cwiseMax(0.0).cwiseSqrt();
+    Vector3 sigma = estimate.covariance.diagonal().cwiseMax(0.0).cwiseSqrt();
+    for (int axis = 0; axis < 3; ++axis) {
+        sigma[axis] = shownForce(scene_, estimate.force[axis], sigma[axis]).total();
+    }
     const SiScale& scale = forceScale_.fit(std::max(estimate.force.norm(), sigma.maxCoeff()));
     for (int axis = 0; axis < 3; ++axis) {
         const auto index = static_cast<std::size_t>(axis);
@@ -290,8 +343,9 @@ ShownNumbers ForcePanel::numbers(const Snapshot& snapshot) const {
     const QString meter = QStringLiteral("m");
     ShownNumbers numbers;
     for (int axis = 0; axis < 3; ++axis) {
+        const Budget budget = shownForce(scene_, output.estimate.force[axis], sigma[axis]);
         numbers.push_back({QStringLiteral("F") + kAxes.at(static_cast<std::size_t>(axis)).toLower(),
-                           output.estimate.force[axis], sigma[axis], newton});
+                           budget.value, budget.noise, newton, budget.model()});
     }
     numbers.push_back({QStringLiteral("|F|"), output.estimate.force.norm(), {}, newton});
     for (int axis = 0; axis < 3; ++axis) {
@@ -308,7 +362,7 @@ ShownNumbers ForcePanel::numbers(const Snapshot& snapshot) const {
     return numbers;
 }
 
-void ForcePanel::clear() {
+void ForcePanel::clearNumbers() {
     for (QLabel* label : {force_[0], force_[1], force_[2], magnitude_, tip_[0], tip_[1], tip_[2],
                           distance_, contactRadius_}) {
         label->setText(QStringLiteral("–"));
@@ -319,17 +373,24 @@ void ForcePanel::clear() {
     distanceName_->setText(tr("gap"));
     forcePlot_->clear();
     heightPlot_->clear();
+    shown_.reset();
+}
+
+void ForcePanel::clear() {
+    clearNumbers();
     cycles_->end();
+    scene_ = nullptr;
 }
 
 void ForcePanel::rewind() {
-    clear();
-    cycles_->clear();
+    clearNumbers();
+    cycles_->restart();
 }
 
 void ForcePanel::begin(const Scene& scene) {
     const std::string& name = scene.description.sample.material.name;
-    cycles_->begin(QString::fromStdString(name).replace('_', ' '));
+    scene_ = &scene;
+    cycles_->begin(QString::fromStdString(name).replace('_', ' '), &scene);
 }
 
 }  // namespace asperity

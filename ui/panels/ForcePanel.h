@@ -6,6 +6,10 @@
 #include "ui/panels/RunPanel.h"
 
 #include <array>
+#include <functional>
+#include <optional>
+#include <utility>
+#include <vector>
 
 class QGridLayout;
 class QTabBar;
@@ -15,8 +19,10 @@ namespace asperity {
 
 class CyclePanel;
 
-/// The estimated force on the tip with its standard deviation, the tip's place, gap or indentation
-/// and contact radius as numbers; below them curves over the distance or over the last seconds.
+/// The estimated force on the tip with its standard deviation by noise, model and calibration
+/// together, the tip's place, gap or indentation and contact radius as numbers; below them curves
+/// over the distance or over the last seconds. Tool tips say the two deviations apart, and what
+/// they come from.
 class ForcePanel : public Card, public RunPanel {
 public:
     explicit ForcePanel(QWidget* parent = nullptr);
@@ -31,6 +37,9 @@ public:
     using QWidget::show;
     [[nodiscard]] ShownNumbers numbers(const Snapshot& snapshot) const override;
     [[nodiscard]] const char* slowName() const override { return "forces"; }
+    bool eventFilter(QObject* watched, QEvent* event) override;
+    /// What a number's tool tip says; empty: of no number. @param label of the number
+    [[nodiscard]] QString details(const QLabel* label) const;
 
     [[nodiscard]] const CyclePanel& cycles() const { return *cycles_; }
     [[nodiscard]] CyclePanel& cycles() { return *cycles_; }
@@ -43,10 +52,18 @@ private:
     void buildForces(QGridLayout& grid);
     void buildPosition(QGridLayout& grid);
     void buildContact(QGridLayout& grid);
+    void clearNumbers();
+    void explain(QLabel& label, std::function<QString()> text);
+    /// @param way unit vector along which the force is read
+    [[nodiscard]] QString forceDetails(const QString& name, const Vector3& way) const;
+    [[nodiscard]] QString contactText() const;
     void showForces(const ForceEstimate& estimate);
     void showPosition(const Vector3& tip);
     void showContact(const ContactState& contact);
 
+    const Scene* scene_ = nullptr;     ///< that is shown; none: no budgets
+    std::optional<TickOutput> shown_;  ///< the latest tick
+    std::vector<std::pair<const QLabel*, std::function<QString()>>> details_;
     std::array<QLabel*, 3> force_{};
     std::array<QLabel*, 3> sigma_{};
     QLabel* magnitude_ = nullptr;

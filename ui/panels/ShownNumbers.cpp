@@ -11,17 +11,23 @@ QString tabSeparated(const ShownNumbers& numbers) {
     QStringList names;
     QStringList values;
     QStringList sigmas;
+    QStringList modelSigmas;
     QStringList units;
+    const auto cell = [](const std::optional<double>& deviation) {
+        return deviation ? numberCell(*deviation) : QString();
+    };
     for (const ShownNumber& number : numbers) {
         names << number.name;
         values << numberCell(number.value);
-        sigmas << (number.sigma ? numberCell(*number.sigma) : QString());
+        sigmas << cell(number.sigma);
+        modelSigmas << cell(number.modelSigma);
         units << number.unit;
     }
     PlotTable table;
     table.add(QObject::tr("name"), names);
     table.add(QObject::tr("value"), values);
     table.add(QObject::tr("standard deviation"), sigmas);
+    table.add(QObject::tr("by model and calibration"), modelSigmas);
     table.add(QObject::tr("unit"), units);
     return table.tabSeparated();
 }

@@ -252,7 +252,9 @@ void ContactPlot::drawForce(QPainter& painter) const {
                                    to - 1.6 * kArrowHead * way - 0.6 * kArrowHead * across}));
     painter.setPen(theme::colors().force);
     painter.setFont(theme::boldFont(theme::kTextSize));
-    painter.drawText(to + QPointF(8.0, 4.0), siText(size, "N"));
+    // The number of the large view and of the panel, however much of it lies in the plane.
+    painter.drawText(to + QPointF(8.0, 4.0),
+                     QStringLiteral("|F| ") + siText(force.stableNorm(), "N"));
 }
 
 void ContactPlot::drawAxes(QPainter& painter) const {

@@ -85,6 +85,7 @@ void ZoomPicture::setScene(const Scene* scene) {
     scene_ = scene;
     sample_.reset();
     trueTip_.reset();
+    writtenForce_.reset();
     halfSpace_.reset();
     frame_.reset();
     extent_.forget();

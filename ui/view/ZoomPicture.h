@@ -112,6 +112,12 @@ public:
     /// nowhere.
     void setTarget(const std::optional<Vector3>& target) { targetPlace_ = target; }
     [[nodiscard]] const std::optional<Vector3>& target() const { return targetPlace_; }
+    /// The magnitude that is written at the arrow, of the present scene: that of the panels, which
+    /// are not drawn as often [N]; none: that of the sample.
+    void setWrittenForce(std::optional<double> force) { writtenForce_ = force; }
+    [[nodiscard]] double writtenForce() const {
+        return writtenForce_.value_or(sample_ ? sample_->output.estimate.force.stableNorm() : 0.0);
+    }
     /// What is written in a corner of the picture; empty: nothing.
     void setCaption(std::string caption) { caption_ = std::move(caption); }
     /// Size and colors have room for all that was shown of the scene, and stay so. There is a
@@ -166,6 +172,7 @@ private:
     std::optional<Vector2> crossHair_;           ///< on the surface at rest [m]
     QString reading_;                            ///< of the cross-hair
     std::optional<Vector3> targetPlace_;         ///< [m]
+    std::optional<double> writtenForce_;         ///< at the arrow [N]; none: of the sample
     std::string caption_;
 
     vtkNew<vtkRenderer> still_;    ///< the surface at rest

@@ -17,7 +17,7 @@ void ZoomPicture::showLabels(const ViewCamera& camera, double height, double pix
     if (options_.labels) {
         content.notes = notes(camera);
         content.tipAbove = tipAbove(height, pixelRatio);
-        content.force = sample_ ? sample_->output.estimate.force.stableNorm() : 0.0;
+        content.force = writtenForce();
         content.forceEnd = force_.end();
         content.names = ghosts_.names();
         if (const auto target = target_.name()) {

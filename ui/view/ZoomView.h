@@ -29,6 +29,9 @@ public:
     /// Shows a tick of the present scene: draws one frame.
     void showSnapshot(const Snapshot& snapshot);
 
+    /// See ZoomPicture: from the next snapshot on [N].
+    void setWrittenForce(double force) { picture_.setWrittenForce(force); }
+
     /// What is drawn from the next snapshot on where the scene asks for the half-space; or null.
     void setHalfSpace(std::shared_ptr<const HalfSpaceAnswer> answer);
 

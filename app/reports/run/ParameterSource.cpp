@@ -63,8 +63,8 @@ ParameterSources::ParameterSources(const SceneDescription& scene)
 
 std::string ParameterSources::sourceOf(const SceneField& field) const {
     const std::string key = field.key;
-    // No probe file has these.
-    const bool isOfEstimator = key == "signal_noise_rad" || key == "normal_deviation_rad";
+    // No probe file has it.
+    const bool isOfEstimator = key == "signal_noise_rad";
     if (field.group == SceneGroup::Material && !material_.empty()) {
         return "library: " + material_;
     }

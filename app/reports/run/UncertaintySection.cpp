@@ -1,6 +1,6 @@
 #include "app/reports/run/UncertaintySection.h"
 
-#include "app/runs/CycleBudgets.h"
+#include "core/uncertainty/CycleBudgets.h"
 #include "core/words/BudgetWords.h"
 
 #include <cstddef>

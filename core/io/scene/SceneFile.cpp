@@ -173,7 +173,9 @@ void readProbeSection(TomlSection section, SceneDescription& scene) {
     scene.probe = probe.lever;
     scene.detector = probe.detector;
     scene.signalSigma = section.number("signal_noise_rad", scene.signalSigma);
-    scene.normalDeviation = section.number("normal_deviation_rad", scene.normalDeviation);
+    // Of earlier files: the estimator had a number of its own.
+    double& deviation = scene.uncertainty.surfaceNormal;
+    deviation = section.number("normal_deviation_rad", deviation);
     section.refuseUnknownKeys();
 }
 
@@ -219,7 +221,6 @@ void readRest(const toml::table& table, const std::filesystem::path& path,
               SceneDescription& scene) {
     readPhysics(TomlSection(table, path, "physics"), scene);
     readFidelity(TomlSection(table, path, "fidelity"), scene);
-    readUncertainty(TomlSection(table, path, "uncertainty"), scene.uncertainty);
     readHaptics(TomlSection(table, path, "haptics"), scene);
     TomlSection approach(table, path, "approach");
     scene.setpoint = approach.number("setpoint_n", scene.setpoint);
@@ -306,7 +307,6 @@ toml::table sampleTable(const SampleDescription& sample) {
 toml::table probeSectionTable(const SceneDescription& scene) {
     toml::table table = probeTable({scene.probe, scene.detector});
     table.insert("signal_noise_rad", scene.signalSigma);
-    table.insert("normal_deviation_rad", scene.normalDeviation);
     return table;
 }
 
@@ -335,14 +335,13 @@ toml::table truthTable(const TruthDescription& truth) {
     return table;
 }
 
-}  // namespace
-
-SceneDescription readScene(const std::filesystem::path& path) {
+/// @param scene what the file does not state
+SceneDescription readSceneOver(SceneDescription scene, const std::filesystem::path& path) {
     const toml::table table = readToml(path);
     refuseUnknownSections(table, path);
-    SceneDescription scene = defaultScene();
     scene.sample = readSample(TomlSection(table, path, "sample"), scene.sample);
     scene.tip = readTip(TomlSection(table, path, "tip"), scene.tip);
+    readUncertainty(TomlSection(table, path, "uncertainty"), scene.uncertainty);
     readProbeSection(TomlSection(table, path, "probe"), scene);
     try {
         scene.truth = readTruth(TomlSection(table, path, "truth"), scene);
@@ -355,6 +354,18 @@ SceneDescription readScene(const std::filesystem::path& path) {
         throw InputError(path.string(), "", error.what());
     }
     return scene;
+}
+
+}  // namespace
+
+SceneDescription readScene(const std::filesystem::path& path) {
+    return readSceneOver(defaultScene(), path);
+}
+
+SceneDescription readRecordedScene(const std::filesystem::path& path) {
+    SceneDescription unstated = defaultScene();
+    unstated.uncertainty.surfaceNormal = 0.0;
+    return readSceneOver(std::move(unstated), path);
 }
 
 SceneDescription sceneFromInput(const std::filesystem::path& path) {

@@ -11,6 +11,10 @@ namespace asperity {
 /// @throw InputError on a mistake, an unknown key, or a file it names that cannot be read
 [[nodiscard]] SceneDescription readScene(const std::filesystem::path& path);
 
+/// Reads the scene of a run as it was run: one of before the surface normal had a deviation has
+/// none, which is 0. @throw InputError as readScene()
+[[nodiscard]] SceneDescription readRecordedScene(const std::filesystem::path& path);
+
 /// A scene from either a scene file (by content or extension) or a height map, which stands for a
 /// scene with defaults.
 [[nodiscard]] SceneDescription sceneFromInput(const std::filesystem::path& path);

@@ -1,3 +1,4 @@
+#include "core/io/tables/CsvTable.h"
 #include "tests/app/ProgramRun.h"
 #include "tests/app/commands/CaseRuns.h"
 #include "tests/support/ScratchFolder.h"
@@ -51,6 +52,25 @@ protected:
 
     test::ScratchFolder scratch;
 };
+
+/// By Hertz the force goes as E* and the root of R.
+TEST_F(Contact, SaysWhatStatedDeviationsLeaveOpen) {
+    const std::string header = "model,radius_m,e_star_pa,work_of_adhesion_j_m2,sigma0_pa,"
+                               "indentation_m,branch,radius_deviation,e_star_deviation\n";
+    const auto out = scratch.file("out.csv");
+    const auto run =
+        runOn(header + "hertz,15e-9,2.35e9,0,0,1e-9,retract,0.1,0.2\n", "--out " + out.string());
+    ASSERT_EQ(run.exitCode, 0) << run.output;
+    const CsvTable table = readCsv(out);
+    const double force = table.number(0, "force_n");
+    const double byRadius = 0.5 * (std::sqrt(1.1) - 1.0 / std::sqrt(1.1));
+    const double byModulus = 0.5 * (1.2 - 1.0 / 1.2);
+    const double expected = force * std::hypot(byRadius, byModulus);
+    EXPECT_NEAR(table.number(0, "force_sigma_n"), expected, 1e-9 * expected);
+    EXPECT_EQ(table.text(0, "force_sigma_by"), "e_star");
+    expectRefusal(header + "hertz,15e-9,2.35e9,0,0,1e-9,retract,0.1,-0.2\n",
+                  "e_star_deviation must lie between 0 and 1");
+}
 
 TEST_F(Contact, NamesWhatIsWrongWithACase) {
     const std::vector<std::string> cells{"nan", "inf", "-inf", "1e-320", "0", "-1"};

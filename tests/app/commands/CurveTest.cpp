@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <optional>
 #include <set>
 #include <string>
@@ -145,6 +146,18 @@ TEST_F(CurveCommand, SaysTheStrongestPullBesideTheForceAtPullOff) {
     EXPECT_NEAR(strongestIn(table, "retract"), -17.9e-9, 0.05e-9);
     (void)tableOf("--law hertz --points 5");
     EXPECT_NE(said.find("the law never pulls"), std::string::npos) << said;
+}
+
+TEST_F(CurveCommand, SaysWhatModelAndCalibrationLeaveOpen) {
+    (void)tableOf("--material silicon_oxide --law split --setpoint 5nN --points 20");
+    EXPECT_NE(said.find("  adhesion force 17.9 nN ± 2 (tip radius, adhesion)"), std::string::npos)
+        << said;
+    EXPECT_NE(said.find("  normal force 5 nN ± 0.5 (k)"), std::string::npos) << said;
+    EXPECT_NE(said.find("  contact stiffness "), std::string::npos) << said;
+    const auto scene = scratch.file("certain.toml");
+    std::ofstream(scene) << "[sample]\nshape = \"plane\"\n[uncertainty]\nenabled = false\n";
+    (void)tableOf(scene.string() + " --points 20");
+    EXPECT_EQ(said.find("±"), std::string::npos) << said;
 }
 
 /// On a lever so stiff the tip comes off with 0.45 pi w R: evenly placed points showed no more.

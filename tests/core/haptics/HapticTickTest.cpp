@@ -48,14 +48,25 @@ TEST(HapticTick, LoadsTheLeverOnAFlatSample) {
 /// the load's part along it.
 TEST(HapticTick, EstimatesLessSurelyOnADoubtfulNormal) {
     SceneDescription description = test::plainScene();
+    description.uncertainty.surfaceNormal = 0.0;
     const auto exact = approachAndRetract(buildScene(description, test::flatMap()), 2.0_nm);
-    description.normalDeviation = 0.05;
+    description.uncertainty.surfaceNormal = 0.05;
     const auto doubtful = approachAndRetract(buildScene(description, test::flatMap()), 2.0_nm);
     const TickOutput& before = exact[1000].output;
     const TickOutput& after = doubtful[1000].output;
     EXPECT_EQ(after.model.force, before.model.force);
     EXPECT_GT(after.estimate.covariance(0, 0), before.estimate.covariance(0, 0));
     EXPECT_TRUE(after.estimate.plausibility.holds());
+}
+
+/// One number for estimate and budgets; without uncertainty the normal is exact.
+TEST(HapticTick, TakesTheNormalAsUncertainAsTheSceneSays) {
+    SceneDescription description = test::plainScene();
+    EXPECT_EQ(buildScene(description, test::flatMap()).normalDeviation, 0.02);
+    description.uncertainty.surfaceNormal = 0.03;
+    EXPECT_EQ(buildScene(description, test::flatMap()).normalDeviation, 0.03);
+    description.uncertainty.enabled = false;
+    EXPECT_EQ(buildScene(description, test::flatMap()).normalDeviation, 0.0);
 }
 
 TEST(HapticTick, AChangedGainMovesNothingByItself) {

@@ -44,7 +44,7 @@ TEST(TickAllocation, TickAndSimulatedInstrumentAllocateNothingInAnyState) {
 
 TEST(TickAllocation, NorDoesANormalThatIsNotExact) {
     SceneDescription description = test::plainScene();
-    description.normalDeviation = 0.05;
+    description.uncertainty.surfaceNormal = 0.05;
     for (const DecouplingModel model : kValues<DecouplingModel>) {
         description.choices.decoupling = model;
         expectNoAllocation(buildScene(description, test::hillyMap()));

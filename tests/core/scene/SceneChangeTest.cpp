@@ -25,6 +25,10 @@ TEST(SceneChange, TellsWhatMustBeMadeAnew) {
     EXPECT_EQ(changeTo([](auto& s) { s.zoomHalfWidth = 1e-7; }), SceneChange::Shown);
     EXPECT_EQ(changeTo([](auto& s) { s.markers.push_back({.name = "a"}); }), SceneChange::Shown);
     EXPECT_EQ(changeTo([](auto& s) { s.settings.forceGain = 2.0; }), SceneChange::Shown);
+    EXPECT_EQ(changeTo([](auto& s) { s.uncertainty.stiffness = 0.2; }), SceneChange::Shown);
+    EXPECT_EQ(changeTo([](auto& s) { s.uncertainty.surfaceNormal = 0.1; }), SceneChange::Model)
+        << "the tick reads it";
+    EXPECT_EQ(changeTo([](auto& s) { s.uncertainty.enabled = false; }), SceneChange::Model);
     EXPECT_EQ(changeTo([](auto& s) { s.tip.radius = 1e-8; }), SceneChange::Model);
     EXPECT_EQ(changeTo([](auto& s) { s.tickRate = 2000.0; }), SceneChange::Model);
     EXPECT_EQ(changeTo([](auto& s) { s.sample.material.name = "b"; }), SceneChange::Model);

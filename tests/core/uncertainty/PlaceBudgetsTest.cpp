@@ -64,6 +64,57 @@ TEST(PlaceBudgets, AreOffOnRequest) {
     }
 }
 
+/// Without a place: what a flat sample says but for the turn of its normal.
+TEST(PlaceBudgets, OfALawAreThoseOfAFlatSample) {
+    SceneDescription description = softScene();
+    description.sample.shape = ShapeDescription{.kind = ShapeKind::Plane};
+    description.uncertainty.surfaceNormal = 0.0;
+    const Scene scene = buildScene(description);
+    const PlaceBudgets ofPlace = budgetsAt(scene, {50e-9, 50e-9}, 2e-9);
+    const PlaceBudgets ofLaw = budgetsOf(description, scene.belief.contact,
+                                         scene.belief.cantilever.compliance()(2, 2), 2e-9);
+    for (const LandmarkRow& row : kEnumTable<Landmark>) {
+        const Budget& expected = budgetOf(ofPlace, row.value);
+        const Budget& found = budgetOf(ofLaw, row.value);
+        EXPECT_NEAR(found.value, expected.value, 1e-9 * expected.value) << row.key;
+        EXPECT_NEAR(found.model(), expected.model(), 1e-6 * expected.model()) << row.key;
+    }
+}
+
+/// The surface is inside its scan by the imaging tip, as a parallel surface: under JKR the pull-off
+/// goes as the effective radius.
+TEST(PlaceBudgets, TheImagingTipSharpensWhatItsScanShows) {
+    HeightMap map = test::flatMap();
+    for (int row = 0; row < map.rows; ++row) {
+        for (int column = 0; column < map.columns; ++column) {
+            const double x = (column - 31.5) * map.pitchX;
+            const double y = (row - 31.5) * map.pitchY;
+            map.heights[map.index(row, column)] = 8e-9 * std::exp(-((x * x) + (y * y)) / 900e-18);
+        }
+    }
+    constexpr double kImaging = 10e-9;  // [m]
+    Scene scene = buildScene(softScene(), map);
+    scene.description.sample.imagingTipRadius = kImaging;
+    const HeightSample top = scene.surface.at(kMiddle.x(), kMiddle.y());
+    const double curvature = -0.5 * (top.dxx + top.dyy);
+    const auto radiusWithout = [&](double tip) {
+        return 1.0 / ((1.0 / scene.belief.tipRadius()) + curvature / (1.0 - (tip * curvature)));
+    };
+    const auto share = [&] {
+        return relative(budgetsAt(scene, kMiddle, 2e-9), Landmark::AdhesionForce,
+                        UncertaintyInput::ImagingTip);
+    };
+    const double all = 1.0 - (radiusWithout(kImaging) / radiusWithout(0.0));
+    EXPECT_GT(all, 0.04);
+    EXPECT_NEAR(share(), all, 0.03 * all) << "nothing was taken out of it";
+    scene.description.sample.erode = true;
+    const double tenth = 0.1 * kImaging;
+    const double half = 0.5 * (radiusWithout(-tenth) - radiusWithout(tenth)) / radiusWithout(0.0);
+    EXPECT_NEAR(share(), half, 0.03 * half);
+    scene.description.sample.imagingTipRadius = 0.0;
+    EXPECT_EQ(share(), 0.0) << "none is known";
+}
+
 /// Heights with noise, whose curvature the smoothing and the pitch let through.
 TEST(PlaceBudgets, NoiseOfHeightsGoesThroughTheCurvature) {
     SceneDescription description = softScene();

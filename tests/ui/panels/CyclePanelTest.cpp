@@ -1,6 +1,7 @@
 #include "ui/panels/CyclePanel.h"
 
 #include "tests/core/haptics/cycle/SpringContact.h"
+#include "tests/support/TestScenes.h"
 #include "tests/ui/MouseEvents.h"
 #include "tests/ui/panels/PanelSamples.h"
 #include "ui/Theme.h"
@@ -63,6 +64,26 @@ TEST_F(CyclePanelTest, ReadsOutTheCycleWithUnits) {
                 1e18 * SpringContact::kWork, 0.1);
     EXPECT_TRUE(table.text(0, CycleTable::Stiffness).endsWith(QStringLiteral(" N/m")));
     EXPECT_TRUE(table.details(0).contains(QStringLiteral("±")));
+}
+
+/// Of an earlier scene they stay.
+TEST_F(CyclePanelTest, ToolTipsSayWhatModelAndCalibrationLeaveOpen) {
+    const Scene scene = buildScene(test::plainScene(), test::flatMap());
+    panel.begin(QStringLiteral("polystyrene"), &scene);
+    cycles(1);
+    const auto saysBoth = [this] {
+        const QString text = panel.table().details(0);
+        return text.contains(QStringLiteral("(noise) ± ")) && text.contains(QStringLiteral("(k)"));
+    };
+    EXPECT_TRUE(saysBoth()) << panel.table().details(0).toStdString();
+    const ShownNumbers numbers = panel.table().numbers();
+    ASSERT_FALSE(numbers.empty());
+    EXPECT_GT(numbers.front().modelSigma.value_or(0.0), 0.05 * numbers.front().value);
+    panel.clear();
+    cycles(1);
+    EXPECT_TRUE(saysBoth()) << "the run goes on";
+    changeMaterial("rubber");
+    EXPECT_TRUE(saysBoth()) << panel.table().details(0).toStdString();
 }
 
 TEST_F(CyclePanelTest, AnOpenCycleHasNoAreaYet) {

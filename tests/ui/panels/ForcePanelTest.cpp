@@ -85,6 +85,46 @@ TEST(ForcePanel, TheUnitIsThatOfTheLargestForceOrOfItsUncertainty) {
     EXPECT_EQ(test::textOf(panel, "forceZSigma"), QStringLiteral("± 2.00"));
 }
 
+const QLabel& labelOf(const ForcePanel& panel, const char* name) {
+    return *panel.findChild<QLabel*>(QString::fromUtf8(name));
+}
+
+/// The panel has one deviation, the tool tip both, and what makes up most of the second.
+TEST(ForcePanel, SaysNoiseAndModelApartInItsToolTips) {
+    const Scene scene = buildScene(test::plainScene(), test::flatMap());
+    ForcePanel panel;
+    panel.begin(scene);
+    TickSample sample = indented();
+    panel.show(test::snapshotOf(sample));
+    // 12.3 nN, of which 10 % by k and 3 % by InvOLS, and noise of 0.3 nN.
+    EXPECT_EQ(test::textOf(panel, "forceZSigma"), QStringLiteral("± 1.32"));
+    EXPECT_TRUE(panel.details(&labelOf(panel, "forceZ"))
+                    .startsWith(QStringLiteral("Fz: 12.3 nN ± 0.3 (noise) ± 1.3 (k)\n")))
+        << panel.details(&labelOf(panel, "forceZ")).toStdString();
+    EXPECT_TRUE(panel.details(&labelOf(panel, "forceMagnitude"))
+                    .startsWith(QStringLiteral("|F|: 12.6 nN ± 0.3 (noise) ± 1.3 (k)\n")));
+    EXPECT_EQ(panel.details(&labelOf(panel, "tipX")), QString()) << "it has no deviation";
+    const ShownNumbers numbers = panel.numbers(test::snapshotOf(sample));
+    EXPECT_NEAR(numbers.at(2).modelSigma.value_or(0.0), 12.3e-9 * std::hypot(0.1, 0.03), 1e-15);
+    panel.clear();
+    EXPECT_EQ(panel.details(&labelOf(panel, "forceZ")), QString());
+}
+
+TEST(ForcePanel, SaysWhatIsOpenInTheIndentation) {
+    const Scene scene = buildScene(test::plainScene(), test::flatMap());
+    ForcePanel panel;
+    panel.begin(scene);
+    TickSample sample = indented();
+    const BaseMotion tip{.position = Vector3(64.0_nm, 64.0_nm, -0.5_nm)};
+    sample.output.model = heldTip(scene.believedSurface(), scene.belief, tip, {});
+    panel.show(test::snapshotOf(sample));
+    const QString text = panel.details(&labelOf(panel, "distance"));
+    for (const char* part :
+         {"indentation: ", "contact radius: ", "contact stiffness: ", "modulus"}) {
+        EXPECT_TRUE(text.contains(QString::fromUtf8(part))) << part << " in " << text.toStdString();
+    }
+}
+
 TEST(ForcePanel, NoiseFarFromTheSampleReadsAsZero) {
     ForcePanel panel;
     TickSample sample = test::tickWithForce(0.0, Vector3(1.23e-16, -4.5e-17, 1.2e-13));

@@ -41,6 +41,21 @@ TEST_F(ZoomPictureTest, ShowsTheMiddleOfASceneAtItsUsualWidth) {
     EXPECT_FALSE(picture.frame().has_value());
 }
 
+/// The panels are drawn in every second frame: the number at the arrow is theirs, not the one of
+/// the tick between.
+TEST_F(ZoomPictureTest, WritesTheForceThatThePanelsShow) {
+    picture.setScene(&scene);
+    Snapshot deep = momentsOf(scene).deep;
+    picture.setSample(deep.sample);
+    const double ofTick = deep.sample.output.estimate.force.norm();
+    EXPECT_NEAR(picture.writtenForce(), ofTick, 1e-12 * ofTick);
+    picture.setWrittenForce(4.99e-9);
+    picture.setSample(deep.sample);
+    EXPECT_EQ(picture.writtenForce(), 4.99e-9);
+    picture.setScene(&scene);
+    EXPECT_EQ(picture.writtenForce(), 0.0) << "of another scene";
+}
+
 TEST_F(ZoomPictureTest, ComesNoNearerThanItsScaleSays) {
     picture.setScene(&scene);
     picture.setHalfWidth(0.0);

@@ -169,6 +169,20 @@ shape_slope_rad = 0.3
     EXPECT_EQ(sceneText(readScene(write("again.toml", slopeText))), slopeText);
 }
 
+/// One number, whichever file says it: a run replays with what it was run with.
+TEST_F(SceneFile, ReadsTheNormalsDeviationOfEarlierFilesAndRuns) {
+    const std::string sample = "[sample]\nfile = \"map.gsf\"\n";
+    const auto path = write("none.toml", sample);
+    EXPECT_EQ(readScene(path).uncertainty.surfaceNormal, 0.02);
+    EXPECT_EQ(readRecordedScene(path).uncertainty.surfaceNormal, 0.0) << "of before";
+    const auto now = write("now.toml", sample + "[uncertainty]\nsurface_normal_rad = 0.03\n");
+    EXPECT_EQ(readScene(now).uncertainty.surfaceNormal, 0.03);
+    EXPECT_EQ(readRecordedScene(now).uncertainty.surfaceNormal, 0.03);
+    const auto both = write("both.toml", sample + "[probe]\nnormal_deviation_rad = 0.0\n"
+                                                  "[uncertainty]\nsurface_normal_rad = 0.02\n");
+    EXPECT_EQ(readRecordedScene(both).uncertainty.surfaceNormal, 0.0) << "what the estimator took";
+}
+
 TEST_F(SceneFile, ReadsTheSetpointOfAnApproach) {
     const std::string map = "[sample]\nfile = \"map.gsf\"\n";
     EXPECT_EQ(readScene(write("scene.toml", map)).setpoint, 5e-9);
@@ -212,7 +226,6 @@ TEST_F(SceneFile, ComesBackTheSameFromItsOwnText) {
     scene.detector.invOls = 42e-9;
     scene.detector.lateralCrossTalk = -0.02;
     scene.truth.temperature = 296.15;
-    scene.normalDeviation = 0.02;
     scene.sample.imagingTipRadius = 8e-9;
     scene.sample.erode = true;
     scene.choices.law = ContactLaw::Hertz;
@@ -309,8 +322,8 @@ TEST_F(SceneFile, RefusesMistakesWithTheirPlace) {
         {std::string(sample) + "size_x_m = \"5um\"\nsize_y_m = 1e-6\n", "a number"},
         {std::string(sample) + "z_scale_m = 0\n", "z_scale_m"},
         {std::string(sample) + "z_scale_m = nan\n", "z_scale_m"},
-        {std::string(sample) + "[probe]\nnormal_deviation_rad = -0.01\n", "normal_deviation_rad"},
-        {std::string(sample) + "[probe]\nnormal_deviation_rad = 1.5\n", "normal_deviation_rad"},
+        {std::string(sample) + "[uncertainty]\nsurface_normal_rad = -0.01\n", "surface_normal_rad"},
+        {std::string(sample) + "[probe]\nnormal_deviation_rad = 1.5\n", "surface_normal_rad"},
         {"[sample]\nshape = \"sphere\"\nsize_x_m = 1e-6\nsize_y_m = 1e-6\n", "size_x_m"},
         {std::string(sample) + "erode = true\n", "erode needs imaging_tip_radius_m"},
         {std::string(sample) + "erode = 1\n", "true or false"},

@@ -57,9 +57,10 @@ TEST(SceneKeys, ThoseThatTheReaderReadsAreThoseOfTheList) {
             }
         }
     }
-    // Libraries, and what names two materials.
-    std::set<std::string> listed{"sample.material", "truth.material", "probe.file",
-                                 "sample.material_mask", "truth.material_mask"};
+    // Libraries, what names two materials, and a name that another key had.
+    std::set<std::string> listed{"sample.material",     "truth.material",
+                                 "probe.file",          "sample.material_mask",
+                                 "truth.material_mask", "probe.normal_deviation_rad"};
     for (const SceneField& field : sceneFields()) {
         listed.insert(nameOf(field));
     }

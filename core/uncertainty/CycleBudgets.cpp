@@ -1,6 +1,4 @@
-#include "app/runs/CycleBudgets.h"
-
-#include "core/uncertainty/PlaceBudgets.h"
+#include "core/uncertainty/CycleBudgets.h"
 
 #include <array>
 #include <cmath>
@@ -36,8 +34,7 @@ constexpr auto kReadings = std::to_array<CycleReading>(
 
 }  // namespace
 
-std::vector<CycleBudget> cycleBudgets(const Scene& scene, const ContactCycle& cycle) {
-    const PlaceBudgets budgets = budgetsAt(scene, cycle.place, cycle.maxForce.value);
+std::vector<CycleBudget> cycleBudgets(const PlaceBudgets& budgets, const ContactCycle& cycle) {
     std::vector<CycleBudget> list;
     for (const CycleReading& row : kReadings) {
         const std::optional<Reading> reading = row.of(cycle);
@@ -48,6 +45,10 @@ std::vector<CycleBudget> cycleBudgets(const Scene& scene, const ContactCycle& cy
         }
     }
     return list;
+}
+
+std::vector<CycleBudget> cycleBudgets(const Scene& scene, const ContactCycle& cycle) {
+    return cycleBudgets(budgetsAt(scene, cycle.place, cycle.maxForce.value), cycle);
 }
 
 }  // namespace asperity

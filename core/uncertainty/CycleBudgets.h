@@ -2,7 +2,7 @@
 
 #include "core/haptics/cycle/ContactCycle.h"
 #include "core/scene/Scene.h"
-#include "core/uncertainty/Budget.h"
+#include "core/uncertainty/PlaceBudgets.h"
 
 #include <vector>
 
@@ -19,5 +19,9 @@ struct CycleBudget {
 /// Computes what model and calibration leave open in the readings of a cycle, at its place and its
 /// largest force; noise is the cycle's own. What a cycle does not show is left out.
 [[nodiscard]] std::vector<CycleBudget> cycleBudgets(const Scene& scene, const ContactCycle& cycle);
+
+/// The same by budgets of the cycle's place that are known already.
+[[nodiscard]] std::vector<CycleBudget> cycleBudgets(const PlaceBudgets& budgets,
+                                                    const ContactCycle& cycle);
 
 }  // namespace asperity

@@ -1,0 +1,46 @@
+#include "core/map/MapDeviations.h"
+
+#include "core/uncertainty/PlaceBudgets.h"
+
+#include <algorithm>
+#include <array>
+
+namespace asperity {
+
+namespace {
+
+/// A quantity, the landmark of the law that it reads, and where its deviation goes.
+struct DeviationRow {
+    MapQuantity quantity;
+    Landmark landmark;
+    MapQuantity deviation;
+};
+
+constexpr auto kDeviations = std::to_array<DeviationRow>(
+    {{MapQuantity::AdhesionForce, Landmark::AdhesionForce, MapQuantity::AdhesionForceDeviation},
+     {MapQuantity::SeparationWork, Landmark::SeparationWork, MapQuantity::SeparationWorkDeviation},
+     {MapQuantity::Indentation, Landmark::Indentation, MapQuantity::IndentationDeviation},
+     {MapQuantity::Stiffness, Landmark::Stiffness, MapQuantity::StiffnessDeviation}});
+
+}  // namespace
+
+bool hasDeviations(const MapPlan& plan) {
+    return std::ranges::any_of(plan.quantities, [](MapQuantity quantity) {
+        return std::ranges::find(kDeviations, quantity, &DeviationRow::deviation) !=
+               kDeviations.end();
+    });
+}
+
+void takeDeviations(const Scene& scene, const TipState& setpoint, MapValues& values) {
+    if (setpoint.points > 1) {
+        return;  // the budget is of one contact
+    }
+    const PlaceBudgets budgets = budgetsAt(scene, setpoint, setpoint.normalForce);
+    for (const DeviationRow& row : kDeviations) {
+        // Of a landmark that is missing it is not a number, too.
+        values[row.deviation] =
+            budgetOf(budgets, row.landmark).of(values[row.quantity], 0.0).model();
+    }
+}
+
+}  // namespace asperity

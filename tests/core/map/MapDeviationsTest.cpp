@@ -1,0 +1,65 @@
+#include "core/map/MapDeviations.h"
+
+#include "core/Error.h"
+#include "core/map/MapRow.h"
+#include "core/uncertainty/PlaceBudgets.h"
+#include "tests/support/TestScenes.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace asperity {
+namespace {
+
+constexpr MapGrid kGrid{3, 2};
+
+std::vector<double> channelOf(const MapPlan& plan, const std::vector<double>& row,
+                              MapQuantity quantity) {
+    const auto found = std::ranges::find(plan.quantities, quantity);
+    EXPECT_NE(found, plan.quantities.end());
+    const auto first = row.begin() + kGrid.columns * (found - plan.quantities.begin());
+    return {first, first + kGrid.columns};
+}
+
+TEST(MapDeviations, AreThoseOfTheBudgetAtThePixelAndChangeNothingElse) {
+    const Scene scene = buildScene(test::plainScene(), test::hillyMap());
+    const MapInstrument instrument(scene, false);
+    const MapPlan usual = planMap(scene, {.grid = kGrid});
+    const MapPlan plan = planMap(scene, {.grid = kGrid, .deviations = true});
+    EXPECT_EQ(plan.quantities.size(), usual.quantities.size() + 4);
+    const std::vector<double> row = mapRow(instrument, plan, 1);
+    const std::vector<double> before = mapRow(instrument, usual, 1);
+    for (const MapQuantity quantity : usual.quantities) {
+        const std::vector<double> now = channelOf(plan, row, quantity);
+        const std::vector<double> then = channelOf(usual, before, quantity);
+        for (std::size_t i = 0; i < now.size(); ++i) {
+            EXPECT_TRUE(now[i] == then[i] || (std::isnan(now[i]) && std::isnan(then[i])));
+        }
+    }
+    const std::vector<double> adhesion = channelOf(plan, row, MapQuantity::AdhesionForce);
+    const std::vector<double> deviation = channelOf(plan, row, MapQuantity::AdhesionForceDeviation);
+    for (int column = 0; column < kGrid.columns; ++column) {
+        const auto i = static_cast<std::size_t>(column);
+        const PlaceBudgets budgets = budgetsAt(scene, plan.place(1, column), plan.setpoint);
+        const Budget ofLaw = budgetOf(budgets, Landmark::AdhesionForce).of(adhesion[i], 0.0);
+        EXPECT_NEAR(deviation[i], ofLaw.model(), 0.1 * ofLaw.model()) << "of the tip pressed there";
+        EXPECT_GT(deviation[i], 0.1 * adhesion[i])
+            << "radius and adhesion are known to a tenth each";
+    }
+}
+
+TEST(MapDeviations, AreMissingWhereTheyAreNotAskedForAndRefusedWhereThereAreNone) {
+    SceneDescription description = test::plainScene();
+    const Scene scene = buildScene(description, test::flatMap());
+    EXPECT_FALSE(hasDeviations(planMap(scene, {})));
+    EXPECT_TRUE(hasDeviations(planMap(scene, {.quantities = {"stiffness_deviation"}})));
+    EXPECT_THROW((void)planMap(scene, {.deviations = true, .truth = true}), Error);
+    description.uncertainty.enabled = false;
+    const Scene certain = buildScene(description, test::flatMap());
+    EXPECT_THROW((void)planMap(certain, {.deviations = true}), Error);
+}
+
+}  // namespace
+}  // namespace asperity
