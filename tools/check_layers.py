@@ -143,6 +143,7 @@ RULES |= {f"tests/{folder}": TESTS for folder in RULES} | {
     "bench": BENCH,
     "bench/contact": f"{BENCH} bench",
     "bench/fidelity": f"{BENCH} bench",
+    "bench/haptics": f"{BENCH} bench",
     "bench/io": f"{BENCH} bench",
     "bench/map": f"{BENCH} bench",
     "bench/probe": f"{BENCH} bench",

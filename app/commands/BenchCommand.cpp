@@ -30,11 +30,15 @@ struct Measurement {
     const char* name;
     const char* program;
 };
-constexpr Measurement kMeasurements[] = {
-    {"closest-point", "asperity_surface_bench"}, {"fit", "asperity_fit_bench"},
-    {"contact", "asperity_contact_bench"},       {"load", "asperity_load_bench"},
-    {"needs", "asperity_needs_bench"},           {"view", "asperity_view_bench"},
-    {"program", "asperity_program_bench"},       {"scaling", "asperity_scaling_bench"}};
+constexpr Measurement kMeasurements[] = {{"closest-point", "asperity_surface_bench"},
+                                         {"fit", "asperity_fit_bench"},
+                                         {"contact", "asperity_contact_bench"},
+                                         {"load", "asperity_load_bench"},
+                                         {"needs", "asperity_needs_bench"},
+                                         {"view", "asperity_view_bench"},
+                                         {"program", "asperity_program_bench"},
+                                         {"scaling", "asperity_scaling_bench"},
+                                         {"tick", "asperity_tick_bench"}};
 
 struct BenchRequest {
     std::vector<std::string> only;  ///< names; empty: all

@@ -6,6 +6,7 @@
 #include "core/Version.h"
 #include "core/deformation/HalfSpaceModel.h"
 #include "core/io/scene/SceneFile.h"
+#include "core/probe/BodyAttraction.h"
 #include "core/scene/BelievedModel.h"
 #include "core/uncertainty/CycleBudgets.h"
 #include "core/words/BudgetWords.h"
@@ -107,6 +108,16 @@ OrderedJson halfSpaceJson(const Scene& scene, const std::optional<TickSample>& s
             {"normal_force_n", answer.force},
             {"law_normal_force_n", sample->output.model.normalForce},
             {"contact_radius_m", answer.contactRadius}};
+}
+
+/// Attraction by the sample beside the contact, which the contact law leaves out; null where the
+/// state has no contact on a height field.
+OrderedJson bodyAttractionJson(const Scene& scene, const std::optional<TickSample>& sample) {
+    if (!sample || scene.shape || !(sample->output.model.contact.contactRadius > 0.0)) {
+        return nullptr;
+    }
+    const BodyAttraction beside = bodyAttraction(scene.surface, scene.belief, sample->output.model);
+    return {{"force_n", beside.force}, {"share_of_pull_off", beside.share}};
 }
 
 /// A jump of the model between two states; null when there was none.
@@ -220,7 +231,8 @@ std::string runSummary(const LoadedScene& loaded, const RunEvents& events) {
         {"pull_off", pullOffJson(events)},
         {"largest_indentation", optionalState(events.deepest)},
         {"largest_indentation_half_space", halfSpaceJson(loaded.scene, events.deepest)},
-        {"strongest_attraction", optionalState(events.strongestPull)}};
+        {"strongest_attraction", optionalState(events.strongestPull)},
+        {"strongest_attraction_body", bodyAttractionJson(loaded.scene, events.strongestPull)}};
     return jsonText(summary) + '\n';
 }
 

@@ -92,6 +92,7 @@ TEST_P(Explore, LeavesPicturesFieldsLogAndSummary) {
     ASSERT_TRUE(summary["pull_off"].is_object());
     EXPECT_GT(summary["largest_indentation"]["indentation_m"], 0.0);
     EXPECT_LT(summary["strongest_attraction"]["model_normal_force_n"], 0.0);
+    EXPECT_TRUE(summary.contains("strongest_attraction_body"));
     expectBudgets(summary["cycles"].back());
 }
 
