@@ -44,7 +44,8 @@ std::ptrdiff_t wordsInCommon(MapQuantity quantity, const std::set<std::string>& 
 }  // namespace
 
 bool isMeasurable(MapQuantity quantity) {
-    return quantity != MapQuantity::Validity && quantity != MapQuantity::Iterations;
+    return quantity != MapQuantity::Validity && quantity != MapQuantity::Iterations &&
+           !rowOf(quantity)->onRequest;
 }
 
 std::vector<MapQuantity> quantitiesLike(const MapPlan& plan, std::string_view unit,

@@ -7,7 +7,8 @@
 
 namespace asperity {
 
-/// Whether an instrument may measure the quantity: not flags and counts of the computation.
+/// Whether an instrument may measure the quantity: not flags and counts of the computation, nor
+/// what model and calibration leave open.
 [[nodiscard]] bool isMeasurable(MapQuantity quantity);
 
 /// The quantities of a plan that a measured channel may show: those of its unit; of several, those

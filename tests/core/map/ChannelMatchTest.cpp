@@ -45,6 +45,7 @@ TEST(ChannelMatch, ComparesAmountsOfOneUnitOnly) {
     EXPECT_EQ(quantitiesLike(approach, "V", "Friction"), Quantities{});
     EXPECT_EQ(quantitiesLike(approach, "", "validity"), Quantities{});
     EXPECT_FALSE(isMeasurable(MapQuantity::Iterations));
+    EXPECT_FALSE(isMeasurable(MapQuantity::AdhesionForceDeviation));
 }
 
 TEST(ChannelMatch, ChoosesAmongThePlansQuantities) {
