@@ -9,7 +9,9 @@ namespace asperity {
 
 namespace {
 
-constexpr int kBondedSteps = 24;
+// At the foot of a particle, where contacts take turns in a loop of 2 pm, 24 leave an error of all
+// of its 0.3 zJ, 48 one of 0.3 %.
+constexpr int kBondedSteps = 48;
 constexpr int kFreeSteps = 6;
 
 /// A state of the tip by the height of the base.
