@@ -132,7 +132,10 @@ class Suite:
             self.fail(end.format(test) if test == output.running else f"FAILED {test}",
                       output.sections.get(test, []))
         if not output.running and (ended_early or not results or (code != 0 and not failed)):
-            self.fail(end.format("outside of the tests"), output.outside)
+            # What a sanitizer reports while a test runs stands in the test's part: it passes all the same.
+            sections = () if ended_early else output.sections.values()
+            self.fail(end.format("outside of the tests"),
+                      output.outside + [line for section in sections if len(section) > 2 for line in section])
         self.results |= results
         return ended_early and bool(results)
 

@@ -37,6 +37,8 @@ for test in tests:
         print("T.cpp:5: Skipped\nno <device>")
     else:
         print("printed by", test, os.environ.get("DISPLAY"), os.environ["HOME"], end="", flush=True)
+    if test == "Races":
+        print("\nWARNING: data race", flush=True)
     if test.startswith("Crashes"):
         os.kill(os.getpid(), 11)
     if test == "Exits":
@@ -56,7 +58,7 @@ if "EnvironmentFails" in tests:
     cases.append('<testcase classname="" name="" status="run"><failure message="no"/></testcase>')
 with open(flags["gtest_output"].removeprefix("xml:"), "w") as file:
     file.write("<testsuites>" + "".join(cases) + "</testsuites>")
-sys.exit(23 if {"LeaksAtTheEnd", "EnvironmentFails"} & set(tests) else "failure" in "".join(cases))
+sys.exit(23 if {"LeaksAtTheEnd", "Races", "EnvironmentFails"} & set(tests) else "failure" in "".join(cases))
 """
 
 
@@ -151,6 +153,12 @@ class RunSuite(unittest.TestCase):
         self.assertEqual(self.run_suite("First LeaksAtTheEnd"),
                          (1, ["EXITED outside of the tests (exit code 23)",
                               "a.S: 2 tests, 2 passed, 0 skipped, 0 failed"]))
+
+    def test_prints_what_a_sanitizer_says_while_a_test_passes(self):
+        code, lines = self.run_suite("First Races Last")
+        self.assertEqual((code, lines[0], lines[2]), (1, "[ RUN      ] S.Races", "WARNING: data race"))
+        self.assertEqual(lines[-2:], ["EXITED outside of the tests (exit code 23)",
+                                      "a.S: 3 tests, 3 passed, 0 skipped, 0 failed"])
 
     def test_fails_where_a_global_environment_fails(self):
         self.assertEqual(self.run_suite("EnvironmentFails"),

@@ -86,7 +86,8 @@ TEST_F(ClipboardControlTest, CopiesAllNumbersShown) {
     views.show(0.025);
     window.menus().copyNumbers->trigger();
     const QStringList lines = QApplication::clipboard()->text().trimmed().split('\n');
-    EXPECT_EQ(lines.front(), QStringLiteral("name\tvalue\tstandard deviation\tunit"));
+    EXPECT_EQ(lines.front(),
+              QStringLiteral("name\tvalue\tstandard deviation\tby model and calibration\tunit"));
     std::map<QString, QStringList> rows;
     for (const QString& line : lines) {
         rows[line.section('\t', 0, 0)] = line.split('\t');
@@ -99,9 +100,9 @@ TEST_F(ClipboardControlTest, CopiesAllNumbersShown) {
     for (const char* name :
          {"Fx", "Fy", "|F|", "tip x", "tip y", "gap", "contact radius", "bending", "torsion",
           "deflection z", "deflection sideways", "loop rate", "ticks"}) {
-        EXPECT_EQ(rows[QString::fromUtf8(name)].size(), 4) << name;
+        EXPECT_EQ(rows[QString::fromUtf8(name)].size(), 5) << name;
     }
-    EXPECT_EQ(rows[QStringLiteral("gap")].value(3), QStringLiteral("m"));
+    EXPECT_EQ(rows[QStringLiteral("gap")].value(4), QStringLiteral("m"));
 }
 
 }  // namespace
