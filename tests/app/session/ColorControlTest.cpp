@@ -3,7 +3,6 @@
 #include "app/session/SceneControl.h"
 #include "tests/app/session/ControlFixture.h"
 #include "tests/support/Places.h"
-#include "tests/support/ScratchFolder.h"
 #include "tests/support/StepsScan.h"
 #include "ui/panels/OverviewMap.h"
 #include "ui/panels/OverviewPanel.h"
@@ -43,7 +42,6 @@ TEST_F(ColorControlTest, AllViewsAreColoredByTheSameQuantity) {
 }
 
 TEST_F(ColorControlTest, ReadsTheResidualInTheBackground) {
-    const ScratchFolder folder;
     scenes.open(folder.write("scene.toml",
                              "[sample]\nfile = \"" + kSteps.string() + "\"\nsmoothing_px = 1\n"));
     ASSERT_TRUE(eventually([this] { return runs.run() != nullptr; }));
