@@ -1,5 +1,7 @@
 #include "core/haptics/PlannedApproach.h"
 
+#include "core/contact/laws/ForceCurve.h"
+
 #include <cmath>
 
 namespace asperity {
@@ -21,13 +23,23 @@ double expectedDepth(const Scene& scene, const Vector3& place, double force) {
     return std::pow(force / stiffness, 2.0 / 3.0) + compliance * force;
 }
 
+/// The same by the scene's law [m]; 0 where it does not reach the force.
+double depthByLaw(const Scene& scene, const Vector3& place, double force) {
+    const ProbeSystem& belief = scene.belief;
+    const ContactModel model = belief.contact.withPair(belief.pairAt(place, belief.tipRadius()));
+    return basePositionAt(model, belief.cantilever.compliance()(2, 2), force).value_or(0.0);
+}
+
 }  // namespace
 
 PlannedApproach planApproach(const Scene& scene, const PathPlan& plan) {
     const Vector3 start = pathStart(scene, plan);
     const double clearance = start.z() - touchHeight(scene, start.x(), start.y());
     const double setpoint = plan.setpoint.value_or(scene.description.setpoint);
-    const double descent = clearance + expectedDepth(scene, start, setpoint);
+    const double expected = clearance + expectedDepth(scene, start, setpoint);
+    // Adhesion holds a soft sample on a cone far above where Hertz has the setpoint.
+    const double needed = clearance + depthByLaw(scene, start, setpoint);
+    const double descent = needed > kLimitShare / kDescentShare * expected ? needed : expected;
     const double speed = descent / (kDescentShare * plan.duration);
     return {.start = start,
             .plan = {.setpoint = setpoint,

@@ -56,6 +56,19 @@ TEST(ApproachDevice, EndsAtTheSetpointStraightBelowItsStart) {
     }
 }
 
+TEST(ApproachDevice, GoesAsDeepAsASoftSampleHoldsTheCone) {
+    SceneDescription description = test::plainScene();
+    description.tip.radius = 15.0_nm;
+    description.tip.coneHalfAngle = 0.35;
+    description.sample.material.elastic = {.youngsModulus = 1.5e6, .poissonRatio = 0.5};
+    description.sample.material.workOfAdhesion = 0.02;
+    description.truth.material = description.sample.material;
+    description.setpoint = 0.2_nN;
+    description.signalSigma = 1e-9;
+    description.truth.signalNoise = 1e-9;
+    (void)approached(buildScene(description, test::flatMap()));
+}
+
 // What the sample is decides, not what the scene takes it to be.
 TEST(ApproachDevice, FollowsTheMeasuredForceWhereTheSampleIsNotAsBelieved) {
     SceneDescription description = test::plainScene();
