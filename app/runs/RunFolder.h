@@ -61,6 +61,7 @@ private:
 
 /// Whether a file is the scene of a run: the ticks of the run lie beside it.
 [[nodiscard]] bool isSceneOfRun(const std::filesystem::path& file);
+
 /// Refuses to write over what is there. @param force it may go @throw Error
 void requireFree(const std::filesystem::path& file, bool force);
 /// Refuses to write into an input, the folder of a run or a file, which nothing may replace.

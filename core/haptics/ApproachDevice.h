@@ -34,10 +34,11 @@ public:
     [[nodiscard]] bool hasEngaged() const noexcept { return engaged_; }
     /// Whether the descent ended where the tip had no equilibrium. Any thread; wait-free.
     [[nodiscard]] bool isBlocked() const noexcept { return blocked_; }
-    /// Whether the force at the setpoint has been measured, and that force above the baseline with
-    /// its deviation, as SetpointApproach has them [N]. Any thread; wait-free.
+    /// Whether the force of the dwell has been measured. Any thread; wait-free.
     [[nodiscard]] bool hasMeasured() const noexcept { return measured_; }
+    /// That force above the baseline, along z [N]. Any thread; wait-free.
     [[nodiscard]] double measuredForce() const noexcept { return measuredForce_; }
+    /// Its standard deviation by noise [N]. Any thread; wait-free.
     [[nodiscard]] double measuredDeviation() const noexcept { return measuredDeviation_; }
 
 private:
