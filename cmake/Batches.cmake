@@ -13,7 +13,8 @@ endfunction()
 
 # Sources with compile options of their own share batches with those of the same options. Sources with
 # definitions of their own and what the build writes (it changes at each commit) stay apart, but not what
-# Qt's moc writes. No other property of a source reaches its batch: it is refused.
+# Qt's moc writes. No other property of a source reaches its batch: it is refused. So is a source of two targets
+# of one folder: that it is not compiled by itself holds for the whole folder.
 function(asperity_batch_sources target)
   get_target_property(sources ${target} SOURCES)
   get_target_property(folder ${target} SOURCE_DIR)
@@ -24,6 +25,11 @@ function(asperity_batch_sources target)
     endif()
     cmake_path(ABSOLUTE_PATH source BASE_DIRECTORY ${folder} NORMALIZE OUTPUT_VARIABLE file)
     cmake_path(IS_PREFIX CMAKE_BINARY_DIR ${file} is_made)
+    get_property(taken DIRECTORY PROPERTY asperity_sources)
+    if(file IN_LIST taken)
+      message(FATAL_ERROR "${file}: of ${target} and of another target of its folder. Make it a library.")
+    endif()
+    set_property(DIRECTORY APPEND PROPERTY asperity_sources ${file})
     get_source_file_property(definitions ${file} TARGET_DIRECTORY ${target} COMPILE_DEFINITIONS)
     if(is_made OR definitions)
       continue()

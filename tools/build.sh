@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Configures (once) and builds one preset: everything, or only the targets named.
+# Configures, where that was never done, and builds one preset: everything, or only the targets named.
 # Usage: build.sh PRESET [TARGET ...]
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."

@@ -20,12 +20,13 @@ stage() {
 
 # run_tests PRESETS ARGUMENT ...: runs ctest, counts the test functions that ran, and ends with CTest's summary.
 run_tests() {
-    local preset results=() status=0 log=$top/build/tests.log
+    local preset results=() status=0 log=$top/build/tests.log begin=$SECONDS
     for preset in $1; do
         results+=("$top/build/$preset/results")
     done
     rm -rf "${results[@]}"
     ctest "${@:2}" | tee "$log" || status=$?
+    echo "== running the tests: $((SECONDS - begin)) s"
     "$top/tools/gtest_results.py" "${results[@]}" || status=1
     sed -n '/tests passed, .* tests failed/,$p' "$log"
     return "$status"

@@ -84,6 +84,14 @@ class Batches(unittest.TestCase):
             self.build(top, "g++")
         self.assertRegex(refused.exception.stderr, "core/Two.cpp:\\s+COMPILE_FLAGS does not reach")
 
+    def test_refuse_a_source_of_two_targets(self):
+        top = self.checkout("one")
+        with (top / "core/CMakeLists.txt").open("a") as file:
+            file.write("asperity_library(asperity_again SOURCES Two.cpp)\n")
+        with self.assertRaises(subprocess.CalledProcessError) as refused:
+            self.build(top, "g++")
+        self.assertRegex(refused.exception.stderr, "core/Two.cpp:\\s+of\\s+asperity_again\\s+and\\s+of\\s+another")
+
 
 if __name__ == "__main__":
     unittest.main()
