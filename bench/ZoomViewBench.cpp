@@ -4,6 +4,7 @@
 #include "bench/BenchRows.h"
 #include "core/haptics/HapticLoop.h"
 #include "core/haptics/ScriptedDevice.h"
+#include "core/scene/Scene.h"
 #include "core/scene/SceneTruth.h"
 #include "core/surface/synthetic/SyntheticSurface.h"
 #include "ui/view/ContactPlot.h"

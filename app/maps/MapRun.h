@@ -2,9 +2,10 @@
 
 #include "app/maps/MapPart.h"
 #include "core/Progress.h"
-#include "core/scene/Scene.h"
 
 namespace asperity {
+
+struct Scene;
 
 /// Computes the rows of a map that its part lacks, each on one thread, and keeps them there. The
 /// values do not depend on the number of threads.

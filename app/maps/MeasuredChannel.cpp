@@ -7,6 +7,7 @@
 #include "core/io/heightmap/ScanFile.h"
 #include "core/map/ChannelMatch.h"
 #include "core/map/MeasuredMap.h"
+#include "core/scene/Scene.h"
 
 #include <algorithm>
 #include <cmath>

@@ -8,6 +8,8 @@
 
 namespace asperity {
 
+class Progress;
+
 /// A channel of a measured file, on its way to be compared with a quantity of a map.
 struct MeasuredChannel {
     std::string name;

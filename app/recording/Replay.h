@@ -2,12 +2,13 @@
 
 #include "app/program/LoadedScene.h"
 #include "app/recording/RecordedRun.h"
-#include "core/scene/Scene.h"
 
 #include <filesystem>
 #include <string>
 
 namespace asperity {
+
+struct Scene;
 
 /// A run starts with its scene's settings and keeps its rate, but for whole periods that a live one
 /// skips now and then: where the recorded input says otherwise, one of the two files was altered.

@@ -2,11 +2,12 @@
 
 #include "app/recording/RecordedRun.h"
 #include "app/runs/RunFormat.h"
-#include "core/scene/Scene.h"
 
 #include <filesystem>
 
 namespace asperity {
+
+struct Scene;
 
 /// How the tables of a run are kept in its folder. @throw InputError where it holds no run
 [[nodiscard]] RunFormat formatOf(const std::filesystem::path& folder);

@@ -2,13 +2,14 @@
 
 #include "app/recording/RunInputs.h"
 #include "core/Progress.h"
-#include "core/scene/Scene.h"
 
 #include <cstddef>
 #include <functional>
 #include <vector>
 
 namespace asperity {
+
+struct Scene;
 
 /// Any tick of a recorded run with its output, bit for bit as it was. The inputs are in memory, the
 /// outputs are not: they are computed again from the last checkpoint, every kCheckpointTicks ticks,

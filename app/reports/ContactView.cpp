@@ -3,6 +3,7 @@
 #include "core/SiFormat.h"
 #include "core/deformation/ContactPatch.h"
 #include "core/deformation/HalfSpaceModel.h"
+#include "core/scene/Scene.h"
 #include "core/words/ModelWords.h"
 #include "ui/view/ViewScale.h"
 

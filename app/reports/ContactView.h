@@ -1,12 +1,13 @@
 #pragma once
 
 #include "core/haptics/VirtualRun.h"
-#include "core/scene/Scene.h"
 #include "vtkplugins/pictures/DeformationPicture.h"
 
 #include <string>
 
 namespace asperity {
+
+struct Scene;
 
 /// The patch around the tip that pictures of a moment show: as wide as the scene says, or else as
 /// the surface that visibly follows the tip.

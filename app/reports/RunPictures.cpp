@@ -4,6 +4,7 @@
 #include "app/runs/RunFolder.h"
 #include "core/FormattedText.h"
 #include "core/io/fields/PatchExr.h"
+#include "core/scene/Scene.h"
 #include "core/surface/fit/CoarserSurface.h"
 #include "core/words/SceneWords.h"
 

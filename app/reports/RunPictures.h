@@ -3,7 +3,6 @@
 #include "app/reports/RunCurves.h"
 #include "core/Progress.h"
 #include "core/haptics/RunEvents.h"
-#include "core/scene/Scene.h"
 #include "vtkplugins/pictures/DeformationPicture.h"
 #include "vtkplugins/pictures/OverviewPicture.h"
 
@@ -12,6 +11,8 @@
 #include <vector>
 
 namespace asperity {
+
+struct Scene;
 
 /// What a run did, ready to be drawn. Drawing takes as much memory as a large scan: the scene may
 /// go before it.

@@ -3,6 +3,7 @@
 #include "core/contact/displacement/SurfaceDisplacement.h"
 #include "core/deformation/HalfSpaceField.h"
 #include "core/deformation/RimRounding.h"
+#include "core/scene/Scene.h"
 
 #include <algorithm>
 

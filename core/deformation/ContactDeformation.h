@@ -2,13 +2,14 @@
 
 #include "core/deformation/HalfSpaceAnswer.h"
 #include "core/deformation/RadialTable.h"
-#include "core/scene/Scene.h"
 #include "core/surface/deformation/DisplacementField.h"
 #include "core/surface/deformation/SurfaceDeformation.h"
 
 #include <memory>
 
 namespace asperity {
+
+struct Scene;
 
 /// How one state of the believed model deforms sample and tip: what the window draws, what pictures
 /// show and what files hold. The closed form and the half-space share the displacement between the

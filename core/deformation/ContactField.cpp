@@ -1,6 +1,7 @@
 #include "core/deformation/ContactField.h"
 
 #include "core/contact/displacement/SurfaceDisplacement.h"
+#include "core/scene/Scene.h"
 #include "core/surface/deformation/DisplacementField.h"
 
 #include <algorithm>

@@ -3,12 +3,13 @@
 #include "core/contact/displacement/SurfaceProfile.h"
 #include "core/deformation/ContactDeformation.h"
 #include "core/deformation/HalfSpaceAnswer.h"
-#include "core/scene/Scene.h"
 #include "core/surface/TangentFrame.h"
 
 #include <memory>
 
 namespace asperity {
+
+struct Scene;
 
 /// Gap and pressure between tip and sample at one state of the believed model, at places of the
 /// surface at rest. Of several closest points it is the main one. Source: docs/theory.md 4.

@@ -3,10 +3,11 @@
 #include "core/deformation/ContactDeformation.h"
 #include "core/deformation/HalfSpaceAnswer.h"
 #include "core/probe/TipEquilibrium.h"
-#include "core/scene/Scene.h"
 #include "core/surface/deformation/SurfaceDeformation.h"
 
 namespace asperity {
+
+struct Scene;
 
 /// The surface around the contact as it is deformed. @throw Error as deformedPatch()
 [[nodiscard]] SurfacePatch drawnPatch(const Scene& scene, const ContactDeformation& deformation,

@@ -1,5 +1,7 @@
 #include "core/deformation/ContactSection.h"
 
+#include "core/scene/Scene.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>

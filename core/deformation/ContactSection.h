@@ -1,13 +1,14 @@
 #pragma once
 
 #include "core/deformation/ContactDeformation.h"
-#include "core/scene/Scene.h"
 
 #include <array>
 #include <optional>
 #include <vector>
 
 namespace asperity {
+
+struct Scene;
 
 /// Where a section is made.
 struct SectionPlane {

@@ -3,6 +3,7 @@
 #include "core/contact/displacement/SurfaceDisplacement.h"
 #include "core/deformation/HalfSpaceField.h"
 #include "core/deformation/HalfSpaceProblem.h"
+#include "core/scene/Scene.h"
 #include "core/surface/PixelField.h"
 
 #include <algorithm>

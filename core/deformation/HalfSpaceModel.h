@@ -2,12 +2,13 @@
 
 #include "core/contact/halfspace/HalfSpaceSolver.h"
 #include "core/deformation/HalfSpaceAnswer.h"
-#include "core/scene/Scene.h"
 
 #include <optional>
 #include <stop_token>
 
 namespace asperity {
+
+struct Scene;
 
 /// Solves for the deformed surface around the tip, on the scan's own topography in the tangent
 /// plane at the closest point and with the exact sphere as tip, at the indentation of the tick's

@@ -2,6 +2,7 @@
 
 #include "core/contact/displacement/SurfaceDisplacement.h"
 #include "core/contact/laws/SplitLaw.h"
+#include "core/scene/Scene.h"
 #include "core/surface/TangentFrame.h"
 
 #include <algorithm>

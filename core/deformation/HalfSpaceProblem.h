@@ -2,11 +2,12 @@
 
 #include "core/contact/halfspace/HalfSpaceContact.h"
 #include "core/probe/TipEquilibrium.h"
-#include "core/scene/Scene.h"
 
 #include <cmath>
 
 namespace asperity {
+
+struct Scene;
 
 /// A square patch of pixels around the closest point, in its tangent plane.
 struct HalfSpacePatch {

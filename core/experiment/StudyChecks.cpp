@@ -3,6 +3,7 @@
 #include "core/FormattedText.h"
 #include "core/contact/Within.h"
 #include "core/haptics/coupling/CouplingKeeper.h"
+#include "core/scene/Scene.h"
 
 #include <algorithm>
 #include <cmath>

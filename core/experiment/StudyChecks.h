@@ -3,12 +3,13 @@
 #include "core/Error.h"
 #include "core/experiment/Study.h"
 #include "core/haptics/bench/VirtualBench.h"
-#include "core/scene/Scene.h"
 
 #include <functional>
 #include <string>
 
 namespace asperity {
+
+struct Scene;
 
 /// A key of a study that contradicts the rest of it.
 struct StudyRefused : Error {

@@ -1,6 +1,7 @@
 #include "core/experiment/TrialPlaces.h"
 
 #include "core/haptics/DevicePath.h"
+#include "core/scene/Scene.h"
 
 namespace asperity {
 

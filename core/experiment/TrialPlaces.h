@@ -1,9 +1,10 @@
 #pragma once
 
 #include "core/experiment/TrialPlan.h"
-#include "core/scene/Scene.h"
 
 namespace asperity {
+
+struct Scene;
 
 /// Where the tip begins, and where it shall be [m].
 struct TrialPlaces {

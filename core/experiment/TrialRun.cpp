@@ -4,6 +4,7 @@
 #include "core/haptics/HapticLoop.h"
 #include "core/haptics/ScriptedDevice.h"
 #include "core/haptics/coupling/CouplingKeeper.h"
+#include "core/scene/Scene.h"
 #include "core/scene/SceneTruth.h"
 
 #include <algorithm>

@@ -4,11 +4,12 @@
 #include "core/experiment/TrialPlaces.h"
 #include "core/experiment/TrialRecord.h"
 #include "core/haptics/VirtualRun.h"
-#include "core/scene/Scene.h"
 
 #include <functional>
 
 namespace asperity {
+
+struct Scene;
 
 /// What a trial is done with, beside its plan.
 struct TrialSetup {

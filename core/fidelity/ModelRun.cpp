@@ -1,6 +1,7 @@
 #include "core/fidelity/ModelRun.h"
 
 #include "core/haptics/VirtualRun.h"
+#include "core/scene/Scene.h"
 #include "core/scene/SceneTruth.h"
 
 #include <algorithm>

@@ -2,12 +2,13 @@
 
 #include "core/Vector.h"
 #include "core/fidelity/JudgedQuantity.h"
-#include "core/scene/Scene.h"
 
 #include <optional>
 #include <vector>
 
 namespace asperity {
+
+struct Scene;
 
 /// The force along z over the height of the base, piece by piece a straight line; 0 outside it.
 class ForceLine {

@@ -3,6 +3,7 @@
 #include "core/contact/EffectiveRadius.h"
 #include "core/haptics/DevicePath.h"
 #include "core/scene/SampleMaterials.h"
+#include "core/scene/Scene.h"
 #include "core/surface/deformation/ContactHeight.h"
 
 #include <algorithm>

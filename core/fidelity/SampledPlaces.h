@@ -1,11 +1,12 @@
 #pragma once
 
 #include "core/Vector.h"
-#include "core/scene/Scene.h"
 
 #include <vector>
 
 namespace asperity {
+
+struct Scene;
 
 /// Positions of the base, world x and y [m], at which models of a scene are compared: the highest
 /// feature; the positions where the tip touches the sample with the smallest, the largest and the

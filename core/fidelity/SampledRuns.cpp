@@ -2,6 +2,7 @@
 
 #include "core/fidelity/SampledPlaces.h"
 #include "core/scene/BelievedModel.h"
+#include "core/scene/Scene.h"
 
 #include <algorithm>
 #include <cmath>

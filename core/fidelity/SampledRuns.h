@@ -3,7 +3,7 @@
 #include "core/fidelity/JudgedQuantity.h"
 #include "core/fidelity/ModelRun.h"
 #include "core/fidelity/SampledCycle.h"
-#include "core/scene/Scene.h"
+#include "core/scene/ForceModelOptions.h"
 
 #include <list>
 #include <optional>
@@ -11,6 +11,8 @@
 #include <vector>
 
 namespace asperity {
+
+struct Scene;
 
 /// What a model makes of the sampled runs and cycles of a scene.
 struct ModelSample {

@@ -4,6 +4,7 @@
 #include "core/fidelity/SampledRuns.h"
 #include "core/fidelity/TermFacts.h"
 #include "core/scene/BelievedModel.h"
+#include "core/scene/Scene.h"
 
 #include <algorithm>
 #include <cmath>

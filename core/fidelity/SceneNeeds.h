@@ -4,12 +4,13 @@
 #include "core/fidelity/JudgedQuantity.h"
 #include "core/fidelity/SurfaceNeeds.h"
 #include "core/scene/ModelTerm.h"
-#include "core/scene/Scene.h"
 
 #include <optional>
 #include <vector>
 
 namespace asperity {
+
+struct Scene;
 
 /// The quantities of a scene and a run of it that decide about a term, see factOf().
 struct TermFact {

@@ -2,11 +2,12 @@
 
 #include "core/Progress.h"
 #include "core/deformation/HalfSpaceAnswer.h"
-#include "core/scene/Scene.h"
 
 #include <span>
 
 namespace asperity {
+
+struct Scene;
 
 /// What the ways to deform the surface differ by in a scene. Differences are root mean squares over
 /// the patches of some contacts, as shares of their indentation.

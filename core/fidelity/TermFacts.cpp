@@ -1,5 +1,7 @@
 #include "core/fidelity/TermFacts.h"
 
+#include "core/scene/Scene.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>

@@ -1,6 +1,7 @@
 #include "core/haptics/DevicePath.h"
 
 #include "core/scene/SampleMaterials.h"
+#include "core/scene/Scene.h"
 #include "core/surface/MeasuredPlace.h"
 #include "core/surface/deformation/ContactHeight.h"
 #include "core/surface/deformation/HighestPlace.h"

@@ -1,13 +1,14 @@
 #pragma once
 
 #include "core/Vector.h"
-#include "core/scene/Scene.h"
 
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace asperity {
+
+struct Scene;
 
 /// A place of the device at a time; between two of them the device moves in a straight line.
 struct PathPoint {

@@ -1,5 +1,7 @@
 #include "core/haptics/HapticLoop.h"
 
+#include "core/scene/Scene.h"
+
 #include <algorithm>
 #include <boost/lockfree/spsc_queue.hpp>
 

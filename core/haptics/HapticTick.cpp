@@ -3,6 +3,7 @@
 #include "core/haptics/SetpointApproach.h"
 #include "core/haptics/TickValidity.h"
 #include "core/probe/PlanarForce.h"
+#include "core/scene/Scene.h"
 
 #include <algorithm>
 #include <cmath>

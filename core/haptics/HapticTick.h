@@ -8,11 +8,12 @@
 #include "core/probe/StaleSignals.h"
 #include "core/probe/TipEquilibrium.h"
 #include "core/scene/AsperityValidity.h"
-#include "core/scene/Scene.h"
 #include "core/scene/TickInput.h"
 #include "core/scene/TickOutput.h"
 
 namespace asperity {
+
+struct Scene;
 
 /// All that one tick hands to the next, but a tracker, which changes nothing.
 struct TickMemory {

@@ -1,6 +1,7 @@
 #include "core/haptics/PlannedApproach.h"
 
 #include "core/contact/laws/ForceCurve.h"
+#include "core/scene/Scene.h"
 
 #include <cmath>
 

@@ -1,5 +1,6 @@
 #include "core/haptics/TickValidity.h"
 
+#include "core/scene/Scene.h"
 #include "core/scene/TipValidity.h"
 
 #include <cmath>

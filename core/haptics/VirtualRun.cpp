@@ -1,5 +1,7 @@
 #include "core/haptics/VirtualRun.h"
 
+#include "core/scene/Scene.h"
+
 namespace asperity {
 
 namespace {

@@ -4,6 +4,7 @@
 #include "core/FormattedText.h"
 #include "core/SiFormat.h"
 #include "core/map/MapDeviations.h"
+#include "core/scene/Scene.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,13 +2,14 @@
 
 #include "core/Vector.h"
 #include "core/map/MapQuantity.h"
-#include "core/scene/Scene.h"
 
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace asperity {
+
+struct Scene;
 
 /// A part of the scan, world frame [m].
 struct MapRegion {

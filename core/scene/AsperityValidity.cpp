@@ -2,6 +2,7 @@
 
 #include "core/contact/EffectiveRadius.h"
 #include "core/contact/laws/VanDerWaals.h"
+#include "core/scene/Scene.h"
 #include "core/surface/Curvature.h"
 #include "core/surface/TangentFrame.h"
 

@@ -1,11 +1,14 @@
 #pragma once
 
-#include "core/scene/Scene.h"
 #include "core/scene/Validity.h"
 
 #include <cstdint>
 
 namespace asperity {
+
+struct ProbeSystem;
+struct Scene;
+struct TipState;
 
 /// Returns where the topography under a tip is not what one effective radius makes of it. Nothing
 /// for exact shapes and models without the sample's curvature. No allocation, at most some 100

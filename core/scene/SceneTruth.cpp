@@ -1,6 +1,7 @@
 #include "core/scene/SceneTruth.h"
 
 #include "core/contact/laws/LawChoice.h"
+#include "core/scene/Scene.h"
 
 namespace asperity {
 

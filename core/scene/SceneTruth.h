@@ -1,9 +1,11 @@
 #pragma once
 
 #include "core/probe/SimulatedAfm.h"
-#include "core/scene/Scene.h"
 
 namespace asperity {
+
+struct Scene;
+struct SceneDescription;
 
 /// Tip, lever and sample as a description says that they truly are.
 /// @throw Error naming what the contact law or the lever refuses

@@ -3,6 +3,7 @@
 #include "core/contact/laws/LawChoice.h"
 #include "core/scene/AttractionValidity.h"
 #include "core/scene/ContactValidity.h"
+#include "core/scene/Scene.h"
 
 namespace asperity {
 

@@ -1,10 +1,12 @@
 #pragma once
 
 #include "core/scene/AsperityValidity.h"
-#include "core/scene/Scene.h"
 #include "core/scene/Validity.h"
 
 namespace asperity {
+
+struct SampleMaterial;
+struct Scene;
 
 /// What the state of a tip on the scan does not hold for, by itself: nothing that takes signals or
 /// an estimate. No allocation.

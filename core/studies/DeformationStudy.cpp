@@ -3,6 +3,7 @@
 #include "core/deformation/ContactPatch.h"
 #include "core/deformation/HalfSpaceModel.h"
 #include "core/fidelity/ModelRun.h"
+#include "core/scene/Scene.h"
 
 #include <algorithm>
 #include <chrono>

@@ -2,7 +2,6 @@
 
 #include "core/Progress.h"
 #include "core/deformation/HalfSpaceAnswer.h"
-#include "core/scene/Scene.h"
 #include "core/surface/deformation/SurfaceDeformation.h"
 
 #include <array>
@@ -11,6 +10,8 @@
 #include <vector>
 
 namespace asperity {
+
+struct Scene;
 
 inline constexpr std::array kDeformationModels{
     DeformationModel::FourPoint, DeformationModel::ContactRadius, DeformationModel::ClosedForm,

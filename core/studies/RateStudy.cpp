@@ -1,6 +1,7 @@
 #include "core/studies/RateStudy.h"
 
 #include "core/fidelity/ModelRun.h"
+#include "core/scene/Scene.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,11 +1,12 @@
 #pragma once
 
-#include "core/scene/Scene.h"
 #include "core/studies/TradeOffStudy.h"
 
 #include <vector>
 
 namespace asperity {
+
+struct Scene;
 
 /// The scene's approach at tick rates from 250 Hz to 8 kHz, each against twice the highest: what a
 /// force misses that is held from tick to tick.

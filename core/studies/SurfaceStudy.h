@@ -1,12 +1,13 @@
 #pragma once
 
 #include "core/probe/TipEquilibrium.h"
-#include "core/scene/Scene.h"
 #include "core/studies/TradeOffStudy.h"
 
 #include <span>
 
 namespace asperity {
+
+struct Scene;
 
 /// Draws contacts of a run with every frame option and compares each with a half-space of twice as
 /// many pixels a side, at those contacts where that holds. Where it holds at none, the closed form

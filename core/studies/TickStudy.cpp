@@ -2,6 +2,7 @@
 
 #include "core/contact/laws/LawChoice.h"
 #include "core/fidelity/ReferenceModels.h"
+#include "core/scene/Scene.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,6 @@
 #include "core/studies/TradeOffStudy.h"
 
+#include "core/scene/Scene.h"
 #include "core/studies/RateStudy.h"
 #include "core/studies/SurfaceStudy.h"
 #include "core/studies/TickStudy.h"

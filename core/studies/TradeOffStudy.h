@@ -2,7 +2,6 @@
 
 #include "core/Progress.h"
 #include "core/scene/ModelTerm.h"
-#include "core/scene/Scene.h"
 #include "core/studies/Pareto.h"
 #include "core/studies/TradeOffModels.h"
 
@@ -10,6 +9,8 @@
 #include <vector>
 
 namespace asperity {
+
+struct Scene;
 
 /// Cost of one model for the tick and its error against the reference on the same inputs.
 struct TickResult {

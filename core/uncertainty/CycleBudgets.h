@@ -1,12 +1,13 @@
 #pragma once
 
 #include "core/haptics/cycle/ContactCycle.h"
-#include "core/scene/Scene.h"
 #include "core/uncertainty/PlaceBudgets.h"
 
 #include <vector>
 
 namespace asperity {
+
+struct Scene;
 
 /// A reading of a cycle with what is open in it.
 struct CycleBudget {

@@ -1,6 +1,7 @@
 #include "core/uncertainty/PlaceBudgets.h"
 
 #include "core/scene/ScanSmoothing.h"
+#include "core/scene/Scene.h"
 #include "core/uncertainty/BudgetBuilder.h"
 #include "core/uncertainty/PlaceLaw.h"
 

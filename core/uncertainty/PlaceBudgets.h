@@ -1,12 +1,16 @@
 #pragma once
 
-#include "core/scene/Scene.h"
+#include "core/Vector.h"
 #include "core/uncertainty/Budget.h"
 #include "core/uncertainty/Landmarks.h"
 
 #include <array>
 
 namespace asperity {
+
+struct Scene;
+struct SceneDescription;
+struct TipState;
 
 /// Budgets in the order of Landmark; the value is NaN where there is no such landmark.
 using PlaceBudgets = std::array<Budget, kLandmarkCount>;

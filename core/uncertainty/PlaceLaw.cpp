@@ -1,6 +1,7 @@
 #include "core/uncertainty/PlaceLaw.h"
 
 #include "core/contact/EffectiveRadius.h"
+#include "core/scene/Scene.h"
 #include "core/surface/Curvature.h"
 
 #include <algorithm>

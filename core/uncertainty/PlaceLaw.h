@@ -1,10 +1,12 @@
 #pragma once
 
-#include "core/scene/Scene.h"
+#include "core/probe/TipEquilibrium.h"
 #include "core/uncertainty/Landmarks.h"
 #include "core/uncertainty/PlaceNumbers.h"
 
 namespace asperity {
+
+struct Scene;
 
 /// The contact law of one place as a function of what it depends on. The scene must outlive it.
 class PlaceLaw {

@@ -2,6 +2,7 @@
 
 #include "core/FormattedText.h"
 #include "core/SiFormat.h"
+#include "core/scene/Scene.h"
 
 #include <algorithm>
 

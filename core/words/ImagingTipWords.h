@@ -1,10 +1,10 @@
 #pragma once
 
-#include "core/scene/Scene.h"
-
 #include <string>
 
 namespace asperity {
+
+struct Scene;
 
 /// What holds for every scan: the contact of a tip with it counts the imaging tip a second time.
 inline constexpr const char* kScanHoldsItsTip =

@@ -4,6 +4,7 @@
 #include "core/SiFormat.h"
 #include "core/contact/maugis/MaugisTable.h"
 #include "core/scene/BelievedModel.h"
+#include "core/scene/Scene.h"
 
 #include <algorithm>
 #include <array>

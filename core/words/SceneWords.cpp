@@ -4,6 +4,7 @@
 #include "core/PrintableText.h"
 #include "core/SiFormat.h"
 #include "core/scene/SampleHardness.h"
+#include "core/scene/Scene.h"
 #include "core/words/ImagingTipWords.h"
 #include "core/words/LevelingWords.h"
 #include "core/words/ModelWords.h"

@@ -7,6 +7,9 @@
 
 namespace asperity {
 
+struct SampleDescription;
+struct SampleMaterial;
+
 /// What the sample is: its file and channel, or its shape.
 [[nodiscard]] std::string sampleName(const SampleDescription& sample);
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/scene/Scene.h"
+#include "core/scene/SceneDescription.h"
 #include "core/surface/HeightMap.h"
 
 #include <string>

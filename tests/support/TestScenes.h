@@ -1,7 +1,11 @@
 #pragma once
 
-#include "core/scene/Scene.h"
+#include "core/scene/SceneDescription.h"
 #include "core/surface/HeightMap.h"
+
+namespace asperity {
+struct Scene;
+}  // namespace asperity
 
 namespace asperity::test {
 

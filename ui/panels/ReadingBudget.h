@@ -1,6 +1,5 @@
 #pragma once
 
-#include "core/scene/Scene.h"
 #include "core/scene/TickOutput.h"
 #include "core/uncertainty/CycleBudgets.h"
 
@@ -9,6 +8,8 @@
 #include <vector>
 
 namespace asperity {
+
+struct Scene;
 
 /// Returns a force of the signals with what is open in it. @param scene null: the noise alone
 /// @param force, sigma [N]

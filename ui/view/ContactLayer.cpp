@@ -1,5 +1,6 @@
 #include "ui/view/ContactLayer.h"
 
+#include "core/scene/Scene.h"
 #include "ui/Theme.h"
 #include "ui/view/DrapedGrid.h"
 #include "vtkplugins/module/StripGrid.h"

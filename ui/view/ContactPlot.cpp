@@ -2,6 +2,7 @@
 
 #include "core/SiFormat.h"
 #include "core/deformation/SurfaceField.h"
+#include "core/scene/Scene.h"
 #include "ui/NumberText.h"
 #include "ui/Theme.h"
 #include "ui/view/ContactShape.h"

@@ -2,7 +2,6 @@
 
 #include "core/deformation/ContactSection.h"
 #include "core/haptics/Snapshot.h"
-#include "core/scene/Scene.h"
 #include "ui/view/SurfaceReading.h"
 
 #include <QPointF>
@@ -15,6 +14,8 @@
 class QPainter;
 
 namespace asperity {
+
+struct Scene;
 
 /// The section through the contact as a plot: the surface at rest and deformed, the tip's outline,
 /// the ends of the contact, the force, in a vertical plane through the tip. True to scale, or with

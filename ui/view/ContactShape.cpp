@@ -1,6 +1,7 @@
 #include "ui/view/ContactShape.h"
 
 #include "core/SmoothStep.h"
+#include "core/scene/Scene.h"
 #include "core/surface/deformation/DisplacementField.h"
 
 #include <Eigen/Geometry>

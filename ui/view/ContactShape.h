@@ -2,13 +2,14 @@
 
 #include "core/deformation/ContactDeformation.h"
 #include "core/deformation/ContactField.h"
-#include "core/scene/Scene.h"
 #include "core/surface/deformation/SurfaceDeformation.h"
 #include "vtkplugins/pictures/OverviewPicture.h"
 
 #include <vector>
 
 namespace asperity {
+
+struct Scene;
 
 /// The surface around the contact, as ContactDeformation has it for one tick of the model: sampled
 /// most finely at the contact, and at rest along the border of its rectangle, where it joins the

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "core/scene/Scene.h"
 #include "ui/view/ContactShape.h"
 #include "ui/view/DrawnSpace.h"
 
@@ -10,6 +9,8 @@ class vtkActor;
 class vtkRenderer;
 
 namespace asperity {
+
+struct Scene;
 
 /// Two lines along x and y that cross at a place of the surface and lie on it, deformed or not.
 class CrossHairLayer {

@@ -1,5 +1,6 @@
 #include "ui/view/HiddenContact.h"
 
+#include "core/scene/Scene.h"
 #include "ui/view/Shading.h"
 #include "vtkplugins/module/StripGrid.h"
 #include "vtkplugins/pictures/Palette.h"

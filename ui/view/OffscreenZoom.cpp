@@ -3,6 +3,7 @@
 #include "core/Error.h"
 #include "core/SiFormat.h"
 #include "core/deformation/HalfSpaceModel.h"
+#include "core/scene/Scene.h"
 #include "ui/Theme.h"
 #include "vtkplugins/pictures/ColorBar.h"
 #include "vtkplugins/pictures/OffscreenPicture.h"

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "core/haptics/VirtualRun.h"
-#include "core/scene/Scene.h"
 #include "ui/view/ShownView.h"
 #include "ui/view/ZoomPicture.h"
 #include "vtkplugins/pictures/DrawnWindow.h"
@@ -15,6 +14,8 @@
 class vtkRenderWindow;
 
 namespace asperity {
+
+struct Scene;
 
 /// How the large view is drawn into a file.
 struct OffscreenZoomLook {

@@ -1,5 +1,7 @@
 #include "ui/view/PatchColors.h"
 
+#include "core/scene/Scene.h"
+
 namespace asperity {
 
 PatchColors::PatchColors(const Scene& scene, const ContactShape& shape, const SurfaceColors& colors)

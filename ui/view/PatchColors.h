@@ -1,6 +1,5 @@
 #pragma once
 
-#include "core/scene/Scene.h"
 #include "ui/view/ContactShape.h"
 #include "ui/view/SurfaceColors.h"
 
@@ -8,6 +7,8 @@
 #include <vector>
 
 namespace asperity {
+
+struct Scene;
 
 /// The colors of the surface around the contact, at one tick: of its samples and of other places.
 class PatchColors {

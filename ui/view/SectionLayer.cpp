@@ -1,5 +1,6 @@
 #include "ui/view/SectionLayer.h"
 
+#include "core/scene/Scene.h"
 #include "ui/Theme.h"
 #include "ui/view/ViewFrame.h"
 #include "vtkplugins/module/StripGrid.h"

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "core/scene/Scene.h"
 #include "ui/view/ContactShape.h"
 #include "ui/view/Shading.h"
 
@@ -15,6 +14,8 @@ class vtkPolyData;
 class vtkRenderer;
 
 namespace asperity {
+
+struct Scene;
 
 /// What is cut.
 struct SectionStyle {

@@ -1,5 +1,6 @@
 #include "ui/view/SurfacePick.h"
 
+#include "core/scene/Scene.h"
 #include "ui/view/PatchColors.h"
 #include "ui/view/ViewFrame.h"
 

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "core/scene/Scene.h"
 #include "core/surface/SurfaceRay.h"
 #include "ui/view/ContactShape.h"
 #include "ui/view/DrawnSpace.h"
@@ -12,6 +11,8 @@
 class vtkRenderer;
 
 namespace asperity {
+
+struct Scene;
 
 /// The line of sight through a pixel from the lower left corner, from the eye, world frame.
 [[nodiscard]] SurfaceRay rayThrough(vtkRenderer& renderer, const Vector2& pixel,

@@ -1,5 +1,7 @@
 #include "ui/view/TipGear.h"
 
+#include "core/scene/Scene.h"
+
 #include <algorithm>
 
 namespace asperity {

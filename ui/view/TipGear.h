@@ -1,12 +1,13 @@
 #pragma once
 
-#include "core/scene/Scene.h"
 #include "ui/view/ContactShape.h"
 #include "ui/view/LeverLayer.h"
 #include "ui/view/Shading.h"
 #include "ui/view/TipLayer.h"
 
 namespace asperity {
+
+struct Scene;
 
 /// How large the tip is drawn.
 struct GearScale {

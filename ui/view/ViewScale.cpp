@@ -1,6 +1,7 @@
 #include "ui/view/ViewScale.h"
 
 #include "core/contact/laws/ForceCurve.h"
+#include "core/scene/Scene.h"
 
 #include <algorithm>
 #include <cmath>

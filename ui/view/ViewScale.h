@@ -1,8 +1,9 @@
 #pragma once
 
-#include "core/scene/Scene.h"
-
 namespace asperity {
+
+struct ContactPair;
+struct Scene;
 
 /// How large a scene is shown: as its tip, or as its contact where that is as wide as the tip.
 struct ViewScale {

@@ -1,5 +1,6 @@
 #include "ui/view/ZoomPicture.h"
 
+#include "core/scene/Scene.h"
 #include "ui/Theme.h"
 #include "ui/view/DrapedGrid.h"
 #include "ui/view/SurfacePick.h"

@@ -2,7 +2,6 @@
 
 #include "core/deformation/HalfSpaceAnswer.h"
 #include "core/haptics/VirtualRun.h"
-#include "core/scene/Scene.h"
 #include "ui/view/ContactLayer.h"
 #include "ui/view/CrossHairLayer.h"
 #include "ui/view/ForceLayer.h"
@@ -39,6 +38,8 @@ class vtkOpenGLRenderWindow;
 class vtkRenderer;
 
 namespace asperity {
+
+struct Scene;
 
 /// What the large view draws: the surface in a frame that goes with the tip; on it the deformed
 /// contact, the tip, the force, a guide and labels. It draws into a window's layers; when is the

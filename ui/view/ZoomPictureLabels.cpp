@@ -1,4 +1,5 @@
 // What is written over the large view.
+#include "core/scene/Scene.h"
 #include "ui/view/ViewNotes.h"
 #include "ui/view/ZoomPicture.h"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/scene/Scene.h"
+#include "core/Vector.h"
 #include "ui/panels/MessageLog.h"
 
 #include <QMainWindow>
@@ -26,16 +26,17 @@ class LoadingBar;
 class LoopStatusBar;
 class OverviewPanel;
 class RunPanel;
+struct Scene;
 class ScenePanel;
 class SecondView;
 class StateBanner;
 class SurfaceField;
+struct SurfaceLook;
 class ViewSide;
-class WorkInBackground;
 class WindowLayout;
 class WindowMenus;
+class WorkInBackground;
 class ZoomView;
-struct SurfaceLook;
 
 /// All panels of the live window, placed by a WindowLayout, with the menus above and the loop's
 /// timing below them. Opens in the middle of the screen, no larger than it.

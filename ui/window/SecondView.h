@@ -4,7 +4,6 @@
 #include "core/deformation/HalfSpaceAnswer.h"
 #include "core/deformation/SurfaceField.h"
 #include "core/haptics/Snapshot.h"
-#include "core/scene/Scene.h"
 #include "ui/SurfaceLook.h"
 #include "ui/view/SurfaceReading.h"
 #include "ui/view/ViewOptions.h"
@@ -22,6 +21,7 @@ namespace asperity {
 
 class ContactPlot;
 class NumberBox;
+struct Scene;
 class ViewBars;
 class ViewOptionsMenu;
 class ZoomView;

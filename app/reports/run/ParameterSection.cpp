@@ -3,6 +3,7 @@
 #include "app/reports/run/ParameterSource.h"
 #include "core/SiFormat.h"
 #include "core/scene/SampleHardness.h"
+#include "core/scene/Scene.h"
 #include "core/scene/SceneFields.h"
 #include "core/words/FieldWords.h"
 #include "core/words/SceneWords.h"

@@ -1,5 +1,6 @@
 #include "app/reports/run/UncertaintySection.h"
 
+#include "core/scene/Scene.h"
 #include "core/uncertainty/CycleBudgets.h"
 #include "core/words/BudgetWords.h"
 

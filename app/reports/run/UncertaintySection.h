@@ -2,11 +2,12 @@
 
 #include "app/reports/page/ReportPage.h"
 #include "core/haptics/cycle/ContactCycle.h"
-#include "core/scene/Scene.h"
 
 #include <vector>
 
 namespace asperity {
+
+struct Scene;
 
 /// What model and calibration leave open in the readings of the touches, and by which input most;
 /// nothing where the scene has it off or nothing touched.

@@ -1,6 +1,7 @@
 #include "core/haptics/coupling/CouplingKeeper.h"
 
 #include "core/haptics/mapping/WorkspaceMapping.h"
+#include "core/scene/Scene.h"
 
 #include <cmath>
 #include <utility>

@@ -2,11 +2,12 @@
 
 #include "core/Error.h"
 #include "core/haptics/coupling/CoupledDevice.h"
-#include "core/scene/Scene.h"
 
 #include <optional>
 
 namespace asperity {
+
+struct Scene;
 
 /// A device cannot be held as it was asked for.
 struct CouplingRefused : Error {

@@ -1,6 +1,7 @@
 #include "core/studies/extremes/BenchHold.h"
 
 #include "core/haptics/HapticTick.h"
+#include "core/scene/Scene.h"
 #include "core/scene/SceneTruth.h"
 
 #include <algorithm>

@@ -2,12 +2,13 @@
 
 #include "core/ShareOut.h"
 #include "core/haptics/bench/VirtualBench.h"
-#include "core/scene/Scene.h"
 #include "core/studies/extremes/HoldOutcome.h"
 
 #include <optional>
 
 namespace asperity {
+
+struct Scene;
 
 inline constexpr double kStillWithin = 0.05e-3;  ///< [m] to and fro: less is not felt
 

@@ -2,6 +2,7 @@
 
 #include "core/FormattedText.h"
 #include "core/Units.h"
+#include "core/scene/Scene.h"
 #include "core/studies/extremes/BenchHold.h"
 #include "core/studies/extremes/TickExtremes.h"
 #include "core/surface/synthetic/SyntheticSurface.h"

@@ -5,6 +5,7 @@
 #include "core/contact/maugis/MaugisUnits.h"
 #include "core/haptics/HapticTick.h"
 #include "core/haptics/VirtualRun.h"
+#include "core/scene/Scene.h"
 #include "core/scene/SceneTruth.h"
 #include "core/surface/synthetic/SyntheticSurface.h"
 

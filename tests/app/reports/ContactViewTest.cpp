@@ -2,6 +2,7 @@
 
 #include "core/haptics/DevicePath.h"
 #include "core/haptics/RunEvents.h"
+#include "core/scene/Scene.h"
 #include "core/scene/SceneTruth.h"
 #include "tests/support/TestScenes.h"
 

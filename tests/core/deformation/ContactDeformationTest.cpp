@@ -3,6 +3,7 @@
 #include "core/Units.h"
 #include "core/deformation/ContactPatch.h"
 #include "core/deformation/RimRounding.h"
+#include "core/scene/Scene.h"
 #include "tests/support/TestScenes.h"
 
 #include <gtest/gtest.h>

@@ -3,6 +3,7 @@
 #include "core/Units.h"
 #include "core/contact/displacement/SurfaceDisplacement.h"
 #include "core/deformation/HalfSpaceModel.h"
+#include "core/scene/Scene.h"
 #include "tests/support/TestScenes.h"
 
 #include <gtest/gtest.h>

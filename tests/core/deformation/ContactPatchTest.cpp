@@ -2,6 +2,7 @@
 
 #include "core/Units.h"
 #include "core/contact/Material.h"
+#include "core/scene/Scene.h"
 #include "tests/support/ReferenceTable.h"
 #include "tests/support/TestScenes.h"
 

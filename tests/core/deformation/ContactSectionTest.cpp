@@ -2,6 +2,7 @@
 
 #include "core/Units.h"
 #include "core/contact/displacement/SurfaceDisplacement.h"
+#include "core/scene/Scene.h"
 #include "tests/support/TestScenes.h"
 
 #include <gtest/gtest.h>

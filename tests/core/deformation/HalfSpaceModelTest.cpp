@@ -6,6 +6,7 @@
 #include "core/deformation/ContactPatch.h"
 #include "core/deformation/HalfSpaceField.h"
 #include "core/deformation/HalfSpaceProblem.h"
+#include "core/scene/Scene.h"
 #include "core/surface/TangentFrame.h"
 #include "tests/support/TestScenes.h"
 

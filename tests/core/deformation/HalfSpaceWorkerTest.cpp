@@ -1,6 +1,7 @@
 #include "core/deformation/HalfSpaceWorker.h"
 
 #include "core/Units.h"
+#include "core/scene/Scene.h"
 #include "tests/support/TestScenes.h"
 
 #include <gtest/gtest.h>

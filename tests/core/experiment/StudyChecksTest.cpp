@@ -1,6 +1,7 @@
 #include "core/experiment/StudyChecks.h"
 
 #include "core/Units.h"
+#include "core/scene/Scene.h"
 #include "tests/core/experiment/SmallStudy.h"
 
 #include <gtest/gtest.h>

@@ -3,6 +3,7 @@
 #include "core/Units.h"
 #include "core/scene/BelievedModel.h"
 #include "core/scene/ModelTerm.h"
+#include "core/scene/Scene.h"
 #include "tests/support/TestScenes.h"
 
 #include <gtest/gtest.h>

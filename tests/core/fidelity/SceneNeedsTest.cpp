@@ -4,6 +4,7 @@
 #include "core/fidelity/ModelRun.h"
 #include "core/fidelity/SampledCycle.h"
 #include "core/haptics/DevicePath.h"
+#include "core/scene/Scene.h"
 #include "core/words/ModelWords.h"
 #include "tests/support/CanceledAfter.h"
 #include "tests/support/TestScenes.h"

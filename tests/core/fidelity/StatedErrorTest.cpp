@@ -1,4 +1,5 @@
 #include "core/fidelity/SceneNeeds.h"
+#include "core/scene/Scene.h"
 #include "tests/core/fidelity/StatedErrors.h"
 
 #include <gtest/gtest.h>

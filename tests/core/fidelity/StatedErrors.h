@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/fidelity/SceneNeeds.h"
+#include "core/scene/SceneDescription.h"
 
 #include <string>
 #include <vector>

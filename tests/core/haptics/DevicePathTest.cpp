@@ -1,6 +1,7 @@
 #include "core/haptics/DevicePath.h"
 
 #include "core/Units.h"
+#include "core/scene/Scene.h"
 #include "core/surface/deformation/ContactHeight.h"
 #include "tests/support/TestScenes.h"
 

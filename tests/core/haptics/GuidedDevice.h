@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/haptics/HapticTick.h"
+#include "core/scene/Scene.h"
 #include "core/scene/SceneTruth.h"
 
 #include <cstdint>

@@ -3,6 +3,7 @@
 #include "core/Units.h"
 #include "core/haptics/ScriptedDevice.h"
 #include "core/haptics/device/PointerDevice.h"
+#include "core/scene/Scene.h"
 #include "core/scene/SceneTruth.h"
 #include "tests/support/TestScenes.h"
 

@@ -1,5 +1,6 @@
 #include "core/haptics/DevicePath.h"
 #include "core/haptics/HapticTick.h"
+#include "core/scene/Scene.h"
 #include "tests/support/ScaledScenes.h"
 
 #include <gtest/gtest.h>

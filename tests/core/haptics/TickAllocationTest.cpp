@@ -4,6 +4,7 @@
 #include "core/haptics/HapticTick.h"
 #include "core/haptics/ScriptedDevice.h"
 #include "core/haptics/VirtualRun.h"
+#include "core/scene/Scene.h"
 #include "core/scene/SceneTruth.h"
 #include "tests/support/AllocationCounter.h"
 #include "tests/support/TestScenes.h"

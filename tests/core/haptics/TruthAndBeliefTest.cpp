@@ -1,5 +1,6 @@
 #include "core/Units.h"
 #include "core/haptics/VirtualRun.h"
+#include "core/scene/Scene.h"
 #include "core/scene/SceneTruth.h"
 #include "tests/support/TestScenes.h"
 

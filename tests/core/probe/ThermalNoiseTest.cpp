@@ -3,6 +3,7 @@
 #include "core/Error.h"
 #include "core/Units.h"
 #include "core/probe/CantileverModes.h"
+#include "core/scene/Scene.h"
 #include "core/scene/SceneTruth.h"
 #include "tests/core/probe/ReferenceLever.h"
 #include "tests/support/AllocationCounter.h"

@@ -1,6 +1,7 @@
 #include "core/probe/TipEquilibrium.h"
 
 #include "core/Units.h"
+#include "core/scene/Scene.h"
 #include "core/scene/SceneTruth.h"
 #include "tests/support/StorageError.h"
 #include "tests/support/TestScenes.h"

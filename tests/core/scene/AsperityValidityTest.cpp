@@ -3,6 +3,7 @@
 #include "core/Units.h"
 #include "core/contact/laws/VanDerWaals.h"
 #include "core/probe/TipEquilibrium.h"
+#include "core/scene/Scene.h"
 #include "tests/support/TestScenes.h"
 
 #include <gtest/gtest.h>

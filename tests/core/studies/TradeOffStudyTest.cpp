@@ -2,6 +2,7 @@
 
 #include "core/Units.h"
 #include "core/scene/BelievedModel.h"
+#include "core/scene/Scene.h"
 #include "core/studies/Composition.h"
 #include "tests/support/TestScenes.h"
 

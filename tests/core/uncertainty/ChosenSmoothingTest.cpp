@@ -1,4 +1,5 @@
 #include "core/Random.h"
+#include "core/scene/Scene.h"
 #include "core/uncertainty/PlaceBudgets.h"
 #include "tests/support/TestScenes.h"
 

@@ -1,5 +1,6 @@
 #include "core/uncertainty/PlaceBudgets.h"
 
+#include "core/scene/Scene.h"
 #include "tests/support/TestScenes.h"
 
 #include <gtest/gtest.h>

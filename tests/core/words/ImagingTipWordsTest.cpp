@@ -1,6 +1,7 @@
 #include "core/words/ImagingTipWords.h"
 
 #include "core/Units.h"
+#include "core/scene/Scene.h"
 #include "core/surface/imaging/TipErosion.h"
 #include "tests/support/TestScenes.h"
 

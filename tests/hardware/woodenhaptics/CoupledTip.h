@@ -2,6 +2,7 @@
 
 #include "core/haptics/HapticLoop.h"
 #include "core/probe/SimulatedAfm.h"
+#include "core/scene/Scene.h"
 
 namespace asperity::test {
 

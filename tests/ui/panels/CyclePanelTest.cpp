@@ -1,5 +1,6 @@
 #include "ui/panels/CyclePanel.h"
 
+#include "core/scene/Scene.h"
 #include "tests/core/haptics/cycle/SpringContact.h"
 #include "tests/support/TestScenes.h"
 #include "tests/ui/MouseEvents.h"

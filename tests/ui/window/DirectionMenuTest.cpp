@@ -1,5 +1,6 @@
 #include "ui/window/DirectionMenu.h"
 
+#include "core/scene/Scene.h"
 #include "tests/support/TestScenes.h"
 #include "ui/panels/NumberBox.h"
 #include "ui/view/ZoomView.h"

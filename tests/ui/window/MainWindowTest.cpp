@@ -1,5 +1,6 @@
 #include "ui/window/MainWindow.h"
 
+#include "core/scene/Scene.h"
 #include "tests/support/TestScenes.h"
 #include "tests/support/Waits.h"
 #include "ui/panels/Card.h"

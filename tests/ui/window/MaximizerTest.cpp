@@ -1,5 +1,6 @@
 #include "ui/window/Maximizer.h"
 
+#include "core/scene/Scene.h"
 #include "tests/support/ShortDoubleClicks.h"
 #include "tests/support/TestScenes.h"
 #include "tests/support/Waits.h"

@@ -1,6 +1,7 @@
 #include "core/Units.h"
 #include "core/haptics/DevicePath.h"
 #include "core/haptics/RunEvents.h"
+#include "core/scene/Scene.h"
 #include "core/scene/SceneTruth.h"
 #include "tests/support/PictureBaseline.h"
 #include "tests/support/TestScenes.h"

@@ -1,5 +1,6 @@
 #include "ui/window/ThemeMenu.h"
 
+#include "core/scene/Scene.h"
 #include "tests/support/ScratchFolder.h"
 #include "tests/support/TestScenes.h"
 #include "tests/ui/window/SettledWindow.h"

@@ -2,12 +2,13 @@
 
 #include "core/Vector.h"
 #include "core/probe/TipEquilibrium.h"
-#include "core/scene/Scene.h"
 #include "core/surface/deformation/SurfaceDeformation.h"
 
 #include <optional>
 
 namespace asperity {
+
+struct Scene;
 
 /// Where the tip touches a scene; empty: decided by contactAt(). World frame.
 struct ContactRequest {

@@ -3,6 +3,7 @@
 #include "core/Units.h"
 #include "core/haptics/coupling/CouplingDesign.h"
 #include "core/io/scene/SceneFile.h"
+#include "core/scene/Scene.h"
 #include "core/scene/SceneTruth.h"
 #include "tests/core/haptics/TestDevice.h"
 #include "tests/support/Places.h"

@@ -2,6 +2,7 @@
 
 #include "core/haptics/HapticTick.h"
 #include "core/haptics/bench/VirtualBench.h"
+#include "core/surface/HeightMap.h"
 
 #include <functional>
 #include <string>

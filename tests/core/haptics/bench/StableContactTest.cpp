@@ -1,6 +1,7 @@
 #include "core/Error.h"
 #include "core/Units.h"
 #include "core/haptics/coupling/CouplingDesign.h"
+#include "core/scene/Scene.h"
 #include "tests/core/haptics/bench/HeldTip.h"
 #include "tests/support/TestScenes.h"
 

@@ -1,4 +1,5 @@
 #include "core/haptics/coupling/CouplingDesign.h"
+#include "core/scene/Scene.h"
 #include "tests/core/haptics/TestDevice.h"
 #include "tests/core/haptics/bench/HeldTip.h"
 #include "tests/support/TestScenes.h"

@@ -1,6 +1,7 @@
 #include "core/Units.h"
 #include "core/haptics/coupling/CouplingDesign.h"
 #include "core/haptics/coupling/PassivityObserver.h"
+#include "core/scene/Scene.h"
 #include "tests/core/haptics/TestDevice.h"
 #include "tests/core/haptics/bench/HeldTip.h"
 #include "tests/support/TestScenes.h"

@@ -2,6 +2,7 @@
 
 #include "core/Units.h"
 #include "core/scene/BelievedModel.h"
+#include "core/scene/Scene.h"
 #include "core/words/ScaleWords.h"
 #include "tests/core/haptics/TestDevice.h"
 #include "tests/support/TestScenes.h"

@@ -4,6 +4,7 @@
 #include "core/haptics/cycle/CycleDetector.h"
 #include "core/io/scene/SceneFile.h"
 #include "core/scene/BelievedModel.h"
+#include "core/scene/Scene.h"
 #include "core/scene/SceneTruth.h"
 #include "tests/support/Places.h"
 #include "tests/support/TestScenes.h"

@@ -3,6 +3,7 @@
 #include "core/haptics/VirtualRun.h"
 #include "core/haptics/bench/VirtualBench.h"
 #include "core/probe/SimulatedAfm.h"
+#include "core/scene/Scene.h"
 
 #include <functional>
 #include <vector>
