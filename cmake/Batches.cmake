@@ -4,7 +4,8 @@
 # cache finds it. docs/adr/0009-batches.md
 
 # asperity_batches(TARGET): at the end of the folder's CMakeLists.txt, which may give sources options of their
-# own until then.
+# own until then. That a source is not compiled by itself holds for its whole folder: a target with one source
+# has a batch, too, so that two targets may share it.
 function(asperity_batches target)
   if(ASPERITY_BATCH GREATER 1)
     cmake_language(EVAL CODE "cmake_language(DEFER CALL asperity_batch_sources ${target})")
@@ -13,8 +14,7 @@ endfunction()
 
 # Sources with compile options of their own share batches with those of the same options. Sources with
 # definitions of their own and what the build writes (it changes at each commit) stay apart, but not what
-# Qt's moc writes. No other property of a source reaches its batch: it is refused. So is a source of two targets
-# of one folder: that it is not compiled by itself holds for the whole folder.
+# Qt's moc writes. No other property of a source reaches its batch: it is refused.
 function(asperity_batch_sources target)
   get_target_property(sources ${target} SOURCES)
   get_target_property(folder ${target} SOURCE_DIR)
@@ -25,11 +25,6 @@ function(asperity_batch_sources target)
     endif()
     cmake_path(ABSOLUTE_PATH source BASE_DIRECTORY ${folder} NORMALIZE OUTPUT_VARIABLE file)
     cmake_path(IS_PREFIX CMAKE_BINARY_DIR ${file} is_made)
-    get_property(taken DIRECTORY PROPERTY asperity_sources)
-    if(file IN_LIST taken)
-      message(FATAL_ERROR "${file}: of ${target} and of another target of its folder. Make it a library.")
-    endif()
-    set_property(DIRECTORY APPEND PROPERTY asperity_sources ${file})
     get_source_file_property(definitions ${file} TARGET_DIRECTORY ${target} COMPILE_DEFINITIONS)
     if(is_made OR definitions)
       continue()
@@ -66,7 +61,7 @@ function(asperity_write_batches target options before after)
   set(${after} ${before} PARENT_SCOPE)
   set(batched ${ARGN})
   list(LENGTH batched count)
-  if(count LESS 2)
+  if(count EQUAL 0)
     return()
   endif()
   get_target_property(size ${target} ASPERITY_BATCH)
