@@ -8,14 +8,37 @@ namespace asperity {
 
 namespace {
 
-constexpr double kNoiseMargin = 6.0;  // setpoint over the deviation of the mean
+constexpr double kNoiseMargin = 12.0;  // setpoint over the deviation of the descent's line
+constexpr double kRestMargin = 100.0;  // and over that of a mean at rest: k is known to a tenth
+constexpr double kHalf = 0.5;          // of the setpoint: from there on the force's rise is taken
+constexpr int kMoves = 3;              // each leaves a tenth or so of what was missing
+constexpr double kJump = 2.0;  // rise over the fastest that the lever allows; on flanks it is less
 
-/// Ticks over which the mean must go; one where there is no noise.
+std::size_t ticks(double count) {
+    return static_cast<std::size_t>(
+        std::clamp(std::ceil(count), 1.0, static_cast<double>(RecentMean::kMaxLength)));
+}
+
+/// Ticks of a mean at rest; one where there is no noise.
 std::size_t meanLength(double deviation, double setpoint) {
-    const double ratio = kNoiseMargin * deviation / setpoint;
-    const double ticks =
-        std::clamp(std::ceil(ratio * ratio), 1.0, static_cast<double>(RecentMean::kMaxLength));
-    return static_cast<std::size_t>(ticks);
+    const double ratio = kRestMargin * deviation / setpoint;
+    return ticks(ratio * ratio);
+}
+
+/// Variance of RecentMean::lineEnd() over that of a value.
+double lineVariance(double length) {
+    return 2.0 * (2.0 * length - 1.0) / (length * (length + 1.0));
+}
+
+/// Ticks over which the line must go; one where there is no noise.
+std::size_t lineLength(double deviation, double setpoint) {
+    const double allowed = setpoint / kNoiseMargin;
+    std::size_t length = 1;
+    while (length < RecentMean::kMaxLength &&
+           lineVariance(static_cast<double>(length)) * deviation * deviation > allowed * allowed) {
+        ++length;
+    }
+    return length;
 }
 
 }  // namespace
@@ -30,6 +53,10 @@ void RunningMoments::add(double value) noexcept {
 
 double RunningMoments::deviation() const noexcept {
     return count_ < 2 ? 0.0 : std::sqrt(squares_ / static_cast<double>(count_ - 1));
+}
+
+double RunningMoments::meanDeviation() const noexcept {
+    return count_ < 2 ? 0.0 : deviation() / std::sqrt(static_cast<double>(count_));
 }
 
 RecentMean::RecentMean(std::size_t length) noexcept
@@ -50,6 +77,17 @@ double RecentMean::mean() const noexcept {
     return filled == 0 ? 0.0 : sum / static_cast<double>(filled);
 }
 
+// Weights of a least-squares line through equidistant values, at the last one.
+double RecentMean::lineEnd() const noexcept {
+    const auto length = static_cast<double>(length_);
+    double sum = 0.0;
+    for (std::size_t i = 0; i < length_; ++i) {
+        const auto order = static_cast<double>(i + 1);  // the oldest first
+        sum += (3.0 * order - length - 1.0) * values_.at((count_ + i) % length_);
+    }
+    return 2.0 * sum / (length * (length + 1.0));
+}
+
 Vector3 SetpointApproach::advance(double timeStep, double force, bool hasEquilibrium) noexcept {
     if (!std::exchange(started_, true)) {
         return start_;
@@ -68,6 +106,9 @@ Vector3 SetpointApproach::advance(double timeStep, double force, bool hasEquilib
     case ApproachPhase::Descent:
         descend(timeStep, force);
         break;
+    case ApproachPhase::Settling:
+        settle(timeStep, force);
+        break;
     case ApproachPhase::Dwell:
         recent_.add(force);
         if (inPhase_ >= plan_.dwell) {
@@ -84,7 +125,8 @@ Vector3 SetpointApproach::advance(double timeStep, double force, bool hasEquilib
 }
 
 double SetpointApproach::measuredDeviation() const noexcept {
-    return free_.deviation() / std::sqrt(static_cast<double>(recent_.length()));
+    const double ofMean = free_.deviation() / std::sqrt(static_cast<double>(recent_.length()));
+    return std::hypot(ofMean, free_.meanDeviation());
 }
 
 void SetpointApproach::enter(ApproachPhase phase) noexcept {
@@ -93,7 +135,7 @@ void SetpointApproach::enter(ApproachPhase phase) noexcept {
 }
 
 void SetpointApproach::beginDescent() noexcept {
-    recent_ = RecentMean(meanLength(free_.deviation(), plan_.setpoint));
+    recent_ = RecentMean(lineLength(free_.deviation(), plan_.setpoint));
     enter(ApproachPhase::Descent);
 }
 
@@ -103,16 +145,73 @@ void SetpointApproach::descend(double timeStep, double force) noexcept {
         return;
     }
     recent_.add(force);
-    if (recent_.isFull() && recent_.mean() - free_.mean() >= plan_.setpoint) {
-        engaged_ = true;
-        recent_ = RecentMean(recent_.length());
-        enter(ApproachPhase::Dwell);
-        return;
+    if (recent_.isFull()) {
+        const double reached = recent_.lineEnd() - free_.mean();
+        if (reached >= plan_.setpoint) {
+            beginSettling();
+            return;
+        }
+        if (reached < kHalf * plan_.setpoint) {
+            halfDepth_ = depth_;
+        }
     }
     depth_ = std::min(depth_ + timeStep * plan_.speed, plan_.maxDescent);
     if (depth_ >= plan_.maxDescent) {
         enter(ApproachPhase::Retract);
     }
+}
+
+void SetpointApproach::beginSettling() noexcept {
+    recent_ = RecentMean(meanLength(free_.deviation(), plan_.setpoint));
+    goal_ = depth_;
+    moves_ = 0;
+    enter(ApproachPhase::Settling);
+}
+
+void SetpointApproach::settle(double timeStep, double force) noexcept {
+    if (!std::isfinite(force) || isBlocked()) {
+        enter(ApproachPhase::Retract);
+        return;
+    }
+    if (depth_ != goal_) {
+        const double step = timeStep * plan_.speed;
+        depth_ = std::clamp(goal_, depth_ - step, depth_ + step);
+        return;
+    }
+    recent_.add(force);
+    if (!recent_.isFull() || (moves_ == 0 && !takeSlope())) {
+        return;
+    }
+    if (moves_ == kMoves) {
+        dwell();
+        return;
+    }
+    const double missing = plan_.setpoint - measuredForce();
+    goal_ = std::clamp(depth_ + missing / slope_, halfDepth_, plan_.maxDescent);
+    ++moves_;
+    recent_ = RecentMean(recent_.length());
+}
+
+bool SetpointApproach::takeSlope() noexcept {
+    const double rise = measuredForce() - kHalf * plan_.setpoint;
+    const double way = depth_ - halfDepth_;
+    if (!(rise > 0.0)) {  // it was noise
+        halfDepth_ = depth_;
+        beginDescent();
+        return false;
+    }
+    if (measuredForce() > plan_.setpoint && rise > kJump * plan_.stiffness * way) {
+        dwell();
+        return false;
+    }
+    slope_ = rise < plan_.stiffness * way ? rise / way : plan_.stiffness;
+    return true;
+}
+
+void SetpointApproach::dwell() noexcept {
+    engaged_ = true;
+    recent_ = RecentMean(recent_.length());
+    enter(ApproachPhase::Dwell);
 }
 
 void SetpointApproach::retract(double timeStep) noexcept {

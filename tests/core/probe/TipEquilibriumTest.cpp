@@ -111,6 +111,38 @@ TEST(TipEquilibrium, AHillIsMetWithItsEffectiveRadius) {
     expectBalanced(scene, base, state);
 }
 
+/// Where the lever bends to the side the contact point moves with the force, and with it the
+/// effective radius: in the last tick of a pull-off the bond broke at one place and held at the
+/// other, and no equilibrium was found, although the free tip has one.
+TEST(TipEquilibrium, IsFoundInEveryTickOfAPullOff) {
+    SceneDescription description = test::plainScene();
+    description.tip.radius = 30.0_nm;
+    const Scene scene = buildScene(description, test::hillyMap());
+    int jumps = 0;
+    for (int place = 0; place < 40; ++place) {
+        const double x = 45.0_nm + 1.7_nm * (place % 8);
+        const double y = 46.0_nm + 3.1_nm * (place / 8);
+        EquilibriumMemory memory;
+        bool wasBonded = false;
+        for (int step = 0; step < 600; ++step) {
+            const double z = 3.0_nm + 0.02_nm * step;
+            const BaseMotion base{.position = {x, y, step == 0 ? -6.0_nm : z},
+                                  .velocity = {0.0, 0.0, 20.0_nm}};
+            const TipState state = tipEquilibrium(scene.surface, scene.belief, base, memory);
+            ASSERT_TRUE(state.converged) << "at " << x << ", " << y << ", " << z;
+            const bool isBonded = state.contact.branch == ContactBranch::Bonded;
+            if (wasBonded && !isBonded) {
+                ++jumps;
+                EXPECT_TRUE(state.contact.jumped);
+                EXPECT_GT(state.contact.energyLost, 0.0);
+            }
+            wasBonded = isBonded;
+        }
+        EXPECT_FALSE(wasBonded);
+    }
+    EXPECT_EQ(jumps, 40);
+}
+
 TEST(TipEquilibrium, AnExactSphereTakesAHillAsFlatAndSaysSo) {
     for (const bool onHill : {true, false}) {
         SceneDescription description = test::plainScene();
