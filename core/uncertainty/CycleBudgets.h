@@ -4,6 +4,8 @@
 #include "core/scene/Scene.h"
 #include "core/uncertainty/PlaceBudgets.h"
 
+#include <optional>
+#include <string_view>
 #include <vector>
 
 namespace asperity {
@@ -23,5 +25,9 @@ struct CycleBudget {
 /// The same by budgets of the cycle's place that are known already.
 [[nodiscard]] std::vector<CycleBudget> cycleBudgets(const PlaceBudgets& budgets,
                                                     const ContactCycle& cycle);
+
+/// Returns the budget of a reading; none: it has none. @param key of the reading
+[[nodiscard]] std::optional<Budget> budgetNamed(const std::vector<CycleBudget>& budgets,
+                                                std::string_view key);
 
 }  // namespace asperity
