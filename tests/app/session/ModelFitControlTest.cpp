@@ -30,8 +30,8 @@ class ModelFitControlTest : public ControlFixture {
 protected:
     void SetUp() override { recordings.setFolder(folder.path() / "recordings"); }
     /// A flat sample, on which there is nothing to search.
-    void usePending() {
-        const Scene scene = buildScene(plainScene(), flatMap());
+    void usePending(const SceneDescription& description = plainScene()) {
+        const Scene scene = buildScene(description, flatMap());
         runs.use({.scene = scene,
                   .format = "made for the test",
                   .sha256 = "",
@@ -109,6 +109,35 @@ TEST_F(ModelFitControlTest, ARecordingHasOneModel) {
     EXPECT_TRUE(staysPending());
     recordings.finish();
     EXPECT_TRUE(fitEnds());
+}
+
+/// The terms were judged on curves to the setpoint: at a hundred times the force the contact is
+/// wider, and another law holds.
+TEST_F(ModelFitControlTest, AnotherSetpointChoosesTheTermsAnew) {
+    SceneDescription description = plainScene();
+    description.setpoint = 1e-9;
+    usePending(description);
+    ASSERT_TRUE(fitEnds());
+    const ForceModelOptions before = run().scene().model;
+    SceneDescription pressed = run().scene().description;
+    pressed.setpoint = 100e-9;
+    edits.change("Setpoint", pressed, "setpoint_n");
+    const auto isJudged = [this] {
+        fits.advance();
+        return run().loaded().needs.setpoint == 100e-9;
+    };
+    ASSERT_TRUE(eventually(isJudged, 20000));
+    Scene same = run().scene();
+    const SceneNeeds needs = fitModel(same);
+    EXPECT_EQ(run().scene().model, needs.model);
+    EXPECT_NE(run().scene().model, before);
+    EXPECT_TRUE(run().loop().running());
+    edits.undo();
+    EXPECT_TRUE(eventually([this] {
+        fits.advance();
+        return run().loaded().needs.setpoint == 1e-9;
+    }));
+    EXPECT_EQ(run().scene().model, before);
 }
 
 /// The black box would begin anew, and nothing come of the wish.

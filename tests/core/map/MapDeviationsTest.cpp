@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace asperity {
 namespace {
@@ -47,6 +48,25 @@ TEST(MapDeviations, AreThoseOfTheBudgetAtThePixelAndChangeNothingElse) {
         EXPECT_NEAR(deviation[i], ofLaw.model(), 0.1 * ofLaw.model()) << "of the tip pressed there";
         EXPECT_GT(deviation[i], 0.1 * adhesion[i])
             << "radius and adhesion are known to a tenth each";
+    }
+}
+
+/// The budget is of one contact: none is better than that of the one that happens to be first.
+TEST(MapDeviations, AreUnknownWhereSeveralContactsCarry) {
+    const Scene scene = buildScene(test::plainScene(), test::ridgedMap(25e-9));
+    const MapInstrument instrument(scene, false);
+    // Crest at 15 nm, groove at 45 nm: both walls of it carry.
+    const MapPlan plan = planMap(
+        scene, {.grid = kGrid, .region = MapRegion{0.0, 50e-9, 90e-9, 90e-9}, .deviations = true});
+    const std::vector<double> row = mapRow(instrument, plan, 0);
+    for (const auto& [quantity, deviation] :
+         {std::pair(MapQuantity::AdhesionForce, MapQuantity::AdhesionForceDeviation),
+          std::pair(MapQuantity::Stiffness, MapQuantity::StiffnessDeviation)}) {
+        const std::vector<double> values = channelOf(plan, row, quantity);
+        const std::vector<double> deviations = channelOf(plan, row, deviation);
+        EXPECT_GT(deviations[0], 0.0) << "one contact on the crest";
+        EXPECT_TRUE(std::isfinite(values[1])) << "the quantity is there";
+        EXPECT_TRUE(std::isnan(deviations[1])) << "two contacts in the groove";
     }
 }
 
