@@ -8,10 +8,11 @@ namespace asperity {
 
 namespace {
 
-constexpr double kNoiseMargin = 12.0;  // setpoint over the deviation of the descent's line
-constexpr double kRestMargin = 100.0;  // and over that of a mean at rest: k is known to a tenth
-constexpr double kHalf = 0.5;          // of the setpoint: from there on the force's rise is taken
-constexpr int kMoves = 3;              // each leaves a tenth or so of what was missing
+constexpr double kNoiseMargin = 12.0;   // setpoint over the deviation of the descent's line
+constexpr double kRestMargin = 100.0;   // and over that of a mean at rest: k is known to a tenth
+constexpr double kHalf = 0.5;           // of the setpoint: from there on the force's rise is taken
+constexpr int kMoves = 4;               // each leaves a quarter or so of what was missing
+constexpr double kSettlingShare = 0.5;  // of the dwell
 constexpr double kJump = 2.0;  // rise over the fastest that the lever allows; on flanks it is less
 
 std::size_t ticks(double count) {
@@ -136,6 +137,7 @@ void SetpointApproach::enter(ApproachPhase phase) noexcept {
 
 void SetpointApproach::beginDescent() noexcept {
     recent_ = RecentMean(lineLength(free_.deviation(), plan_.setpoint));
+    firstAbove_.reset();
     enter(ApproachPhase::Descent);
 }
 
@@ -148,11 +150,13 @@ void SetpointApproach::descend(double timeStep, double force) noexcept {
     if (recent_.isFull()) {
         const double reached = recent_.lineEnd() - free_.mean();
         if (reached >= plan_.setpoint) {
-            beginSettling();
+            beginSettling(timeStep);
             return;
         }
         if (reached < kHalf * plan_.setpoint) {
-            halfDepth_ = depth_;
+            lastBelow_ = depth_;
+        } else if (!firstAbove_) {
+            firstAbove_ = depth_;
         }
     }
     depth_ = std::min(depth_ + timeStep * plan_.speed, plan_.maxDescent);
@@ -161,8 +165,12 @@ void SetpointApproach::descend(double timeStep, double force) noexcept {
     }
 }
 
-void SetpointApproach::beginSettling() noexcept {
-    recent_ = RecentMean(meanLength(free_.deviation(), plan_.setpoint));
+/// Half of the dwell is for it, at most.
+void SetpointApproach::beginSettling(double timeStep) noexcept {
+    const double room = kSettlingShare * plan_.dwell / (timeStep * (kMoves + 1));
+    recent_ = RecentMean(
+        std::min(ticks(std::floor(room)), meanLength(free_.deviation(), plan_.setpoint)));
+    firstAbove_ = firstAbove_.value_or(depth_);
     goal_ = depth_;
     moves_ = 0;
     enter(ApproachPhase::Settling);
@@ -187,16 +195,22 @@ void SetpointApproach::settle(double timeStep, double force) noexcept {
         return;
     }
     const double missing = plan_.setpoint - measuredForce();
-    goal_ = std::clamp(depth_ + missing / slope_, halfDepth_, plan_.maxDescent);
+    goal_ = std::clamp(depth_ + missing / slope_, halfDepth(), plan_.maxDescent);
     ++moves_;
     recent_ = RecentMean(recent_.length());
 }
 
+/// Noise has the last value below half of the setpoint too late, and the first one above it by as
+/// much too early.
+double SetpointApproach::halfDepth() const noexcept {
+    return 0.5 * (lastBelow_ + firstAbove_.value_or(lastBelow_));
+}
+
 bool SetpointApproach::takeSlope() noexcept {
     const double rise = measuredForce() - kHalf * plan_.setpoint;
-    const double way = depth_ - halfDepth_;
+    const double way = depth_ - halfDepth();
     if (!(rise > 0.0)) {  // it was noise
-        halfDepth_ = depth_;
+        lastBelow_ = depth_;
         beginDescent();
         return false;
     }
@@ -211,7 +225,7 @@ bool SetpointApproach::takeSlope() noexcept {
 void SetpointApproach::dwell() noexcept {
     engaged_ = true;
     recent_ = RecentMean(recent_.length());
-    enter(ApproachPhase::Dwell);
+    phase_ = ApproachPhase::Dwell;  // since it began to settle
 }
 
 void SetpointApproach::retract(double timeStep) noexcept {

@@ -5,16 +5,18 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 
 namespace asperity {
 
 /// How an AFM engages at one place: down, stop at a force, dwell, up again.
 struct ApproachPlan {
-    double setpoint = 5e-9;    ///< force along z above the baseline that ends the descent [N]
-    double speed = 10e-9;      ///< of the base, down and up [m/s]
-    double stiffness = 14.0;   ///< of the lever along z: no force rises faster but by a jump [N/m]
-    double baseline = 0.1;     ///< for which the base rests first, to measure force and noise [s]
-    double dwell = 0.5;        ///< at the setpoint; infinity: until another device takes over [s]
+    double setpoint = 5e-9;   ///< force along z above the baseline that ends the descent [N]
+    double speed = 10e-9;     ///< of the base, down and up [m/s]
+    double stiffness = 14.0;  ///< of the lever along z: no force rises faster but by a jump [N/m]
+    double baseline = 0.1;    ///< for which the base rests first, to measure force and noise [s]
+    /// At the setpoint, settling included; infinity: until another device takes over [s].
+    double dwell = 0.5;
     double maxDescent = 1e-7;  ///< without a contact the descent ends here [m]
 };
 
@@ -68,7 +70,7 @@ private:
 /// measured at rest, below a twelfth of the setpoint: noise alone does not end the descent. The
 /// first noisy value that reaches the setpoint comes early, though. So the base settles: at rest
 /// the force is measured by a mean of its own, and the base moves by what is missing, as the force
-/// rose over the last half of the way to the setpoint, three times; a mean at rest has no bias, and
+/// rose over the last half of the way to the setpoint, four times; a mean at rest has no bias, and
 /// the force after it none either. A force beyond the setpoint that came by a jump stays. Where the
 /// tip has no equilibrium the approach ends. No allocation, no lock.
 class SetpointApproach {
@@ -99,10 +101,11 @@ private:
     void enter(ApproachPhase phase) noexcept;
     void beginDescent() noexcept;
     void descend(double timeStep, double force) noexcept;
-    void beginSettling() noexcept;
+    void beginSettling(double timeStep) noexcept;
     void settle(double timeStep, double force) noexcept;
     /// After the first mean at rest. @return whether the base is to move by what is missing
     bool takeSlope() noexcept;
+    [[nodiscard]] double halfDepth() const noexcept;
     void dwell() noexcept;
     void retract(double timeStep) noexcept;
 
@@ -113,13 +116,14 @@ private:
     bool engaged_ = false;
     double inPhase_ = 0.0;    ///< [s]
     double depth_ = 0.0;      ///< below the start [m]
-    double halfDepth_ = 0.0;  ///< where the force was below half of the setpoint last [m]
-    double slope_ = 0.0;      ///< rise of the force over the depth, from there on [N/m]
-    double goal_ = 0.0;       ///< depth to which the base settles [m]
-    int moves_ = 0;           ///< by what was missing
-    double unsolved_ = 0.0;   ///< for how long the tip has had no equilibrium [s]
-    RunningMoments free_;     ///< force at rest [N]
-    RecentMean recent_;       ///< force of late; at rest that since the last move [N]
+    double lastBelow_ = 0.0;  ///< depth where the force was below half of the setpoint last [m]
+    std::optional<double> firstAbove_;  ///< and where it was above it first, in this descent [m]
+    double slope_ = 0.0;                ///< rise of the force over the depth, from between [N/m]
+    double goal_ = 0.0;                 ///< depth to which the base settles [m]
+    int moves_ = 0;                     ///< by what was missing
+    double unsolved_ = 0.0;             ///< for how long the tip has had no equilibrium [s]
+    RunningMoments free_;               ///< force at rest [N]
+    RecentMean recent_;                 ///< force of late; at rest that since the last move [N]
 };
 
 }  // namespace asperity
