@@ -8,25 +8,16 @@ namespace asperity {
 
 namespace {
 
-constexpr double kNoiseMargin = 12.0;   // setpoint over the deviation of the descent's line
-constexpr double kRestMargin = 100.0;   // and over that of a mean at rest: k is known to a tenth
+constexpr double kNoiseMargin = 12.0;  // setpoint over the deviation of the descent's line
+constexpr double kRestMargin = 100.0;  // and over that of a mean at rest: k is known to a tenth
+constexpr long kShortestRest = 10;     // ticks: their scatter is known to a quarter
+constexpr long kLongestRest = 256;
 constexpr double kHalf = 0.5;           // of the setpoint: from there on the force's rise is taken
 constexpr int kMoves = 4;               // each leaves a quarter or so of what was missing
 constexpr double kSettlingShare = 0.5;  // of the dwell
 constexpr double kJump = 2.0;  // rise over the fastest that the lever allows; on flanks it is less
 
-std::size_t ticks(double count) {
-    return static_cast<std::size_t>(
-        std::clamp(std::ceil(count), 1.0, static_cast<double>(RecentMean::kMaxLength)));
-}
-
-/// Ticks of a mean at rest; one where there is no noise.
-std::size_t meanLength(double deviation, double setpoint) {
-    const double ratio = kRestMargin * deviation / setpoint;
-    return ticks(ratio * ratio);
-}
-
-/// Variance of RecentMean::lineEnd() over that of a value.
+/// Variance of RecentLine::end() over that of a value.
 double lineVariance(double length) {
     return 2.0 * (2.0 * length - 1.0) / (length * (length + 1.0));
 }
@@ -35,7 +26,7 @@ double lineVariance(double length) {
 std::size_t lineLength(double deviation, double setpoint) {
     const double allowed = setpoint / kNoiseMargin;
     std::size_t length = 1;
-    while (length < RecentMean::kMaxLength &&
+    while (length < RecentLine::kMaxLength &&
            lineVariance(static_cast<double>(length)) * deviation * deviation > allowed * allowed) {
         ++length;
     }
@@ -60,26 +51,16 @@ double RunningMoments::meanDeviation() const noexcept {
     return count_ < 2 ? 0.0 : deviation() / std::sqrt(static_cast<double>(count_));
 }
 
-RecentMean::RecentMean(std::size_t length) noexcept
+RecentLine::RecentLine(std::size_t length) noexcept
     : length_(std::clamp<std::size_t>(length, 1, kMaxLength)) {}
 
-void RecentMean::add(double value) noexcept {
+void RecentLine::add(double value) noexcept {
     values_.at(count_ % length_) = value;
     ++count_;
 }
 
-// Summed anew: a running sum would keep the rounding of large forces.
-double RecentMean::mean() const noexcept {
-    const std::size_t filled = std::min(count_, length_);
-    double sum = 0.0;
-    for (std::size_t i = 0; i < filled; ++i) {
-        sum += values_.at(i);
-    }
-    return filled == 0 ? 0.0 : sum / static_cast<double>(filled);
-}
-
 // Weights of a least-squares line through equidistant values, at the last one.
-double RecentMean::lineEnd() const noexcept {
+double RecentLine::end() const noexcept {
     const auto length = static_cast<double>(length_);
     double sum = 0.0;
     for (std::size_t i = 0; i < length_; ++i) {
@@ -111,7 +92,7 @@ Vector3 SetpointApproach::advance(double timeStep, double force, bool hasEquilib
         settle(timeStep, force);
         break;
     case ApproachPhase::Dwell:
-        recent_.add(force);
+        rest_.add(force);
         if (inPhase_ >= plan_.dwell) {
             enter(ApproachPhase::Retract);
         }
@@ -126,8 +107,7 @@ Vector3 SetpointApproach::advance(double timeStep, double force, bool hasEquilib
 }
 
 double SetpointApproach::measuredDeviation() const noexcept {
-    const double ofMean = free_.deviation() / std::sqrt(static_cast<double>(recent_.length()));
-    return std::hypot(ofMean, free_.meanDeviation());
+    return std::hypot(rest_.meanDeviation(), free_.meanDeviation());
 }
 
 void SetpointApproach::enter(ApproachPhase phase) noexcept {
@@ -136,8 +116,8 @@ void SetpointApproach::enter(ApproachPhase phase) noexcept {
 }
 
 void SetpointApproach::beginDescent() noexcept {
-    recent_ = RecentMean(lineLength(free_.deviation(), plan_.setpoint));
-    firstAbove_.reset();
+    recent_ = RecentLine(lineLength(free_.deviation(), plan_.setpoint));
+    ticksAbove_ = 0;
     enter(ApproachPhase::Descent);
 }
 
@@ -148,16 +128,12 @@ void SetpointApproach::descend(double timeStep, double force) noexcept {
     }
     recent_.add(force);
     if (recent_.isFull()) {
-        const double reached = recent_.lineEnd() - free_.mean();
+        const double reached = recent_.end() - free_.mean();
         if (reached >= plan_.setpoint) {
             beginSettling(timeStep);
             return;
         }
-        if (reached < kHalf * plan_.setpoint) {
-            lastBelow_ = depth_;
-        } else if (!firstAbove_) {
-            firstAbove_ = depth_;
-        }
+        ticksAbove_ += reached >= kHalf * plan_.setpoint ? 1 : 0;
     }
     depth_ = std::min(depth_ + timeStep * plan_.speed, plan_.maxDescent);
     if (depth_ >= plan_.maxDescent) {
@@ -165,12 +141,13 @@ void SetpointApproach::descend(double timeStep, double force) noexcept {
     }
 }
 
-/// Half of the dwell is for it, at most.
+/// Half of the dwell is for it, at most. Where the force passed half of the setpoint is told by how
+/// many ticks were above it: noise takes as many of them away after that as it adds before.
 void SetpointApproach::beginSettling(double timeStep) noexcept {
     const double room = kSettlingShare * plan_.dwell / (timeStep * (kMoves + 1));
-    recent_ = RecentMean(
-        std::min(ticks(std::floor(room)), meanLength(free_.deviation(), plan_.setpoint)));
-    firstAbove_ = firstAbove_.value_or(depth_);
+    longestRest_ = static_cast<long>(std::clamp(room, 1.0, static_cast<double>(kLongestRest)));
+    rest_ = {};
+    halfDepth_ = depth_ - (static_cast<double>(ticksAbove_) + 0.5) * timeStep * plan_.speed;
     goal_ = depth_;
     moves_ = 0;
     enter(ApproachPhase::Settling);
@@ -186,8 +163,8 @@ void SetpointApproach::settle(double timeStep, double force) noexcept {
         depth_ = std::clamp(goal_, depth_ - step, depth_ + step);
         return;
     }
-    recent_.add(force);
-    if (!recent_.isFull() || (moves_ == 0 && !takeSlope())) {
+    rest_.add(force);
+    if (!isRestKnown() || (moves_ == 0 && !takeSlope())) {
         return;
     }
     if (moves_ == kMoves) {
@@ -195,22 +172,20 @@ void SetpointApproach::settle(double timeStep, double force) noexcept {
         return;
     }
     const double missing = plan_.setpoint - measuredForce();
-    goal_ = std::clamp(depth_ + missing / slope_, halfDepth(), plan_.maxDescent);
+    goal_ = std::clamp(depth_ + missing / slope_, halfDepth_, plan_.maxDescent);
     ++moves_;
-    recent_ = RecentMean(recent_.length());
+    rest_ = {};
 }
 
-/// Noise has the last value below half of the setpoint too late, and the first one above it by as
-/// much too early.
-double SetpointApproach::halfDepth() const noexcept {
-    return 0.5 * (lastBelow_ + firstAbove_.value_or(lastBelow_));
+bool SetpointApproach::isRestKnown() const noexcept {
+    const bool isGood = rest_.meanDeviation() <= plan_.setpoint / kRestMargin;
+    return rest_.count() >= longestRest_ || (rest_.count() >= kShortestRest && isGood);
 }
 
 bool SetpointApproach::takeSlope() noexcept {
     const double rise = measuredForce() - kHalf * plan_.setpoint;
-    const double way = depth_ - halfDepth();
+    const double way = depth_ - halfDepth_;
     if (!(rise > 0.0)) {  // it was noise
-        lastBelow_ = depth_;
         beginDescent();
         return false;
     }
@@ -224,7 +199,7 @@ bool SetpointApproach::takeSlope() noexcept {
 
 void SetpointApproach::dwell() noexcept {
     engaged_ = true;
-    recent_ = RecentMean(recent_.length());
+    rest_ = {};
     phase_ = ApproachPhase::Dwell;  // since it began to settle
 }
 

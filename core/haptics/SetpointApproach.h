@@ -5,7 +5,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 
 namespace asperity {
 
@@ -29,6 +28,7 @@ enum class ApproachPhase : std::uint8_t { Baseline, Descent, Settling, Dwell, Re
 class RunningMoments {
 public:
     void add(double value) noexcept;
+    [[nodiscard]] long count() const noexcept { return count_; }
     [[nodiscard]] double mean() const noexcept { return mean_; }
     [[nodiscard]] double deviation() const noexcept;
     /// Of the mean itself, by independent values; 0 of less than two.
@@ -40,23 +40,18 @@ private:
     double squares_ = 0.0;  ///< sum of the squared distances from the mean
 };
 
-/// The mean of the last values that come one by one.
-class RecentMean {
+/// The straight line through the last of values that come one by one.
+class RecentLine {
 public:
     static constexpr std::size_t kMaxLength = 256;
 
-    /// @param length of the mean, up to kMaxLength
-    explicit RecentMean(std::size_t length = 1) noexcept;
+    /// @param length values of the line, up to kMaxLength
+    explicit RecentLine(std::size_t length = 1) noexcept;
     void add(double value) noexcept;
     /// Whether there have been enough values.
     [[nodiscard]] bool isFull() const noexcept { return count_ >= length_; }
-    /// Of the last values; of all where there have not been enough.
-    [[nodiscard]] double mean() const noexcept;
-    /// The straight line through the last values, at the newest of them: where they rise, their
-    /// mean is that of a while ago. They are enough.
-    [[nodiscard]] double lineEnd() const noexcept;
-    /// How many values the mean goes over.
-    [[nodiscard]] std::size_t length() const noexcept { return length_; }
+    /// The line at the newest value, where their mean is that of a while ago. They are enough.
+    [[nodiscard]] double end() const noexcept;
 
 private:
     std::array<double, kMaxLength> values_{};
@@ -67,12 +62,13 @@ private:
 /// Moves the base straight down until the estimated force reaches a setpoint, and up again.
 ///
 /// The descent compares the end of a straight line through as many ticks as keep its noise, by that
-/// measured at rest, below a twelfth of the setpoint: noise alone does not end the descent. The
-/// first noisy value that reaches the setpoint comes early, though. So the base settles: at rest
-/// the force is measured by a mean of its own, and the base moves by what is missing, as the force
-/// rose over the last half of the way to the setpoint, four times; a mean at rest has no bias, and
-/// the force after it none either. A force beyond the setpoint that came by a jump stays. Where the
-/// tip has no equilibrium the approach ends. No allocation, no lock.
+/// measured far from the sample, below a twelfth of the setpoint: noise alone does not end the
+/// descent. The first noisy value that reaches the setpoint comes early, though. So the base
+/// settles: at rest the force is measured by a mean, until it is known to a hundredth of the
+/// setpoint by its own scatter, and the base moves by what is missing, as the force rose over the
+/// last half of the way to the setpoint, four times. A mean at rest has no bias, and the force
+/// after it none either. A force beyond the setpoint that came by a jump stays. Where the tip has
+/// no equilibrium the approach ends. No allocation, no lock.
 class SetpointApproach {
 public:
     /// @param start of the base, out of the sample's reach, world [m]
@@ -91,10 +87,10 @@ public:
     /// the loop, kMaxUnsolved.
     [[nodiscard]] bool isBlocked() const noexcept { return unsolved_ >= kMaxUnsolved; }
     /// Whether the force at the setpoint has been measured, by a mean of the dwell alone.
-    [[nodiscard]] bool hasMeasured() const noexcept { return engaged_ && recent_.isFull(); }
+    [[nodiscard]] bool hasMeasured() const noexcept { return engaged_ && isRestKnown(); }
     /// That force above the baseline [N]: what is there, which may exceed the setpoint.
-    [[nodiscard]] double measuredForce() const noexcept { return recent_.mean() - free_.mean(); }
-    /// Standard deviation of that by the noise at rest, of the mean and of the baseline [N].
+    [[nodiscard]] double measuredForce() const noexcept { return rest_.mean() - free_.mean(); }
+    /// Standard deviation of that by noise, of the mean and of the baseline [N].
     [[nodiscard]] double measuredDeviation() const noexcept;
 
 private:
@@ -105,7 +101,9 @@ private:
     void settle(double timeStep, double force) noexcept;
     /// After the first mean at rest. @return whether the base is to move by what is missing
     bool takeSlope() noexcept;
-    [[nodiscard]] double halfDepth() const noexcept;
+    /// Whether the mean at rest is as good as it must be, or goes over as much as there is time
+    /// for.
+    [[nodiscard]] bool isRestKnown() const noexcept;
     void dwell() noexcept;
     void retract(double timeStep) noexcept;
 
@@ -116,14 +114,16 @@ private:
     bool engaged_ = false;
     double inPhase_ = 0.0;    ///< [s]
     double depth_ = 0.0;      ///< below the start [m]
-    double lastBelow_ = 0.0;  ///< depth where the force was below half of the setpoint last [m]
-    std::optional<double> firstAbove_;  ///< and where it was above it first, in this descent [m]
-    double slope_ = 0.0;                ///< rise of the force over the depth, from between [N/m]
-    double goal_ = 0.0;                 ///< depth to which the base settles [m]
-    int moves_ = 0;                     ///< by what was missing
-    double unsolved_ = 0.0;             ///< for how long the tip has had no equilibrium [s]
-    RunningMoments free_;               ///< force at rest [N]
-    RecentMean recent_;                 ///< force of late; at rest that since the last move [N]
+    long ticksAbove_ = 0;     ///< of this descent, with more than half of the setpoint
+    double halfDepth_ = 0.0;  ///< where the force passed that half [m]
+    double slope_ = 0.0;      ///< rise of the force over the depth, from between [N/m]
+    double goal_ = 0.0;       ///< depth to which the base settles [m]
+    int moves_ = 0;           ///< by what was missing
+    double unsolved_ = 0.0;   ///< for how long the tip has had no equilibrium [s]
+    RunningMoments free_;     ///< force far from the sample [N]
+    RecentLine recent_;       ///< force of late, in the descent [N]
+    RunningMoments rest_;     ///< force since the last move, at rest [N]
+    long longestRest_ = 1;    ///< ticks
 };
 
 }  // namespace asperity
