@@ -111,20 +111,22 @@ TEST_F(ModelFitControlTest, ARecordingHasOneModel) {
     EXPECT_TRUE(fitEnds());
 }
 
-/// The terms were judged on curves to the setpoint: at a hundred times the force the contact is
-/// wider, and another law holds.
+/// The terms were judged on curves to the setpoint: at 500 times the force the contact is half as
+/// wide as the tip, and another law holds.
 TEST_F(ModelFitControlTest, AnotherSetpointChoosesTheTermsAnew) {
     SceneDescription description = plainScene();
+    description.sample.material.elastic.youngsModulus = 10e9;
+    description.sample.material.workOfAdhesion = 0.02;
     description.setpoint = 1e-9;
     usePending(description);
     ASSERT_TRUE(fitEnds());
     const ForceModelOptions before = run().scene().model;
     SceneDescription pressed = run().scene().description;
-    pressed.setpoint = 100e-9;
+    pressed.setpoint = 500e-9;
     edits.change("Setpoint", pressed, "setpoint_n");
     const auto isJudged = [this] {
         fits.advance();
-        return run().loaded().needs.setpoint == 100e-9;
+        return run().loaded().needs.setpoint == 500e-9;
     };
     ASSERT_TRUE(eventually(isJudged, 20000));
     Scene same = run().scene();
