@@ -113,7 +113,7 @@ RULES = {
     "ui/help": f"{WINDOW} ui/panels ui/view",
     "ui/panels": f"{WINDOW} core/uncertainty",
     "ui/view": WINDOW,
-    "ui/measure": f"{WINDOW} core/map ui/panels",
+    "ui/measure": f"{WINDOW} core/map core/uncertainty ui/panels",
     "ui/playback": f"{WINDOW} ui/panels ui/measure",
     "ui/experiment": f"{WINDOW} ui/panels ui/measure",
     "ui/window": f"{WINDOW} ui/help ui/panels ui/view",

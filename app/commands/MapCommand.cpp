@@ -10,6 +10,7 @@
 #include "app/maps/MapKey.h"
 #include "app/maps/MapRun.h"
 #include "app/maps/MapSheets.h"
+#include "app/maps/UnknownDeviations.h"
 #include "app/program/ToldError.h"
 #include "core/Error.h"
 #include "core/FormattedText.h"
@@ -163,6 +164,9 @@ void writeAll(const MapFiles& files, const MapInput& input, MeasuredFile measure
         writeComparison(files, comparisonJson(measured, plan, compared));
     }
     writeMapFiles(files, input.loaded, plan, part, nullptr, compared);
+    for (const std::string& sentence : unknownDeviations(plan, part)) {
+        std::cerr << "note: " << sentence << '\n';
+    }
     for (const ComparedMap& map : compared) {
         std::cout << printable(sentenceOn(map)) << '\n';
     }

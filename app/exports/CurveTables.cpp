@@ -81,7 +81,7 @@ void writeCycleTable(const std::filesystem::path& path, const std::vector<CycleP
     CsvWriter csv(path,
                   {madeBy("force-distance curve of one cycle, along the normal"),
                    "force on the tip > 0: repulsive; separation < 0: indented; base: of the "
-                   "undeflected tip; sigma: standard deviation of the force"},
+                   "undeflected tip; sigma: standard deviation of the force by noise"},
                   {"time_s", "branch", "separation_m", "base_distance_m", "force_n", "sigma_n"});
     for (const CyclePoint& at : cycle) {
         csv.add(at.time)

@@ -1,5 +1,6 @@
 #include "app/maps/MapFiles.h"
 
+#include "app/maps/UnknownDeviations.h"
 #include "core/Error.h"
 #include "core/SiFormat.h"
 #include "core/TemporaryFile.h"
@@ -38,7 +39,9 @@ public:
     MapImages(const LoadedScene& loaded, const MapPlan& plan)
         : plan_(plan), metadata_(metadataOf(loaded, plan)) {}
 
-    void add(const std::string& title, const char* unit, RowReader readRow) {
+    /// @param remark on the channel; empty: none
+    void add(const std::string& title, const char* unit, RowReader readRow,
+             const std::string& remark = {}) {
         images_.push_back({.rows = {.columns = plan_.grid.columns,
                                     .rows = plan_.grid.rows,
                                     .pitchX = plan_.pitchX(),
@@ -49,6 +52,9 @@ public:
                                     .originY = plan_.region.bottom,
                                     .unit = unit,
                                     .metadata = metadata_}});
+        if (!remark.empty()) {
+            images_.back().meta.metadata["remark"] = remark;
+        }
     }
     [[nodiscard]] std::vector<WrittenImage> take() { return std::move(images_); }
 
@@ -64,8 +70,10 @@ std::vector<WrittenImage> imagesOf(const LoadedScene& loaded, const MapPlan& pla
     MapImages images(loaded, plan);
     for (std::size_t i = 0; i < plan.quantities.size(); ++i) {
         const MapQuantityRow& quantity = *rowOf(plan.quantities[i]);
-        images.add(naming == Naming::ByKey ? quantity.key : quantity.name, quantity.unit,
-                   [&part, i](int row, double* values) { part.read(row, i, values); });
+        images.add(
+            naming == Naming::ByKey ? quantity.key : quantity.name, quantity.unit,
+            [&part, i](int row, double* values) { part.read(row, i, values); },
+            unknownDeviations(plan, part, i));
     }
     for (const ComparedMap& map : compared) {
         for (ComparisonLayer& layer : layersOf(map, part)) {

@@ -1,5 +1,6 @@
 #include "app/maps/MapSheets.h"
 
+#include "app/maps/UnknownDeviations.h"
 #include "core/SiFormat.h"
 
 #include <algorithm>
@@ -20,8 +21,9 @@ int strideOf(const MapGrid& grid) {
 /// @param place of the quantity in the plan
 SheetMap sheetMap(const MapPlan& plan, const MapPart& part, std::size_t place) {
     const MapQuantityRow& quantity = *rowOf(plan.quantities[place]);
-    return sheetMap(plan, quantity.name, quantity.unit,
-                    [&](int row, double* values) { part.read(row, place, values); });
+    const bool hasBlanks = !unknownDeviations(plan, part, place).empty();
+    return sheetMap(plan, quantity.name + std::string(hasBlanks ? " (blank: unknown)" : ""),
+                    quantity.unit, [&](int row, double* values) { part.read(row, place, values); });
 }
 
 /// Places in the plan of the quantities that are drawn.

@@ -57,7 +57,7 @@ void printRoughness(std::ostream& out, const MeasuredMap& measured) {
 }
 
 void printStep(std::ostream& out, const char* what, const StepHeight& step) {
-    out << "  " << what << ": " << formatSi(step.height, "m") << " (standard deviation "
+    out << "  " << what << ": " << formatSi(step.height, "m") << " (scatter "
         << formatSi(step.deviation, "m") << ", " << step.samples << " samples on " << step.plateaus
         << " plateaus)\n";
 }

@@ -20,14 +20,19 @@ const std::vector<std::string>& columns() {
                                                    "snap_in_distance_m",
                                                    "pull_off_force_n",
                                                    "pull_off_force_sigma_n",
+                                                   "pull_off_force_model_sigma_n",
                                                    "adhesion_work_j",
                                                    "hysteresis_j",
                                                    "area_sigma_j",
+                                                   "adhesion_work_model_sigma_j",
                                                    "contact_stiffness_n_m",
                                                    "contact_stiffness_sigma_n_m",
+                                                   "contact_stiffness_model_sigma_n_m",
                                                    "max_force_n",
                                                    "max_force_sigma_n",
+                                                   "max_force_model_sigma_n",
                                                    "max_indentation_m",
+                                                   "max_indentation_model_sigma_m",
                                                    "material",
                                                    "scan"};
     return kColumns;
@@ -46,6 +51,11 @@ public:
             csv_.add(std::string_view());
         }
     }
+    /// What model and calibration leave open in a reading.
+    void addModel(const Touch& touch, const char* key) {
+        const std::optional<Budget> budget = budgetNamed(touch.budgets, key);
+        addIf(budget.has_value(), budget ? budget->model() : 0.0);
+    }
     void add(const std::optional<Reading>& reading) {
         addIf(reading.has_value(), reading ? reading->value : 0.0);
         addIf(reading.has_value(), reading ? reading->sigma : 0.0);
@@ -60,10 +70,13 @@ private:
 void writeTouches(const std::filesystem::path& file, const std::vector<Touch>& touches) {
     CsvWriter csv(file,
                   {"touches of the tip, SI units; x and y from the scan's lower left corner; an "
-                   "empty cell: no such value beyond the noise"},
+                   "empty cell: no such value beyond the noise",
+                   "sigma: standard deviation by noise; model_sigma: by what model and calibration "
+                   "leave open, empty as long as the touch goes on"},
                   columns());
     for (std::size_t i = 0; i < touches.size(); ++i) {
-        const ContactCycle& cycle = touches[i].cycle;
+        const Touch& touch = touches[i];
+        const ContactCycle& cycle = touch.cycle;
         Row row(csv);
         row.add(static_cast<double>(i + 1));
         row.add(cycle.touchTime);
@@ -73,15 +86,20 @@ void writeTouches(const std::filesystem::path& file, const std::vector<Touch>& t
         row.add(cycle.snapIn);
         row.addIf(cycle.snapIn.has_value(), cycle.snapInBaseDistance);
         row.add(cycle.pullOff);
+        row.addModel(touch, "pull_off_force_n");
         row.add(cycle.adhesionWork);
         const std::optional<Reading> hysteresis = cycle.closedHysteresis();
         row.addIf(hysteresis.has_value(), hysteresis ? hysteresis->value : 0.0);
         row.add(cycle.areaSigma);
+        row.addModel(touch, "adhesion_work_j");
         row.add(cycle.stiffness);
+        row.addModel(touch, "contact_stiffness_n_m");
         row.add(std::optional(cycle.maxForce));
+        row.addModel(touch, "max_force_n");
         row.add(cycle.maxIndentation);
-        row.add(touches[i].material.toStdString());
-        row.add(touches[i].scan.toStdString());
+        row.addModel(touch, "max_indentation_m");
+        row.add(touch.material.toStdString());
+        row.add(touch.scan.toStdString());
         csv.endRow();
     }
     csv.close();

@@ -60,7 +60,10 @@ OrderedJson modelJson(const SceneNeeds& needs) {
     for (const TermNeed& need : needs.terms) {
         terms.push_back(termJson(need, needs));
     }
-    OrderedJson model = {{"tolerance", needs.tolerance}, {"error", nullptr}, {"terms", terms}};
+    OrderedJson model = {{"tolerance", needs.tolerance},
+                         {"setpoint_n", needs.setpoint},
+                         {"error", nullptr},
+                         {"terms", terms}};
     if (needs.measured) {
         const QuantityErrors total = needs.totalErrors();
         const JudgedQuantity worst = total.worstQuantity();

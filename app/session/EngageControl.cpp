@@ -1,7 +1,9 @@
 #include "app/session/EngageControl.h"
 
+#include "core/words/BudgetWords.h"
 #include "ui/NumberText.h"
 #include "ui/panels/EngageBar.h"
+#include "ui/panels/ReadingBudget.h"
 #include "ui/window/MainWindow.h"
 
 namespace asperity {
@@ -10,11 +12,12 @@ namespace {
 
 /// How an approach ended. One step may carry the tip past the setpoint, by a jump or on a stiff
 /// sample: the force is the one that was there.
-QString wordsOn(const ApproachDevice& approach, const QString& setpoint) {
+QString wordsOn(const Scene& scene, const ApproachDevice& approach, const QString& setpoint) {
     if (approach.hasEngaged()) {
-        return QObject::tr("Engaged at %1 ± %2 (setpoint %3)")
-            .arg(siText(approach.measuredForce(), "N"), siText(approach.measuredDeviation(), "N"),
-                 setpoint);
+        const Budget force =
+            shownForce(&scene, approach.measuredForce(), approach.measuredDeviation());
+        return QObject::tr("Engaged at %1 (setpoint %2)")
+            .arg(QString::fromStdString(budgetText(force, "N")), setpoint);
     }
     return approach.isBlocked()
                ? QObject::tr("Not engaged: no equilibrium of tip and cantilever below here")
@@ -82,7 +85,7 @@ void EngageControl::advance() {
     const bool isMeasured = phase == ApproachPhase::Dwell && approach->hasMeasured();
     if (isMeasured || phase == ApproachPhase::Done) {
         engaging_ = false;
-        const QString words = wordsOn(*approach, siText(asked_, "N"));
+        const QString words = wordsOn(runs_.run()->scene(), *approach, siText(asked_, "N"));
         devices_.releaseApproach();  // and with it the approach ends
         window_.tell(words);
     }

@@ -25,7 +25,9 @@ void ModelFitControl::begin() {
     work_.cancel();
     fitted_.reset();
     const LiveRun& run = *runs_.run();
-    if (run.loaded().needs.pending) {
+    const SceneNeeds& needs = run.loaded().needs;
+    setpoint_ = run.scene().description.setpoint;
+    if (needs.pending || (needs.measured && needs.setpoint != setpoint_)) {
         work_.start(
             [present = run.shared(), description = run.scene().description](Progress& progress) {
                 return withDescription(*present, description, &progress);
@@ -34,6 +36,9 @@ void ModelFitControl::begin() {
 }
 
 void ModelFitControl::advance() {
+    if (runs_.run()->scene().description.setpoint != setpoint_) {
+        begin();
+    }
     if (fitted_ && !recordings_.isWriting() && runs_.run()->mayAdoptModel() &&
         runs_.adoptModel(*fitted_)) {
         fitted_.reset();

@@ -8,6 +8,7 @@
 #include "ui/CoreWords.h"
 #include "ui/NumberText.h"
 #include "ui/Steady.h"
+#include "ui/panels/ReadingBudget.h"
 #include "ui/panels/RunPanel.h"
 #include "ui/panels/StateBanner.h"
 #include "ui/playback/ThinnedLine.h"
@@ -61,10 +62,11 @@ QString distanceText(const ContactState& contact) {
     return name + QLatin1Char(' ') + siText(length, "m");
 }
 
-PlaybackPage::Readings readingsOf(const TickSample& sample) {
+/// The force with noise, model and calibration together, as the panel beside it.
+PlaybackPage::Readings readingsOf(const Scene& scene, const TickSample& sample) {
     const TickOutput& output = sample.output;
     const double force = normalForce(output);
-    const double sigma = normalForceSigma(output);
+    const double sigma = shownForce(&scene, force, normalForceSigma(output)).total();
     const SiScale scale = siScaleFor(std::max(std::abs(force), sigma), "N");
     const QString state = output.fault == Fault::None ? coreWords(nameOf(output.region()))
                                                       : coreWords(nameOf(output.fault));
@@ -244,8 +246,9 @@ void PlaybackControl::take(const Stretch& stretch) {
 void PlaybackControl::showMoment(const TickSample& sample) {
     window_.banner().setRecorded(sample.time);
     window_.setWindowTitle(tr("Recording, t = %1 s – %2").arg(sample.time, 0, 'f', 3).arg(title_));
-    page_->showMoment(static_cast<int>(*tick_), readingsOf(sample), sample.time,
-                      sample.output.model.contact.indentation, normalForce(sample.output));
+    page_->showMoment(static_cast<int>(*tick_), readingsOf(runs_.run()->scene(), sample),
+                      sample.time, sample.output.model.contact.indentation,
+                      normalForce(sample.output));
 }
 
 }  // namespace asperity

@@ -69,10 +69,14 @@ void ProfileControl::forget() {
 
 /// Some milliseconds at most: a line has a few thousand samples.
 void ProfileControl::refresh() {
-    const bool has = !line_.isEmpty() && runs_.run() != nullptr;
-    page_->setProfile(
-        has ? std::optional(meanProfile(runs_.run()->scene().surface, line_.line(), page_->width()))
-            : std::nullopt);
+    if (line_.isEmpty() || runs_.run() == nullptr) {
+        page_->setProfile(std::nullopt);
+        return;
+    }
+    const Scene& scene = runs_.run()->scene();
+    const Uncertainty& given = scene.description.uncertainty;
+    page_->setProfile(meanProfile(scene.surface, line_.line(), page_->width()),
+                      given.enabled ? given.heightCalibration : 0.0);
 }
 
 }  // namespace asperity

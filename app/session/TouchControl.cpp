@@ -74,7 +74,10 @@ void TouchControl::show() {
 void TouchControl::update(bool more) {
     framesSince_ = 0;
     TouchModel& model = page_->model();
-    for (const Touch& touch : fresh_) {
+    for (Touch& touch : fresh_) {
+        if (touch.cycle.complete() && runs_.run() != nullptr) {
+            touch.budgets = cycleBudgets(runs_.run()->scene(), touch.cycle);
+        }
         if (std::exchange(continues_, false)) {
             if (model.rowCount() > 0) {  // it may have been cleared
                 model.updateLast(touch);

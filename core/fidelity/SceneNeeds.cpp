@@ -218,8 +218,12 @@ void decideAll(Scene& scene, ForceNeeds& force, SceneNeeds& needs, Progress* pro
 
 SceneNeeds needsBeforeFit(const SceneDescription& scene) {
     const ForceModelOptions full = usualModel(scene);
-    SceneNeeds needs{
-        .terms = {}, .full = full, .model = full, .tolerance = scene.tolerance, .pending = true};
+    SceneNeeds needs{.terms = {},
+                     .full = full,
+                     .model = full,
+                     .tolerance = scene.tolerance,
+                     .setpoint = scene.setpoint,
+                     .pending = true};
     for (const ModelTerm term : kModelTerms) {
         needs.terms.push_back({.term = term,
                                .on = has(full, term),

@@ -41,6 +41,7 @@ struct SceneNeeds {
     ForceModelOptions full;       ///< with every term that can be in
     ForceModelOptions model;      ///< with those that matter
     double tolerance = 0.0;       ///< of each quantity and of indentations, as a share
+    double setpoint = 0.0;        ///< of the force curves on which terms are judged [N]
     bool pending = false;         ///< all that follows, and what a term is worth, is not known yet
     QuantityErrors modelErrors;   ///< of `model` against `full`, as TermNeed::effect
     bool measured = false;        ///< whether the next three are known

@@ -45,6 +45,7 @@ PlannedApproach planApproach(const Scene& scene, const PathPlan& plan) {
     return {.start = start,
             .plan = {.setpoint = setpoint,
                      .speed = speed,
+                     .stiffness = 1.0 / scene.belief.cantilever.compliance()(2, 2),
                      .baseline = kBaselineShare * plan.duration,
                      .dwell = kDwellShare * plan.duration,
                      .maxDescent = speed * kLimitShare * plan.duration}};

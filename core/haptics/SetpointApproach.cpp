@@ -8,14 +8,29 @@ namespace asperity {
 
 namespace {
 
-constexpr double kNoiseMargin = 6.0;  // setpoint over the deviation of the mean
+constexpr double kNoiseMargin = 12.0;  // setpoint over the deviation of the descent's line
+constexpr double kRestMargin = 100.0;  // and over that of a mean at rest: k is known to a tenth
+constexpr long kShortestRest = 10;     // ticks: their scatter is known to a quarter
+constexpr long kLongestRest = 256;
+constexpr double kHalf = 0.5;           // of the setpoint: from there on the force's rise is taken
+constexpr int kMoves = 4;               // each leaves a quarter or so of what was missing
+constexpr double kSettlingShare = 0.5;  // of the dwell
+constexpr double kJump = 2.0;  // rise over the fastest that the lever allows; on flanks it is less
 
-/// Ticks over which the mean must go; one where there is no noise.
-std::size_t meanLength(double deviation, double setpoint) {
-    const double ratio = kNoiseMargin * deviation / setpoint;
-    const double ticks =
-        std::clamp(std::ceil(ratio * ratio), 1.0, static_cast<double>(RecentMean::kMaxLength));
-    return static_cast<std::size_t>(ticks);
+/// Variance of RecentLine::end() over that of a value.
+double lineVariance(double length) {
+    return 2.0 * (2.0 * length - 1.0) / (length * (length + 1.0));
+}
+
+/// Ticks over which the line must go; one where there is no noise.
+std::size_t lineLength(double deviation, double setpoint) {
+    const double allowed = setpoint / kNoiseMargin;
+    std::size_t length = 1;
+    while (length < RecentLine::kMaxLength &&
+           lineVariance(static_cast<double>(length)) * deviation * deviation > allowed * allowed) {
+        ++length;
+    }
+    return length;
 }
 
 }  // namespace
@@ -32,22 +47,27 @@ double RunningMoments::deviation() const noexcept {
     return count_ < 2 ? 0.0 : std::sqrt(squares_ / static_cast<double>(count_ - 1));
 }
 
-RecentMean::RecentMean(std::size_t length) noexcept
+double RunningMoments::meanDeviation() const noexcept {
+    return count_ < 2 ? 0.0 : deviation() / std::sqrt(static_cast<double>(count_));
+}
+
+RecentLine::RecentLine(std::size_t length) noexcept
     : length_(std::clamp<std::size_t>(length, 1, kMaxLength)) {}
 
-void RecentMean::add(double value) noexcept {
+void RecentLine::add(double value) noexcept {
     values_.at(count_ % length_) = value;
     ++count_;
 }
 
-// Summed anew: a running sum would keep the rounding of large forces.
-double RecentMean::mean() const noexcept {
-    const std::size_t filled = std::min(count_, length_);
+// Weights of a least-squares line through equidistant values, at the last one.
+double RecentLine::end() const noexcept {
+    const auto length = static_cast<double>(length_);
     double sum = 0.0;
-    for (std::size_t i = 0; i < filled; ++i) {
-        sum += values_.at(i);
+    for (std::size_t i = 0; i < length_; ++i) {
+        const auto order = static_cast<double>(i + 1);  // the oldest first
+        sum += (3.0 * order - length - 1.0) * values_.at((count_ + i) % length_);
     }
-    return filled == 0 ? 0.0 : sum / static_cast<double>(filled);
+    return 2.0 * sum / (length * (length + 1.0));
 }
 
 Vector3 SetpointApproach::advance(double timeStep, double force, bool hasEquilibrium) noexcept {
@@ -68,8 +88,11 @@ Vector3 SetpointApproach::advance(double timeStep, double force, bool hasEquilib
     case ApproachPhase::Descent:
         descend(timeStep, force);
         break;
+    case ApproachPhase::Settling:
+        settle(timeStep, force);
+        break;
     case ApproachPhase::Dwell:
-        recent_.add(force);
+        rest_.add(force);
         if (inPhase_ >= plan_.dwell) {
             enter(ApproachPhase::Retract);
         }
@@ -84,7 +107,7 @@ Vector3 SetpointApproach::advance(double timeStep, double force, bool hasEquilib
 }
 
 double SetpointApproach::measuredDeviation() const noexcept {
-    return free_.deviation() / std::sqrt(static_cast<double>(recent_.length()));
+    return std::hypot(rest_.meanDeviation(), free_.meanDeviation());
 }
 
 void SetpointApproach::enter(ApproachPhase phase) noexcept {
@@ -93,7 +116,8 @@ void SetpointApproach::enter(ApproachPhase phase) noexcept {
 }
 
 void SetpointApproach::beginDescent() noexcept {
-    recent_ = RecentMean(meanLength(free_.deviation(), plan_.setpoint));
+    recent_ = RecentLine(lineLength(free_.deviation(), plan_.setpoint));
+    ticksAbove_ = 0;
     enter(ApproachPhase::Descent);
 }
 
@@ -103,16 +127,80 @@ void SetpointApproach::descend(double timeStep, double force) noexcept {
         return;
     }
     recent_.add(force);
-    if (recent_.isFull() && recent_.mean() - free_.mean() >= plan_.setpoint) {
-        engaged_ = true;
-        recent_ = RecentMean(recent_.length());
-        enter(ApproachPhase::Dwell);
-        return;
+    if (recent_.isFull()) {
+        const double reached = recent_.end() - free_.mean();
+        if (reached >= plan_.setpoint) {
+            beginSettling(timeStep);
+            return;
+        }
+        ticksAbove_ += reached >= kHalf * plan_.setpoint ? 1 : 0;
     }
     depth_ = std::min(depth_ + timeStep * plan_.speed, plan_.maxDescent);
     if (depth_ >= plan_.maxDescent) {
         enter(ApproachPhase::Retract);
     }
+}
+
+/// Half of the dwell is for it, at most. Where the force passed half of the setpoint is told by how
+/// many ticks were above it: noise takes as many of them away after that as it adds before.
+void SetpointApproach::beginSettling(double timeStep) noexcept {
+    const double room = kSettlingShare * plan_.dwell / (timeStep * (kMoves + 1));
+    longestRest_ = static_cast<long>(std::clamp(room, 1.0, static_cast<double>(kLongestRest)));
+    rest_ = {};
+    halfDepth_ = depth_ - (static_cast<double>(ticksAbove_) + 0.5) * timeStep * plan_.speed;
+    goal_ = depth_;
+    moves_ = 0;
+    enter(ApproachPhase::Settling);
+}
+
+void SetpointApproach::settle(double timeStep, double force) noexcept {
+    if (!std::isfinite(force) || isBlocked()) {
+        enter(ApproachPhase::Retract);
+        return;
+    }
+    if (depth_ != goal_) {
+        const double step = timeStep * plan_.speed;
+        depth_ = std::clamp(goal_, depth_ - step, depth_ + step);
+        return;
+    }
+    rest_.add(force);
+    if (!isRestKnown() || (moves_ == 0 && !takeSlope())) {
+        return;
+    }
+    if (moves_ == kMoves) {
+        dwell();
+        return;
+    }
+    const double missing = plan_.setpoint - measuredForce();
+    goal_ = std::clamp(depth_ + missing / slope_, halfDepth_, plan_.maxDescent);
+    ++moves_;
+    rest_ = {};
+}
+
+bool SetpointApproach::isRestKnown() const noexcept {
+    const bool isGood = rest_.meanDeviation() <= plan_.setpoint / kRestMargin;
+    return rest_.count() >= longestRest_ || (rest_.count() >= kShortestRest && isGood);
+}
+
+bool SetpointApproach::takeSlope() noexcept {
+    const double rise = measuredForce() - kHalf * plan_.setpoint;
+    const double way = depth_ - halfDepth_;
+    if (!(rise > 0.0)) {  // it was noise
+        beginDescent();
+        return false;
+    }
+    if (measuredForce() > plan_.setpoint && rise > kJump * plan_.stiffness * way) {
+        dwell();
+        return false;
+    }
+    slope_ = rise < plan_.stiffness * way ? rise / way : plan_.stiffness;
+    return true;
+}
+
+void SetpointApproach::dwell() noexcept {
+    engaged_ = true;
+    rest_ = {};
+    phase_ = ApproachPhase::Dwell;  // since it began to settle
 }
 
 void SetpointApproach::retract(double timeStep) noexcept {

@@ -10,24 +10,29 @@ namespace asperity {
 
 /// How an AFM engages at one place: down, stop at a force, dwell, up again.
 struct ApproachPlan {
-    double setpoint = 5e-9;    ///< force along z above the baseline that ends the descent [N]
-    double speed = 10e-9;      ///< of the base, down and up [m/s]
-    double baseline = 0.1;     ///< for which the base rests first, to measure force and noise [s]
-    double dwell = 0.5;        ///< at the setpoint; infinity: until another device takes over [s]
+    double setpoint = 5e-9;   ///< force along z above the baseline that ends the descent [N]
+    double speed = 10e-9;     ///< of the base, down and up [m/s]
+    double stiffness = 14.0;  ///< of the lever along z: no force rises faster but by a jump [N/m]
+    double baseline = 0.1;    ///< for which the base rests first, to measure force and noise [s]
+    /// At the setpoint, settling included; infinity: until another device takes over [s].
+    double dwell = 0.5;
     double maxDescent = 1e-7;  ///< without a contact the descent ends here [m]
 };
 
 /// How long a tip may have no equilibrium: 50 ms, however the steps were rounded [s].
 inline constexpr double kMaxUnsolved = 0.0499;
 
-enum class ApproachPhase : std::uint8_t { Baseline, Descent, Dwell, Retract, Done };
+enum class ApproachPhase : std::uint8_t { Baseline, Descent, Settling, Dwell, Retract, Done };
 
 /// The deviation and mean of values that come one by one.
 class RunningMoments {
 public:
     void add(double value) noexcept;
+    [[nodiscard]] long count() const noexcept { return count_; }
     [[nodiscard]] double mean() const noexcept { return mean_; }
     [[nodiscard]] double deviation() const noexcept;
+    /// Of the mean itself, by independent values; 0 of less than two.
+    [[nodiscard]] double meanDeviation() const noexcept;
 
 private:
     long count_ = 0;
@@ -35,20 +40,18 @@ private:
     double squares_ = 0.0;  ///< sum of the squared distances from the mean
 };
 
-/// The mean of the last values that come one by one.
-class RecentMean {
+/// The straight line through the last of values that come one by one.
+class RecentLine {
 public:
     static constexpr std::size_t kMaxLength = 256;
 
-    /// @param length of the mean, up to kMaxLength
-    explicit RecentMean(std::size_t length = 1) noexcept;
+    /// @param length values of the line, up to kMaxLength
+    explicit RecentLine(std::size_t length = 1) noexcept;
     void add(double value) noexcept;
     /// Whether there have been enough values.
     [[nodiscard]] bool isFull() const noexcept { return count_ >= length_; }
-    /// Of the last values; of all where there have not been enough.
-    [[nodiscard]] double mean() const noexcept;
-    /// How many values the mean goes over.
-    [[nodiscard]] std::size_t length() const noexcept { return length_; }
+    /// The line at the newest value, where their mean is that of a while ago. They are enough.
+    [[nodiscard]] double end() const noexcept;
 
 private:
     std::array<double, kMaxLength> values_{};
@@ -56,10 +59,16 @@ private:
     std::size_t count_ = 0;
 };
 
-/// Moves the base straight down until the estimated force reaches a setpoint, and up again. It
-/// compares the mean over as many ticks as keep the noise, measured at rest, below a sixth of the
-/// setpoint, so that noise alone does not end the descent. Where the tip has no equilibrium the
-/// descent ends. No allocation, no lock.
+/// Moves the base straight down until the estimated force reaches a setpoint, and up again.
+///
+/// The descent compares the end of a straight line through as many ticks as keep its noise, by that
+/// measured far from the sample, below a twelfth of the setpoint: noise alone does not end the
+/// descent. The first noisy value that reaches the setpoint comes early, though. So the base
+/// settles: at rest the force is measured by a mean, until it is known to a hundredth of the
+/// setpoint by its own scatter, and the base moves by what is missing, as the force rose over the
+/// last half of the way to the setpoint, four times. A mean at rest has no bias, and the force
+/// after it none either. A force beyond the setpoint that came by a jump stays. Where the tip has
+/// no equilibrium the approach ends. No allocation, no lock.
 class SetpointApproach {
 public:
     /// @param start of the base, out of the sample's reach, world [m]
@@ -72,22 +81,30 @@ public:
     Vector3 advance(double timeStep, double force, bool hasEquilibrium = true) noexcept;
 
     [[nodiscard]] ApproachPhase phase() const noexcept { return phase_; }
-    /// Whether the force has reached the setpoint.
+    /// Whether the force has reached the setpoint, and settled there.
     [[nodiscard]] bool hasEngaged() const noexcept { return engaged_; }
-    /// Whether the descent ended where the tip had no equilibrium, for as long as is a fault to the
-    /// loop, kMaxUnsolved.
+    /// Whether the way down ended where the tip had no equilibrium, for as long as is a fault to
+    /// the loop, kMaxUnsolved.
     [[nodiscard]] bool isBlocked() const noexcept { return unsolved_ >= kMaxUnsolved; }
-    /// Whether the force at the setpoint has been measured, over as many ticks as are compared.
-    [[nodiscard]] bool hasMeasured() const noexcept { return engaged_ && recent_.isFull(); }
+    /// Whether the force at the setpoint has been measured, by a mean of the dwell alone.
+    [[nodiscard]] bool hasMeasured() const noexcept { return engaged_ && isRestKnown(); }
     /// That force above the baseline [N]: what is there, which may exceed the setpoint.
-    [[nodiscard]] double measuredForce() const noexcept { return recent_.mean() - free_.mean(); }
-    /// Standard deviation of that by the noise at rest [N].
+    [[nodiscard]] double measuredForce() const noexcept { return rest_.mean() - free_.mean(); }
+    /// Standard deviation of that by noise, of the mean and of the baseline [N].
     [[nodiscard]] double measuredDeviation() const noexcept;
 
 private:
     void enter(ApproachPhase phase) noexcept;
     void beginDescent() noexcept;
     void descend(double timeStep, double force) noexcept;
+    void beginSettling(double timeStep) noexcept;
+    void settle(double timeStep, double force) noexcept;
+    /// After the first mean at rest. @return whether the base is to move by what is missing
+    bool takeSlope() noexcept;
+    /// Whether the mean at rest is as good as it must be, or goes over as much as there is time
+    /// for.
+    [[nodiscard]] bool isRestKnown() const noexcept;
+    void dwell() noexcept;
     void retract(double timeStep) noexcept;
 
     ApproachPlan plan_;
@@ -95,11 +112,18 @@ private:
     ApproachPhase phase_ = ApproachPhase::Baseline;
     bool started_ = false;  ///< the first step only begins
     bool engaged_ = false;
-    double inPhase_ = 0.0;   ///< [s]
-    double depth_ = 0.0;     ///< below the start [m]
-    double unsolved_ = 0.0;  ///< for how long the tip has had no equilibrium [s]
-    RunningMoments free_;    ///< force at rest [N]
-    RecentMean recent_;      ///< force of late, in the dwell that since its beginning [N]
+    double inPhase_ = 0.0;    ///< [s]
+    double depth_ = 0.0;      ///< below the start [m]
+    long ticksAbove_ = 0;     ///< of this descent, with more than half of the setpoint
+    double halfDepth_ = 0.0;  ///< where the force passed that half [m]
+    double slope_ = 0.0;      ///< rise of the force over the depth, from between [N/m]
+    double goal_ = 0.0;       ///< depth to which the base settles [m]
+    int moves_ = 0;           ///< by what was missing
+    double unsolved_ = 0.0;   ///< for how long the tip has had no equilibrium [s]
+    RunningMoments free_;     ///< force far from the sample [N]
+    RecentLine recent_;       ///< force of late, in the descent [N]
+    RunningMoments rest_;     ///< force since the last move, at rest [N]
+    long longestRest_ = 1;    ///< ticks
 };
 
 }  // namespace asperity

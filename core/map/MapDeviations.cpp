@@ -24,11 +24,12 @@ constexpr auto kDeviations = std::to_array<DeviationRow>(
 
 }  // namespace
 
+bool isDeviation(MapQuantity quantity) noexcept {
+    return std::ranges::find(kDeviations, quantity, &DeviationRow::deviation) != kDeviations.end();
+}
+
 bool hasDeviations(const MapPlan& plan) {
-    return std::ranges::any_of(plan.quantities, [](MapQuantity quantity) {
-        return std::ranges::find(kDeviations, quantity, &DeviationRow::deviation) !=
-               kDeviations.end();
-    });
+    return std::ranges::any_of(plan.quantities, isDeviation);
 }
 
 void takeDeviations(const Scene& scene, const TipState& setpoint, MapValues& values) {

@@ -5,6 +5,9 @@
 
 namespace asperity {
 
+/// Whether a quantity is the standard deviation of another one.
+[[nodiscard]] bool isDeviation(MapQuantity quantity) noexcept;
+
 /// Whether a map has standard deviations by model and calibration.
 [[nodiscard]] bool hasDeviations(const MapPlan& plan);
 

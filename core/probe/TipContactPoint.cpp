@@ -62,6 +62,21 @@ void TipContactPoint::hold(double tipRadius, const Vector3& velocity) noexcept {
     force = contact.force * place.normal + memory.friction * slip;
 }
 
+void TipContactPoint::keepJump() noexcept {
+    if (contact.branch != memory.contact.branch) {
+        memory.contact.branch = contact.branch;
+        jumpLoss = contact.energyLost;
+        jumpStays = contact.jumped;
+    }
+}
+
+void TipContactPoint::tellJump() noexcept {
+    if (jumpStays && !contact.jumped) {
+        contact.jumped = true;
+        contact.energyLost = jumpLoss;
+    }
+}
+
 double TipContactPoint::area() const noexcept {
     return std::numbers::pi * contact.contactRadius * contact.contactRadius;
 }

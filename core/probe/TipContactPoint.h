@@ -18,12 +18,19 @@ struct TipContactPoint {
     ContactState contact;
     Vector3 slip = Vector3::Zero();
     Vector3 force = Vector3::Zero();  ///< on the tip, lab frame [N]
+    double jumpLoss = 0.0;            ///< energy lost by a jump that stays, see keepJump() [J]
+    bool jumpStays = false;
 
     /// Takes effective radius and material of its place; whether one of them changed.
     bool followSample(const ProbeSystem& system) noexcept;
     /// Bears what a tip does that is held where the place was found from.
     /// @param velocity of the base [m/s]
     void hold(double tipRadius, const Vector3& velocity) noexcept;
+
+    /// Where the contact has changed its branch, makes this one that from which the search goes on.
+    void keepJump() noexcept;
+    /// Says of the contact that it jumped, where the search went on after that.
+    void tellJump() noexcept;
 
     [[nodiscard]] double stiffness() const noexcept { return std::max(0.0, contact.stiffness); }
     [[nodiscard]] double area() const noexcept;           ///< of contact [m^2]

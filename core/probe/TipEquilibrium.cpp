@@ -20,6 +20,11 @@ namespace asperity {
 namespace {
 
 constexpr int kMaxSweeps = 48;
+// From here on a contact that has jumped stays so. Where effective radius and normal change with
+// the place, a bond may break at the place to which it pulls the tip, and hold at the one to which
+// the lever takes the free tip: then no bonded state balances the lever, and the search would go to
+// and fro between the two.
+constexpr int kJumpsStay = kMaxSweeps / 2;
 constexpr double kPositionTolerance = 1e-15;  // [m]: a millionth of an atom's radius
 constexpr double kOfRadius = 1.0 / 15e6;      // and under a sharp tip so much of its radius
 constexpr double kSameSlot = 0.25;  // of the tip's radius: a point moves less from tick to tick
@@ -68,10 +73,16 @@ public:
             state_.locked = false;
             for (TipContactPoint& closest : points_) {
                 settle(closest);
+                if (i >= kJumpsStay) {
+                    closest.keepJump();
+                }
             }
             dropDoubledPoints();
             const bool still = (deflection_ - before).norm() <= tolerance_;
             state_.converged = still && !followSample() && !findMorePoints(memory);
+        }
+        for (TipContactPoint& closest : points_) {
+            closest.tellJump();
         }
         putMainPointFirst();
         report();

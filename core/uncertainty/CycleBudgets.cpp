@@ -1,8 +1,8 @@
 #include "core/uncertainty/CycleBudgets.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
-#include <optional>
 
 namespace asperity {
 
@@ -45,6 +45,11 @@ std::vector<CycleBudget> cycleBudgets(const PlaceBudgets& budgets, const Contact
         }
     }
     return list;
+}
+
+std::optional<Budget> budgetNamed(const std::vector<CycleBudget>& budgets, std::string_view key) {
+    const auto found = std::ranges::find(budgets, key, &CycleBudget::key);
+    return found == budgets.end() ? std::nullopt : std::optional(found->budget);
 }
 
 std::vector<CycleBudget> cycleBudgets(const Scene& scene, const ContactCycle& cycle) {

@@ -3,6 +3,8 @@
 #include "core/haptics/cycle/ContactCycle.h"
 #include "core/uncertainty/PlaceBudgets.h"
 
+#include <optional>
+#include <string_view>
 #include <vector>
 
 namespace asperity {
@@ -24,5 +26,9 @@ struct CycleBudget {
 /// The same by budgets of the cycle's place that are known already.
 [[nodiscard]] std::vector<CycleBudget> cycleBudgets(const PlaceBudgets& budgets,
                                                     const ContactCycle& cycle);
+
+/// Returns the budget of a reading; none: it has none. @param key of the reading
+[[nodiscard]] std::optional<Budget> budgetNamed(const std::vector<CycleBudget>& budgets,
+                                                std::string_view key);
 
 }  // namespace asperity

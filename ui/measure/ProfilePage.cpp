@@ -37,10 +37,11 @@ QString angleText(double radians) {
 }
 
 /// Both in the prefix of the larger one; below a hundredth a deviation is not told from none.
-QString withDeviation(const StepHeight& step) {
+QString withDeviation(const StepHeight& step, double zCalibration) {
     constexpr double kLastDigit = 0.01;
-    const SiScale scale = siScaleFor(std::max({std::abs(step.height), step.deviation, 1e-12}), "m");
-    const double deviation = scale.factor * step.deviation;
+    const double all = std::hypot(step.deviation, zCalibration * step.height);
+    const SiScale scale = siScaleFor(std::max({std::abs(step.height), all, 1e-12}), "m");
+    const double deviation = scale.factor * all;
     const QString shown = deviation > 0.0 && deviation < kLastDigit
                               ? QStringLiteral("< %1").arg(kLastDigit)
                               : QString::number(deviation, 'g', 2);
@@ -118,14 +119,16 @@ void ProfilePage::buildReadings() {
                    tr("Of the straight line from A to B to the scan's plane, up: positive"));
     readings_->add("stepReading", tr("step"),
                    tr("Mean height of the right stretch above that of the left one ± root of the "
-                      "sum of both variances"));
+                      "sum of both variances and that of the z calibration"));
     readings_->add("gratingReading", tr("grating"),
                    tr("Depth of a grating along the whole line, from the middle thirds of all "
-                      "ridges and grooves (ISO 5436-1) ± standard deviation of its residuals"));
+                      "ridges and grooves (ISO 5436-1) ± standard deviation, by its residuals and "
+                      "the z calibration"));
 }
 
-void ProfilePage::setProfile(const std::optional<Profile>& profile) {
+void ProfilePage::setProfile(const std::optional<Profile>& profile, double zCalibration) {
     profile_ = profile;
+    zCalibration_ = zCalibration;
     show();
 }
 
@@ -198,7 +201,7 @@ void ProfilePage::showStep() {
         return;
     }
     const auto grating = gratingHeight(*profile_);
-    readings_->set("gratingReading", grating ? withDeviation(*grating) : QString());
+    readings_->set("gratingReading", grating ? withDeviation(*grating, zCalibration_) : QString());
     if (!step_->isChecked()) {
         plot_->setStretches(std::nullopt);
         readings_->set("stepReading", {});
@@ -207,7 +210,7 @@ void ProfilePage::showStep() {
     const ProfilePlot::Stretches places = stretches();
     plot_->setStretches(places);
     const auto step = stepHeight(*profile_, intervalOf(places[0]), intervalOf(places[1]));
-    readings_->set("stepReading", step ? withDeviation(*step) : QString());
+    readings_->set("stepReading", step ? withDeviation(*step, zCalibration_) : QString());
 }
 
 }  // namespace asperity

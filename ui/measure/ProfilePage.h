@@ -24,8 +24,8 @@ class ProfilePage : public QWidget {
 public:
     explicit ProfilePage(QWidget* parent = nullptr);
 
-    /// None: no line is drawn.
-    void setProfile(const std::optional<Profile>& profile);
+    /// None: no line is drawn. @param zCalibration relative standard deviation of heights
+    void setProfile(const std::optional<Profile>& profile, double zCalibration = 0.0);
     /// Shows whether a drag on the whole scan draws the line.
     void setDrawing(bool drawing);
     /// How many lines side by side, a pixel apart, the heights are means of.
@@ -53,6 +53,7 @@ private:
     void showStep();
 
     std::optional<Profile> profile_;
+    double zCalibration_ = 0.0;
     ProfilePlot::Cursors cursors_{0.0, 1.0};                        ///< shares of the line
     ProfilePlot::Stretches stretches_{{{0.05, 0.3}, {0.7, 0.95}}};  ///< shares of the line
     ProfilePlot* plot_;

@@ -1,8 +1,10 @@
 #include "ui/measure/TouchModel.h"
 
+#include "core/words/BudgetWords.h"
 #include "ui/Steady.h"
 
 #include <optional>
+#include <string_view>
 
 namespace asperity {
 
@@ -123,14 +125,48 @@ QVariant sorted(const Touch& touch, int row, int column) {
     return value ? QVariant(*value) : QVariant();
 }
 
-/// With its standard deviation, where the value has one.
+/// Of the budgets of a cycle; empty: the column has none.
+std::string_view keyOf(int column) {
+    switch (column) {
+    case TouchModel::PullOff:
+        return "pull_off_force_n";
+    case TouchModel::Work:
+        return "adhesion_work_j";
+    case TouchModel::Stiffness:
+        return "contact_stiffness_n_m";
+    case TouchModel::MaxForce:
+        return "max_force_n";
+    case TouchModel::MaxIndentation:
+        return "max_indentation_m";
+    default:
+        return {};
+    }
+}
+
+/// Of a column that has a standard deviation.
+const char* siUnitOf(int column) {
+    switch (column) {
+    case TouchModel::Work:
+        return "J";
+    case TouchModel::Stiffness:
+        return "N/m";
+    case TouchModel::MaxIndentation:
+        return "m";
+    default:
+        return "N";
+    }
+}
+
+/// With what is open in the value: the noise alone where no more is known.
 QString toolTip(const Touch& touch, int column) {
     const ColumnTexts& texts = textsOf(column);
     QString text = TouchModel::tr(texts.meaning);
-    if (const std::optional<Reading> reading = readingOf(touch.cycle, column)) {
-        text += QStringLiteral("\n%1 ± %2 %3")
-                    .arg(numberText(reading->value, texts), numberText(reading->sigma, texts),
-                         QString::fromUtf8(texts.unit));
+    std::optional<Budget> budget = budgetNamed(touch.budgets, keyOf(column));
+    if (const std::optional<Reading> reading = readingOf(touch.cycle, column); reading && !budget) {
+        budget = Budget{.value = reading->value, .noise = reading->sigma};
+    }
+    if (budget) {
+        text += QLatin1Char('\n') + QString::fromStdString(budgetText(*budget, siUnitOf(column)));
     }
     return text;
 }

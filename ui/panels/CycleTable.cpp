@@ -1,5 +1,6 @@
 #include "ui/panels/CycleTable.h"
 
+#include "core/words/BudgetWords.h"
 #include "ui/NumberText.h"
 #include "ui/Steady.h"
 #include "ui/Theme.h"
@@ -26,16 +27,16 @@ const QString kNothing = QStringLiteral("–");
 
 // One unit for all rows, so that they compare at sight.
 const SiScale kNanonewtons{1e9, "nN"};
-const SiScale kNanometers{1e9, "nm"};
 const SiScale kPerMeter{1.0, "N/m"};
 
 QString readingText(const std::optional<Reading>& reading, const SiScale& scale) {
     return reading ? threeDigits(reading->value, scale) : kNothing;
 }
 
-QString withSigma(const std::optional<Reading>& reading, const SiScale& scale) {
-    return reading ? threeDigits(reading->value, {scale.factor, ""}) + QStringLiteral("± ") +
-                         threeDigits(reading->sigma, scale)
+/// Of which no more is known than the noise.
+QString withNoise(const std::optional<Reading>& reading, const char* unit) {
+    return reading ? QString::fromStdString(
+                         budgetText({.value = reading->value, .noise = reading->sigma}, unit))
                    : kNothing;
 }
 
@@ -61,8 +62,8 @@ std::optional<Reading> workOf(const ContactCycle& cycle) {
 
 /// What model and calibration leave open in a reading.
 std::optional<double> modelSigmaOf(const std::vector<CycleBudget>& budgets, std::string_view key) {
-    const auto found = std::ranges::find(budgets, key, &CycleBudget::key);
-    return found == budgets.end() ? std::nullopt : std::optional(found->budget.model());
+    const std::optional<Budget> budget = budgetNamed(budgets, key);
+    return budget ? std::optional(budget->model()) : std::nullopt;
 }
 
 /// An open loop has no area, and one that could be nothing but noise is none.
@@ -126,18 +127,17 @@ QString CycleTable::details(int row) const {
     const ContactCycle& cycle = shown.cycle;
     const std::vector<CycleBudget> budgets = this->budgets(row);
     const auto reading = [&](const char* key, const std::optional<Reading>& value,
-                             const SiScale& scale) {
-        return budgetedReading(budgets, key, withSigma(value, scale));
+                             const char* unit) {
+        return budgetedReading(budgets, key, withNoise(value, unit));
     };
     return tr("%1\nPull-off force: %2\nWork of adhesion: %3\nHysteresis: %4\nContact stiffness: "
               "%5\nMaximum force: %6\nMaximum indentation: %7")
-        .arg(shown.material, reading("pull_off_force_n", cycle.pullOff, kNanonewtons),
-             cycle.pullOff ? reading("adhesion_work_j", workOf(cycle), energies()) : kNothing,
-             withSigma(hysteresisOf(cycle), energies()),
-             reading("contact_stiffness_n_m", cycle.stiffness, kPerMeter),
-             reading("max_force_n", cycle.maxForce, kNanonewtons),
-             budgetedReading(budgets, "max_indentation_m",
-                             threeDigits(cycle.maxIndentation, kNanometers)));
+        .arg(shown.material, reading("pull_off_force_n", cycle.pullOff, "N"),
+             cycle.pullOff ? reading("adhesion_work_j", workOf(cycle), "J") : kNothing,
+             withNoise(hysteresisOf(cycle), "J"),
+             reading("contact_stiffness_n_m", cycle.stiffness, "N/m"),
+             reading("max_force_n", cycle.maxForce, "N"),
+             budgetedReading(budgets, "max_indentation_m", siText(cycle.maxIndentation, "m")));
 }
 
 ShownNumbers CycleTable::numbers() const {

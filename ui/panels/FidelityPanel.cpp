@@ -2,6 +2,7 @@
 
 #include "core/words/ModelWords.h"
 #include "ui/CoreWords.h"
+#include "ui/NumberText.h"
 #include "ui/Theme.h"
 #include "ui/panels/Card.h"
 #include "ui/panels/NumberBox.h"
@@ -156,13 +157,13 @@ void FidelityPanel::showModel(const SceneNeeds& needs, const ModelChoices& choic
     terms_->show(needs, choices);
     const QSignalBlocker blocker(tolerance_);
     tolerance_->setValue(100.0 * needs.tolerance);
-    summary_->setText(needs.pending
-                          ? tr("Finding out what this scene requires; until then the model has "
-                               "everything.")
-                          : tr("Model: %1; a tick takes %2 µs instead of %3 µs.")
-                                .arg(coreWords(modelErrorText(needs)))
-                                .arg(1e6 * needs.modelTick, 0, 'f', 2)
-                                .arg(1e6 * needs.fullTick, 0, 'f', 2));
+    summary_->setText(
+        needs.pending ? tr("Finding out what this scene requires; until then the model has "
+                           "everything.")
+                      : tr("Model at a setpoint of %1: %2; a tick takes %3 µs instead of %4 µs.")
+                            .arg(siText(needs.setpoint, "N"), coreWords(modelErrorText(needs)))
+                            .arg(1e6 * needs.modelTick, 0, 'f', 2)
+                            .arg(1e6 * needs.fullTick, 0, 'f', 2));
     now_ = ofForce(needs.model);
     showCurrent();
 }

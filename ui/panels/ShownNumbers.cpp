@@ -26,7 +26,7 @@ QString tabSeparated(const ShownNumbers& numbers) {
     PlotTable table;
     table.add(QObject::tr("name"), names);
     table.add(QObject::tr("value"), values);
-    table.add(QObject::tr("standard deviation"), sigmas);
+    table.add(QObject::tr("standard deviation by noise"), sigmas);
     table.add(QObject::tr("by model and calibration"), modelSigmas);
     table.add(QObject::tr("unit"), units);
     return table.tabSeparated();

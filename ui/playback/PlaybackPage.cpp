@@ -94,8 +94,10 @@ PlaybackPage::PlaybackPage(QWidget* parent)
 
 void PlaybackPage::buildReadings() {
     readings_->add("recordingMoment", tr("time"), tr("Of the moment that is shown, in the run"));
-    readings_->add("recordingForce", tr("normal force"),
-                   tr("Estimated, along the normal of the surface ± standard deviation"));
+    readings_->add(
+        "recordingForce", tr("normal force"),
+        tr("Estimated, along the normal of the surface ± one standard deviation, by noise, "
+           "model and calibration together"));
     readings_->add("recordingDistance", tr("distance"),
                    tr("Indentation, or the gap between tip and surface"));
     readings_->add("recordingState", tr("state"), tr("Where the tip is"));

@@ -1,5 +1,7 @@
 #include "ui/view/ViewExtent.h"
 
+#include <algorithm>
+
 namespace asperity {
 
 namespace {
@@ -12,7 +14,11 @@ constexpr double kExtentStep = 1.5;  // a dent that needs more room gets so many
 
 }  // namespace
 
-void ViewExtent::fit(const FramedSurface& surface, double tipHeight) {
+void ViewExtent::fit(const FramedSurface& surface, double tipHeight, double dent) {
+    const double slack = (kBlockDepth - kMinFloor) * surface.halfWidth / surface.heightScale;
+    if (dent > slack) {  // else the block has room for it anyway
+        dentDepth_ = std::max(dentDepth_, dent);
+    }
     const double above = surface.heightScale * surface.heights.high - surface.middle();
     fitted_ = {.halfWidth = surface.halfWidth,
                .below = surface.middle() - drawnBottom(surface),

@@ -19,9 +19,10 @@ struct FramedSurface {
 /// deepest dent since it was fitted. It seldom changes, so that nothing but the tip moves.
 class ViewExtent {
 public:
-    /// From now on the picture holds what is in the frame at rest, and the tip above it.
-    /// @param tipHeight as drawn [m]
-    void fit(const FramedSurface& surface, double tipHeight);
+    /// From now on the picture holds what is in the frame at rest, the tip above it and a dent of
+    /// the usual depth below.
+    /// @param tipHeight as drawn [m] @param dent [m]
+    void fit(const FramedSurface& surface, double tipHeight, double dent = 0.0);
     /// Dents so far count no more; another fit is wanted.
     void forget();
     [[nodiscard]] bool isFitWanted() const { return isFitWanted_; }

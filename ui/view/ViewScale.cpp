@@ -51,6 +51,13 @@ double usualContactRadius(const Scene& scene) {
                  : onSphere;
 }
 
+/// Of a flat sample, without its lever [m]; 0 where the law does not reach the setpoint.
+double usualDent(const Scene& scene) {
+    constexpr double kHeld = 0.0;  // compliance [m/N]
+    return std::max(
+        0.0, basePositionAt(scene.belief.contact, kHeld, scene.description.setpoint).value_or(0.0));
+}
+
 }  // namespace
 
 ViewScale viewScale(const Scene& scene) {
@@ -67,6 +74,7 @@ ViewScale viewScale(const Scene& scene) {
             .least = kMinWidth.of(tip, contact),
             .pixel = pixel,
             .paraboloidReach = isWide ? std::max(tip, kParaboloidReach * paraboloid) : 0.0,
+            .dent = usualDent(scene),
             .force = std::max(scene.description.setpoint, jkrPullOff(scene.belief.contact.pair()))};
 }
 

@@ -14,6 +14,7 @@ struct ViewScale {
     /// Where contacts are about as wide as the tip, a law for paraboloids wants the tip drawn as
     /// one to this distance from its axis; 0: as a sphere [m].
     double paraboloidReach = 0.0;
+    double dent = 0.0;   ///< that the setpoint makes, about [m]
     double force = 0.0;  ///< usual one: the larger of setpoint and pull-off, about [N]
 };
 

@@ -150,11 +150,11 @@ void ZoomPicture::placeTerrain(const TerrainPlace& place) {
     terrain_.setPlace(scene_->surface, place);
     fitHeights();
     const bool otherColors = fitColors();
-    terrain_.setBottom(extent_.bottom(framed()));
     // The scale stays while the tip is in contact.
     if (extent_.isFitWanted() || !(isTouching() || shown_.isKept())) {
-        extent_.fit(framed(), gear().tipHeight());
+        extent_.fit(framed(), gear().tipHeight(), scale_.dent);
     }
+    terrain_.setBottom(extent_.bottom(framed()));
     Q_EMIT terrainPlaced();
     if (otherColors) {
         Q_EMIT scalesChanged();
@@ -173,7 +173,7 @@ void ZoomPicture::keepScales() {
     shown_.keep();
     fitHeights();
     fitColors();
-    extent_.fit(framed(), gear().tipHeight());
+    extent_.fit(framed(), gear().tipHeight(), scale_.dent);
     terrain_.setBottom(extent_.bottom(framed()));
     Q_EMIT terrainPlaced();
     Q_EMIT scalesChanged();
@@ -374,7 +374,7 @@ void ZoomPicture::setOptions(const ViewOptions& options) {
     cache_.invalidate();
     if (frame_) {
         extent_.forget();
-        extent_.fit(framed(), gear().tipHeight());
+        extent_.fit(framed(), gear().tipHeight(), scale_.dent);
         terrain_.setBottom(extent_.bottom(framed()));
         Q_EMIT terrainPlaced();
     }

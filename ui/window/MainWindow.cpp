@@ -51,7 +51,9 @@ namespace asperity {
 namespace {
 
 constexpr int kMessageTime = 8000;  // [ms]
-constexpr QSize kWindowSize(1600, 1000);
+// At first, where the screen has that much: usual screens are filled, and on larger ones panels
+// would only grow emptier.
+constexpr QSize kWindowSize(2400, 1500);
 
 /// The keys that move the device work again once a knob is turned.
 void giveFocusBack(ControlBar& controls, ZoomView& view) {

@@ -31,6 +31,11 @@ std::string measuredText(const Reading& reading, const SiScale& scale) {
                      sigma);
 }
 
+std::string noisyText(const Reading& reading, const SiScale& scale) {
+    const std::string text = measuredText(reading, scale);
+    return text.find("±") != std::string::npos ? text + "\u00A0(noise)" : text;
+}
+
 std::string measuredText(const Reading& reading, const std::string& unit) {
     const SiScale scale = siScaleFor(reading.value, unit);
     const std::string text = measuredText(reading, scale);

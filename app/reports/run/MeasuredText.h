@@ -14,7 +14,10 @@ namespace asperity {
 /// none is known (0) as numberText().
 [[nodiscard]] std::string measuredText(const Reading& reading, const SiScale& scale);
 
-/// The same in a prefix of its own, with unit: "(3.395 ± 0.086) nN".
+/// The same of a value of which no more is known than the noise: "3.395 ± 0.086 (noise)".
+[[nodiscard]] std::string noisyText(const Reading& reading, const SiScale& scale);
+
+/// As measuredText() in a prefix of its own, with unit: "(3.395 ± 0.086) nN".
 [[nodiscard]] std::string measuredText(const Reading& reading, const std::string& unit);
 
 /// A sentence that begins with a capital.

@@ -2,6 +2,7 @@
 
 #include "app/reports/run/MeasuredText.h"
 #include "core/FormattedText.h"
+#include "core/uncertainty/ForceBudget.h"
 
 #include <algorithm>
 #include <cmath>
@@ -34,10 +35,12 @@ std::vector<Moment> momentsOf(const RunEvents& events) {
             {"last tick of the model's contact", events.beforePullOff}};
 }
 
-Reading estimateOf(const TickOutput& out) {
+/// With its deviation by noise, stiffness and calibration.
+Reading estimateOf(const Uncertainty& given, const TickOutput& out) {
     const Vector3& normal = out.model.normal;
-    return {out.estimate.force.dot(normal),
-            std::sqrt(std::max(0.0, normal.dot(out.estimate.covariance * normal)))};
+    const double force = out.estimate.force.dot(normal);
+    const double noise = std::sqrt(std::max(0.0, normal.dot(out.estimate.covariance * normal)));
+    return {force, forceBudget(given, force, noise).total()};
 }
 
 struct MomentScales {
@@ -45,7 +48,7 @@ struct MomentScales {
     SiScale force;
 };
 
-MomentScales scalesOf(const std::vector<Moment>& moments) {
+MomentScales scalesOf(const Uncertainty& given, const std::vector<Moment>& moments) {
     double length = 0.0;
     double force = 0.0;
     for (const Moment& moment : moments) {
@@ -53,16 +56,16 @@ MomentScales scalesOf(const std::vector<Moment>& moments) {
             const TipState& state = moment.sample->output.model;
             length = std::max(
                 {length, std::abs(state.contact.indentation), state.contact.contactRadius});
-            const Reading estimate = estimateOf(moment.sample->output);
+            const Reading estimate = estimateOf(given, moment.sample->output);
             force = std::max({force, std::abs(state.normalForce), std::abs(estimate.value)});
         }
     }
     return {siScaleFor(length, "m"), siScaleFor(force, "N")};
 }
 
-PageTable momentTable(const RunEvents& events) {
+PageTable momentTable(const Uncertainty& given, const RunEvents& events) {
     const std::vector<Moment> moments = momentsOf(events);
-    const auto [length, force] = scalesOf(moments);
+    const auto [length, force] = scalesOf(given, moments);
     PageTable table{.columns = {{"moment"},
                                 {"time [s]", true},
                                 {"indentation [" + length.unit + "]", true},
@@ -80,7 +83,7 @@ PageTable momentTable(const RunEvents& events) {
                               {numberText(out.model.contact.indentation, length)},
                               {numberText(out.model.contact.contactRadius, length)},
                               {numberText(out.model.normalForce, force)},
-                              {measuredText(estimateOf(out), force)}});
+                              {measuredText(estimateOf(given, out), force)}});
     }
     return table;
 }
@@ -96,11 +99,11 @@ void addPictures(PageContent& page, const ReportedRun& run) {
             {run.deformation, "The deformed surface of the sample under the tip",
              "The deformed surface as the contact model has it, colored by displacement."});
     }
-    page.addTable(momentTable(run.history.events()));
+    page.addTable(momentTable(run.loaded.scene.description.uncertainty, run.history.events()));
     page.addParagraph(
         "Single ticks, along the normal at the contact. Indentation below zero is a gap, or in "
         "contact the height of a neck above the undeformed surface. Signals: the force estimated "
-        "from the lever signals, with one standard deviation.");
+        "from the lever signals, with one standard deviation by noise, stiffness and calibration.");
 }
 
 }  // namespace asperity

@@ -62,15 +62,16 @@ std::vector<PageCell> rowOf(const IndexedRun& run, const IndexScales& scales) {
 
 IndexedRun indexed(const ReportedRun& run) {
     const SceneDescription& scene = run.loaded.scene.description;
-    const std::vector<ContactCycle>& cycles = run.history.events().cycles;
+    const std::vector<BudgetedTouch> touches =
+        budgeted(run.loaded.scene, run.history.events().cycles);
     return {.name = run.name,
             .sample = shortNameOf(scene.sample),
             .material = scene.sample.material.name,
             .tipRadius = scene.tip.radius,
-            .touches = static_cast<long>(cycles.size()),
-            .pullOff = pullOffOf(cycles),
-            .adhesionWork = adhesionWorkOf(cycles),
-            .maxIndentation = maxIndentationOf(cycles),
+            .touches = static_cast<long>(touches.size()),
+            .pullOff = pullOffOf(touches),
+            .adhesionWork = adhesionWorkOf(touches),
+            .maxIndentation = maxIndentationOf(touches),
             .validity = run.difference.empty() ? verdictOn(run.history).brief : "replay differs"};
 }
 
@@ -96,9 +97,10 @@ ReportPage indexPage(const std::string& name, const std::vector<IndexedRun>& run
                     .content = {}};
     page.content.addTable(std::move(table));
     page.content.addParagraph(
-        "Pull-off force and work of adhesion: of one touch with the standard deviation from the "
-        "noise of the signals, of several touches their mean with the standard deviation of one "
-        "touch. Validity: whether the contact model holds, by the share of ticks; –: no such "
+        "Pull-off force and work of adhesion: of one touch, of several touches their mean, with "
+        "the "
+        "standard deviation of one touch by noise (of several: by scatter), model and calibration "
+        "together. Validity: whether the contact model holds, by the share of ticks; –: no such "
         "value.");
     return page;
 }

@@ -17,6 +17,7 @@
 
 #include <numbers>
 #include <string>
+#include <vector>
 
 namespace asperity {
 
@@ -57,8 +58,9 @@ ReportPage runPage(const ReportedRun& run, const std::string& parent) {
                     .content = {}};
     addWarnings(page.content, run);
     addCurves(page.content, run.history);
-    addTouches(page.content, run.history.events().cycles);
-    addUncertainty(page.content, scene, run.history.events().cycles);
+    const std::vector<BudgetedTouch> touches = budgeted(scene, run.history.events().cycles);
+    addTouches(page.content, touches);
+    addUncertainty(page.content, scene, touches);
     addSample(page.content, run);
     addPictures(page.content, run);
     addValidity(page.content, run.history);

@@ -20,28 +20,36 @@ std::optional<Reading> workOf(const ContactCycle& cycle) {
                          : std::nullopt;
 }
 
-/// Of the readings that the touches have.
+/// Of the readings that the touches have. @param key of their budgets
 template <class ReadingOf>
-std::optional<TouchMean> meanOf(const std::vector<ContactCycle>& cycles, ReadingOf readingOf) {
+std::optional<TouchMean> meanOf(const std::vector<BudgetedTouch>& touches, const char* key,
+                                ReadingOf readingOf) {
     std::vector<Reading> readings;
-    for (const ContactCycle& cycle : cycles) {
-        if (const std::optional<Reading> reading = readingOf(cycle)) {
+    double model = 0.0;  // the touches share what is open in lever, tip and material
+    for (const BudgetedTouch& touch : touches) {
+        if (const std::optional<Reading> reading = readingOf(touch.cycle)) {
             readings.push_back(*reading);
+            const std::optional<Budget> budget = budgetNamed(touch.budgets, key);
+            model += budget ? budget->model() : 0.0;
         }
     }
-    if (readings.size() <= 1) {
-        return readings.empty() ? std::nullopt : std::optional(TouchMean{readings.front(), 1});
+    if (readings.empty()) {
+        return std::nullopt;
     }
     const auto count = static_cast<double>(readings.size());
     double mean = 0.0;
     for (const Reading& reading : readings) {
         mean += reading.value / count;
     }
-    double variance = 0.0;
-    for (const Reading& reading : readings) {
-        variance += (reading.value - mean) * (reading.value - mean) / (count - 1.0);
+    double variance = readings.front().sigma * readings.front().sigma;
+    if (readings.size() > 1) {
+        variance = 0.0;
+        for (const Reading& reading : readings) {
+            variance += (reading.value - mean) * (reading.value - mean) / (count - 1.0);
+        }
     }
-    return TouchMean{{mean, std::sqrt(variance)}, static_cast<long>(readings.size())};
+    return TouchMean{{mean, std::hypot(std::sqrt(variance), model / count)},
+                     static_cast<long>(readings.size())};
 }
 
 /// A column of a table of touches.
@@ -49,16 +57,18 @@ struct TouchColumn {
     const char* title;
     const char* unit;
     std::function<std::optional<Reading>(const ContactCycle&)> reading;
+    const char* key = "";  ///< of its budget; empty: it has none
 };
 
 std::optional<Reading> plain(double value) { return Reading{value, 0.0}; }
 
 const std::vector<TouchColumn>& contactColumns() {
     static const std::vector<TouchColumn> kColumns{
-        {"max. force", "N",
-         [](const ContactCycle& cycle) { return std::optional(cycle.maxForce); }},
+        {"max. force", "N", [](const ContactCycle& cycle) { return std::optional(cycle.maxForce); },
+         "max_force_n"},
         {"max. indentation", "m",
-         [](const ContactCycle& cycle) { return plain(cycle.maxIndentation); }},
+         [](const ContactCycle& cycle) { return plain(cycle.maxIndentation); },
+         "max_indentation_m"},
         {"snap-in force", "N", [](const ContactCycle& cycle) { return cycle.snapIn; }},
         {"snap-in at gap", "m", [](const ContactCycle& cycle) {
              return cycle.snapIn ? plain(cycle.snapInBaseDistance) : std::nullopt;
@@ -68,22 +78,35 @@ const std::vector<TouchColumn>& contactColumns() {
 
 const std::vector<TouchColumn>& adhesionColumns() {
     static const std::vector<TouchColumn> kColumns{
-        {"pull-off force", "N", [](const ContactCycle& cycle) { return cycle.pullOff; }},
-        {"work of adhesion", "J", workOf},
+        {"pull-off force", "N", [](const ContactCycle& cycle) { return cycle.pullOff; },
+         "pull_off_force_n"},
+        {"work of adhesion", "J", workOf, "adhesion_work_j"},
         {"hysteresis", "J", [](const ContactCycle& cycle) { return cycle.closedHysteresis(); }},
-        {"contact stiffness", "N/m", [](const ContactCycle& cycle) { return cycle.stiffness; }}};
+        {"contact stiffness", "N/m", [](const ContactCycle& cycle) { return cycle.stiffness; },
+         "contact_stiffness_n_m"}};
     return kColumns;
 }
 
 /// One for all rows, so that they compare at sight.
-SiScale scaleOfColumn(const TouchColumn& column, const std::vector<ContactCycle>& cycles) {
+SiScale scaleOfColumn(const TouchColumn& column, const std::vector<BudgetedTouch>& touches) {
     double largest = 0.0;
-    for (const ContactCycle& cycle : cycles) {
-        if (const std::optional<Reading> reading = column.reading(cycle)) {
+    for (const BudgetedTouch& touch : touches) {
+        if (const std::optional<Reading> reading = column.reading(touch.cycle)) {
             largest = std::max(largest, std::abs(reading->value));
         }
     }
     return siScaleFor(largest, column.unit);
+}
+
+/// With the deviation by all inputs, where it is known; else with the noise, and that it is that.
+std::string cellOf(const TouchColumn& column, const BudgetedTouch& touch, const SiScale& scale) {
+    const std::optional<Reading> reading = column.reading(touch.cycle);
+    if (!reading) {
+        return kNoReading;
+    }
+    const std::optional<Budget> budget = budgetNamed(touch.budgets, column.key);
+    return budget && budget->model() > 0.0 ? measuredText({reading->value, budget->total()}, scale)
+                                           : noisyText(*reading, scale);
 }
 
 std::string remarkOn(const ContactCycle& cycle) {
@@ -102,33 +125,32 @@ std::string remarkOn(const ContactCycle& cycle) {
 using Cells = std::vector<PageCell>;
 
 /// A table with the number of each touch, cells of its own, and the values of the columns.
-PageTable tableOf(const std::vector<ContactCycle>& cycles, const std::vector<TouchColumn>& columns,
-                  std::vector<PageColumn> own,
+PageTable tableOf(const std::vector<BudgetedTouch>& touches,
+                  const std::vector<TouchColumn>& columns, std::vector<PageColumn> own,
                   const std::function<Cells(const ContactCycle&)>& ownCells) {
     PageTable table;
     table.columns.push_back({"touch", true});
     std::ranges::move(own, std::back_inserter(table.columns));
     std::vector<SiScale> scales;
     for (const TouchColumn& column : columns) {
-        scales.push_back(scaleOfColumn(column, cycles));
+        scales.push_back(scaleOfColumn(column, touches));
         table.columns.push_back(
             {std::string(column.title) + " [" + scales.back().unit + "]", true});
     }
-    for (std::size_t i = 0; i < cycles.size(); ++i) {
+    for (std::size_t i = 0; i < touches.size(); ++i) {
         Cells row{{std::to_string(i + 1)}};
-        std::ranges::move(ownCells(cycles[i]), std::back_inserter(row));
+        std::ranges::move(ownCells(touches[i].cycle), std::back_inserter(row));
         for (std::size_t c = 0; c < columns.size(); ++c) {
-            const std::optional<Reading> reading = columns[c].reading(cycles[i]);
-            row.push_back({reading ? measuredText(*reading, scales[c]) : kNoReading});
+            row.push_back({cellOf(columns[c], touches[i], scales[c])});
         }
         table.rows.push_back(std::move(row));
     }
     return table;
 }
 
-PageTable contactTable(const std::vector<ContactCycle>& cycles) {
+PageTable contactTable(const std::vector<BudgetedTouch>& touches) {
     constexpr double kMicro = 1e6;
-    return tableOf(cycles, contactColumns(),
+    return tableOf(touches, contactColumns(),
                    {{"time [s]", true}, {"x [µm]", true}, {"y [µm]", true}},
                    [](const ContactCycle& cycle) {
                        return Cells{{formatted("%.3f", cycle.touchTime)},
@@ -137,71 +159,81 @@ PageTable contactTable(const std::vector<ContactCycle>& cycles) {
                    });
 }
 
-PageTable adhesionTable(const std::vector<ContactCycle>& cycles) {
+PageTable adhesionTable(const std::vector<BudgetedTouch>& touches) {
     PageTable table =
-        tableOf(cycles, adhesionColumns(), {}, [](const ContactCycle&) { return Cells(); });
+        tableOf(touches, adhesionColumns(), {}, [](const ContactCycle&) { return Cells(); });
     const bool hasRemarks = std::ranges::any_of(
-        cycles, [](const ContactCycle& cycle) { return !remarkOn(cycle).empty(); });
+        touches, [](const BudgetedTouch& touch) { return !remarkOn(touch.cycle).empty(); });
     if (hasRemarks) {
         table.columns.push_back({"remark"});
-        for (std::size_t i = 0; i < cycles.size(); ++i) {
-            table.rows[i].push_back({remarkOn(cycles[i])});
+        for (std::size_t i = 0; i < touches.size(); ++i) {
+            table.rows[i].push_back({remarkOn(touches[i].cycle)});
         }
     }
     return table;
 }
 
-std::string meanSentence(const std::vector<ContactCycle>& cycles) {
+std::string meanSentence(const std::vector<BudgetedTouch>& touches) {
     std::string sentence;
     const auto add = [&](const char* name, const std::optional<TouchMean>& mean, const char* unit) {
         if (mean && mean->touches > 1) {
             sentence += std::string(sentence.empty() ? "" : " ") + name + " of " +
                         std::to_string(mean->touches) +
                         " touches: " + measuredText(mean->reading, unit) +
-                        ", mean and standard deviation of one touch.";
+                        ", mean and standard deviation of one touch, by scatter, model and "
+                        "calibration together.";
         }
     };
-    add("Pull-off force", pullOffOf(cycles), "N");
-    add("Work of adhesion", adhesionWorkOf(cycles), "J");
+    add("Pull-off force", pullOffOf(touches), "N");
+    add("Work of adhesion", adhesionWorkOf(touches), "J");
     return sentence;
 }
 
 }  // namespace
 
-std::optional<TouchMean> pullOffOf(const std::vector<ContactCycle>& cycles) {
-    return meanOf(cycles, [](const ContactCycle& cycle) { return cycle.pullOff; });
-}
-
-std::optional<TouchMean> adhesionWorkOf(const std::vector<ContactCycle>& cycles) {
-    return meanOf(cycles, workOf);
-}
-
-double maxIndentationOf(const std::vector<ContactCycle>& cycles) {
-    double largest = 0.0;
+std::vector<BudgetedTouch> budgeted(const Scene& scene, const std::vector<ContactCycle>& cycles) {
+    std::vector<BudgetedTouch> touches;
     for (const ContactCycle& cycle : cycles) {
-        largest = std::max(largest, cycle.maxIndentation);
+        touches.push_back({cycle, cycleBudgets(scene, cycle)});
+    }
+    return touches;
+}
+
+std::optional<TouchMean> pullOffOf(const std::vector<BudgetedTouch>& touches) {
+    return meanOf(touches, "pull_off_force_n",
+                  [](const ContactCycle& cycle) { return cycle.pullOff; });
+}
+
+std::optional<TouchMean> adhesionWorkOf(const std::vector<BudgetedTouch>& touches) {
+    return meanOf(touches, "adhesion_work_j", workOf);
+}
+
+double maxIndentationOf(const std::vector<BudgetedTouch>& touches) {
+    double largest = 0.0;
+    for (const BudgetedTouch& touch : touches) {
+        largest = std::max(largest, touch.cycle.maxIndentation);
     }
     return largest;
 }
 
-void addTouches(PageContent& page, const std::vector<ContactCycle>& cycles) {
+void addTouches(PageContent& page, const std::vector<BudgetedTouch>& touches) {
     page.addHeading("Touches");
-    if (cycles.empty()) {
+    if (touches.empty()) {
         page.addParagraph("The tip never touched the sample in this run.");
         return;
     }
-    page.addTable(contactTable(cycles));
-    page.addTable(adhesionTable(cycles));
-    if (const std::string means = meanSentence(cycles); !means.empty()) {
+    page.addTable(contactTable(touches));
+    page.addTable(adhesionTable(touches));
+    if (const std::string means = meanSentence(touches); !means.empty()) {
         page.addParagraph(means);
     }
     page.addParagraph(
         "As the lever signals have it, not as the contact model does. x and y: the tip when the "
         "touch begins, from the lower left corner of the scan. Work of adhesion: area between the "
         "retract curve and zero force, where it pulls; hysteresis: area between approach and "
-        "retract. ± is one standard deviation from the noise of the signals alone: errors of the "
-        "parameters and of the contact model are not in it. A value without ± has none that the "
-        "program knows; – means: no such value beyond the noise.");
+        "retract. ± is one standard deviation, by noise, model and calibration together; where it "
+        "says noise it is that of the signals alone, and what model and calibration leave open is "
+        "not known. – means: no such value beyond the noise.");
 }
 
 }  // namespace asperity

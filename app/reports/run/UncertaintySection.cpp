@@ -1,7 +1,6 @@
 #include "app/reports/run/UncertaintySection.h"
 
 #include "core/scene/Scene.h"
-#include "core/uncertainty/CycleBudgets.h"
 #include "core/words/BudgetWords.h"
 
 #include <cstddef>
@@ -11,13 +10,13 @@
 namespace asperity {
 
 void addUncertainty(PageContent& page, const Scene& scene,
-                    const std::vector<ContactCycle>& cycles) {
-    if (!scene.description.uncertainty.enabled || cycles.empty()) {
+                    const std::vector<BudgetedTouch>& touches) {
+    if (!scene.description.uncertainty.enabled || touches.empty()) {
         return;
     }
     PageTable table{.columns = {{"touch", true}, {"What"}, {"Value"}, {"Most by"}}, .rows = {}};
-    for (std::size_t i = 0; i < cycles.size(); ++i) {
-        for (const auto& [key, name, unit, budget] : cycleBudgets(scene, cycles[i])) {
+    for (std::size_t i = 0; i < touches.size(); ++i) {
+        for (const auto& [key, name, unit, budget] : touches[i].budgets) {
             const std::optional<UncertaintyInput> dominant = budget.dominant();
             table.rows.push_back({{std::to_string(i + 1)},
                                   {name},

@@ -83,6 +83,30 @@ TEST_F(Map, WritesEveryQuantityWithItsUnit) {
     EXPECT_FALSE(isThere("map.gwy.part"));
 }
 
+/// A blank in a map of deviations was taken for 0.
+TEST_F(Map, SaysHowManyStandardDeviationsAreUnknown) {
+    HeightMap ridges{.columns = 64, .rows = 8, .pitchX = 2e-9, .pitchY = 2e-9};
+    for (int row = 0; row < ridges.rows; ++row) {
+        for (int column = 0; column < ridges.columns; ++column) {
+            constexpr double kWave = 2.0 * std::numbers::pi / 30.0;
+            ridges.heights.push_back(25e-9 * std::sin(kWave * (column + 0.5)));
+        }
+    }
+    writeHeightMap(scratch.file("hills.gwy"), ridges, {.title = "Height"});
+    const auto ran = run("map.gwy", "--grid 32x1 --uncertainty");
+    ASSERT_EQ(ran.exitCode, 0) << ran.output;
+    const HeightMapFile gwy = read("map.gwy");
+    const ScanChannel& deviation = channelOf(gwy, "adhesion force, standard deviation");
+    const auto unknown = std::ranges::count(deviation.map.invalid, true);
+    ASSERT_GT(unknown, 0);
+    ASSERT_LT(unknown, 32);
+    const std::string sentence = "unknown in " + std::to_string(unknown) + " of 32 pixels, not 0";
+    EXPECT_THAT(ran.output,
+                HasSubstr("note: adhesion force, standard deviation: " + sentence + ": several"));
+    EXPECT_THAT(deviation.metadata.at("remark"), HasSubstr(sentence));
+    EXPECT_FALSE(channelOf(gwy, "adhesion force").metadata.contains("remark"));
+}
+
 TEST_F(Map, OfContactHasTraceAndRetrace) {
     const auto ran = run("map.gwy", "--grid 8x4 --mode contact");
     ASSERT_EQ(ran.exitCode, 0) << ran.output;

@@ -120,7 +120,7 @@ TEST_F(Measure, TellsPeopleInWords) {
     EXPECT_THAT(ran.output, HasSubstr("channel 'Height', 300 x 20 pixels, 3 µm x 400 nm\n"));
     EXPECT_THAT(ran.output, HasSubstr("Roughness (ISO 25178-2) of 6000 pixels with data"));
     EXPECT_THAT(ran.output, HasSubstr("Sz   50 nm"));
-    EXPECT_THAT(ran.output, HasSubstr("height of a grating: 50 nm (standard deviation "));
+    EXPECT_THAT(ran.output, HasSubstr("height of a grating: 50 nm (scatter "));
 }
 
 TEST_F(Measure, TakesASceneAndRefusesAShape) {

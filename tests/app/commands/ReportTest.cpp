@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -90,7 +91,17 @@ private:
 
 std::unique_ptr<test::ScratchFolder> Report::shared;
 
+/// What a cycle says of a reading: noise, model and calibration together where that is known, else
+/// the noise. @param noiseKey of the cycle
+double sigmaOf(const nlohmann::json& cycle, const std::string& key, const std::string& noiseKey) {
+    const nlohmann::json& budgets = cycle["uncertainty"];
+    return budgets.contains(key) ? std::hypot(budgets[key]["noise_sigma"].get<double>(),
+                                              budgets[key]["model_sigma"].get<double>())
+                                 : cycle[noiseKey].get<double>();
+}
+
 /// A column of the page has what a key of `cycles` has, rounded as it is shown.
+/// @param sigmaKey of the noise; empty: the column has no deviation
 void expectSame(const ReportedPage& page, const nlohmann::json& cycles, const std::string& title,
                 const std::string& key, const std::string& sigmaKey = {}) {
     const std::vector<std::string> cells = page.column(title);
@@ -106,9 +117,12 @@ void expectSame(const ReportedPage& page, const nlohmann::json& cycles, const st
         EXPECT_NEAR(shown->value, value.get<double>() / unit, 1.001 * shown->rounding) << title;
         ASSERT_EQ(shown->sigma.has_value(), !sigmaKey.empty()) << title << ": " << cells[i];
         if (shown->sigma) {
-            EXPECT_NEAR(*shown->sigma, cycles[i][sigmaKey].get<double>() / unit,
+            EXPECT_NEAR(*shown->sigma, sigmaOf(cycles[i], key, sigmaKey) / unit,
                         1.001 * shown->sigmaRounding)
                 << title;
+            EXPECT_EQ(cells[i].find("(noise)") == std::string::npos,
+                      cycles[i]["uncertainty"].contains(key))
+                << cells[i];
         }
     }
 }
@@ -122,7 +136,7 @@ TEST_F(Report, HasTheNumbersOfTheSummary) {
     expectSame(page, cycles, "x [", "x_m");
     expectSame(page, cycles, "y [", "y_m");
     expectSame(page, cycles, "max. force", "max_force_n", "max_force_sigma_n");
-    expectSame(page, cycles, "max. indentation", "max_indentation_m");
+    expectSame(page, cycles, "max. indentation", "max_indentation_m", "none");
     expectSame(page, cycles, "snap-in force", "snap_in_force_n", "snap_in_force_sigma_n");
     expectSame(page, cycles, "snap-in at gap", "snap_in_distance_m");
     expectSame(page, cycles, "pull-off force", "pull_off_force_n", "pull_off_force_sigma_n");

@@ -136,7 +136,8 @@ std::optional<ShownValue> shownValue(const std::string& cell) {
     const std::string value = cell.substr(0, sign);
     ShownValue shown{.value = std::stod(value), .rounding = half(value), .sigma = {}};
     if (sign != std::string::npos) {
-        const std::string sigma = cell.substr(sign + std::string_view(" ± ").size());
+        const std::string after = cell.substr(sign + std::string_view(" ± ").size());
+        const std::string sigma = after.substr(0, after.find(' '));
         shown.sigma = std::stod(sigma);
         shown.sigmaRounding = half(sigma);
     }

@@ -86,8 +86,9 @@ TEST_F(ClipboardControlTest, CopiesAllNumbersShown) {
     views.show(0.025);
     window.menus().copyNumbers->trigger();
     const QStringList lines = QApplication::clipboard()->text().trimmed().split('\n');
-    EXPECT_EQ(lines.front(),
-              QStringLiteral("name\tvalue\tstandard deviation\tby model and calibration\tunit"));
+    EXPECT_EQ(
+        lines.front(),
+        QStringLiteral("name\tvalue\tstandard deviation by noise\tby model and calibration\tunit"));
     std::map<QString, QStringList> rows;
     for (const QString& line : lines) {
         rows[line.section('\t', 0, 0)] = line.split('\t');

@@ -7,6 +7,7 @@
 #include <chrono>
 #include <memory>
 #include <thread>
+#include <vector>
 
 namespace asperity::test {
 namespace {
@@ -30,8 +31,8 @@ class ModelFitControlTest : public ControlFixture {
 protected:
     void SetUp() override { recordings.setFolder(folder.path() / "recordings"); }
     /// A flat sample, on which there is nothing to search.
-    void usePending() {
-        const Scene scene = buildScene(plainScene(), flatMap());
+    void usePending(const SceneDescription& description = plainScene()) {
+        const Scene scene = buildScene(description, flatMap());
         runs.use({.scene = scene,
                   .format = "made for the test",
                   .sha256 = "",
@@ -109,6 +110,46 @@ TEST_F(ModelFitControlTest, ARecordingHasOneModel) {
     EXPECT_TRUE(staysPending());
     recordings.finish();
     EXPECT_TRUE(fitEnds());
+}
+
+/// By what leaving each term out changes the result.
+std::vector<double> effectsIn(const SceneNeeds& needs) {
+    std::vector<double> effects;
+    for (const TermNeed& need : needs.terms) {
+        effects.push_back(need.effect);
+    }
+    return effects;
+}
+
+/// The terms were judged on curves to the setpoint: what is left out there may matter at another.
+TEST_F(ModelFitControlTest, AnotherSetpointChoosesTheTermsAnew) {
+    SceneDescription description = plainScene();
+    description.sample.material.elastic.youngsModulus = 10e9;
+    description.sample.material.workOfAdhesion = 0.02;
+    description.setpoint = 1e-9;
+    usePending(description);
+    ASSERT_TRUE(fitEnds());
+    const SceneNeeds before = run().loaded().needs;
+    SceneDescription pressed = run().scene().description;
+    pressed.setpoint = 500e-9;
+    edits.change("Setpoint", pressed, "setpoint_n");
+    const auto isJudged = [this] {
+        fits.advance();
+        return run().loaded().needs.setpoint == 500e-9;
+    };
+    ASSERT_TRUE(eventually(isJudged, 20000));
+    Scene same = run().scene();
+    const SceneNeeds needs = fitModel(same);
+    EXPECT_EQ(run().scene().model, needs.model);
+    EXPECT_EQ(effectsIn(run().loaded().needs), effectsIn(needs));
+    EXPECT_NE(effectsIn(before), effectsIn(needs));
+    EXPECT_TRUE(run().loop().running());
+    edits.undo();
+    EXPECT_TRUE(eventually([this] {
+        fits.advance();
+        return run().loaded().needs.setpoint == 1e-9;
+    }));
+    EXPECT_EQ(run().scene().model, before.model);
 }
 
 /// The black box would begin anew, and nothing come of the wish.

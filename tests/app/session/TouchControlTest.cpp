@@ -104,6 +104,11 @@ TEST_F(TouchControlTest, ExportsATableThatReadsBackToTheSameBits) {
     EXPECT_EQ(table.number(0, "contact_stiffness_n_m"), cycle.stiffness->value);
     EXPECT_EQ(table.number(0, "max_force_n"), cycle.maxForce.value);
     EXPECT_EQ(table.number(0, "max_force_sigma_n"), cycle.maxForce.sigma);
+    EXPECT_NEAR(table.number(0, "max_force_model_sigma_n"), 0.1 * cycle.maxForce.value,
+                0.01 * cycle.maxForce.value)
+        << "the lever is known to a tenth";
+    EXPECT_GT(table.number(0, "pull_off_force_model_sigma_n"), 0.05 * cycle.pullOff->value);
+    EXPECT_EQ(table.text(1, "max_force_model_sigma_n"), "") << "it is in contact";
     EXPECT_EQ(table.number(0, "hysteresis_j"), cycle.closedHysteresis().value().value);
     EXPECT_EQ(table.text(1, "hysteresis_j"), "") << "it is in contact";
     EXPECT_EQ(table.text(0, "snap_in_force_n"), "") << "nothing pulled";

@@ -120,6 +120,10 @@ TEST_F(Playback, ButtonsGoToTheEvents) {
     }
     EXPECT_EQ(tick(), at);
     EXPECT_TRUE(reading("recordingDistance").startsWith("indentation"));
+    const QString force = reading("recordingForce");
+    const QString deviation = force.section(QStringLiteral(" ± "), 1).trimmed();
+    EXPECT_GE(deviation.section(' ', 0, 0).toDouble(), 0.1 * force.section(' ', 0, 0).toDouble())
+        << "the lever is known to a tenth: " << force.toStdString();
     click("stepSnapIn");
     ASSERT_TRUE(eventually([this, at] { return tick() < at; }));
     EXPECT_GT(tick(), 0U);

@@ -9,6 +9,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
 #include <vector>
 
 namespace asperity {
@@ -54,6 +56,33 @@ TEST(ApproachDevice, EndsAtTheSetpointStraightBelowItsStart) {
         }
         EXPECT_EQ(samples.back().output.base.position, start);
         EXPECT_EQ(samples.back().output.region(), TipRegion::Far) << "pulled off";
+    }
+}
+
+/// Noise ended the descent early, by one to three of its deviations.
+TEST(ApproachDevice, EngagesAtTheSetpointOnAverage) {
+    for (const double noise : {1e-7, 4e-7}) {
+        RunningMoments forces;
+        for (unsigned seed = 1; seed <= 40; ++seed) {
+            SceneDescription description = test::plainScene();
+            description.signalSigma = noise;
+            description.truth.signalNoise = noise;
+            description.truth.noiseSeed = seed;
+            const Scene scene = buildScene(description, test::flatMap());
+            ApproachDevice device(planApproach(scene, {.duration = kDuration}),
+                                  scene.settings.positionGain);
+            SimulatedAfm afm(scene.trueSurface(), truthOf(scene));
+            std::optional<double> engaged;
+            runVirtually(scene, device, afm, 4001, [&](const TickSample&) {
+                if (!engaged && device.phase() == ApproachPhase::Dwell) {
+                    engaged = afm.trueState().force.z();
+                }
+            });
+            ASSERT_TRUE(engaged);
+            forces.add(*engaged);
+        }
+        EXPECT_LT(std::abs(forces.mean() - 5.0_nN), 4.0 * forces.meanDeviation()) << noise;
+        EXPECT_LT(forces.deviation(), 0.2_nN) << noise;
     }
 }
 

@@ -112,6 +112,77 @@ TEST(TipEquilibrium, AHillIsMetWithItsEffectiveRadius) {
     expectBalanced(scene, base, state);
 }
 
+/// Ground whose curvature changes within a contact, as that of a grainy film.
+HeightMap grainyMap() {
+    HeightMap map = test::flatMap();
+    for (int row = 0; row < map.rows; ++row) {
+        for (int column = 0; column < map.columns; ++column) {
+            const double x = map.pitchX * column;
+            const double y = map.pitchY * row;
+            map.heights[map.index(row, column)] =
+                0.03_nm * (std::sin(x / 1.5_nm + 0.3) * std::sin(y / 1.8_nm) +
+                           std::sin((x + 0.7 * y) / 2.3_nm)) +
+                2.0_nm * std::cos(x / 14.0_nm) * std::cos(y / 17.0_nm);
+        }
+    }
+    return map;
+}
+
+/// How a tip is pulled off.
+struct PullOff {
+    int unsolved = 0;     ///< fine steps before the jump without an equilibrium
+    bool isFree = false;  ///< and the tip is, after the jump, in an equilibrium
+    bool jumped = false;  ///< and the state that is free again says so, with the energy
+};
+
+/// Coarse steps until the last one before the jump, then fine ones through it.
+PullOff pullOffAt(const Scene& scene, double x, double y) {
+    constexpr double kCoarse = 0.02_nm;
+    constexpr double kFine = 0.0002_nm;
+    EquilibriumMemory memory;
+    PullOff result;
+    double z = scene.surface.at(x, y).height - 2.0_nm;
+    double step = kCoarse;
+    for (int i = 0; i < 2000; ++i) {
+        EquilibriumMemory next = memory;
+        const BaseMotion base{.position = {x, y, z}, .velocity = {0.0, 0.0, 20.0_nm}};
+        const TipState state = tipEquilibrium(scene.surface, scene.belief, base, next);
+        const bool isFree = i > 0 && state.contact.branch == ContactBranch::Far;
+        if (isFree && step == kCoarse) {
+            step = kFine;  // from the step before
+            z += kFine - kCoarse;
+            continue;
+        }
+        memory = next;
+        if (isFree) {
+            result.isFree = state.converged;
+            result.jumped = state.contact.jumped && state.contact.energyLost > 0.0;
+            return result;
+        }
+        result.unsolved += state.converged ? 0 : 1;
+        z += step;
+    }
+    ADD_FAILURE() << "still bonded";
+    return result;
+}
+
+/// Where the lever bends to the side the contact point moves with the force, and with it the
+/// effective radius: in the last tick of a pull-off the bond broke at one place and held at the
+/// other, and no equilibrium was found, although the free tip has one.
+TEST(TipEquilibrium, IsFoundThroughAPullOff) {
+    SceneDescription description = test::plainScene();
+    description.tip.radius = 30.0_nm;
+    const Scene scene = buildScene(description, grainyMap());
+    for (int place = 0; place < 100; ++place) {
+        const double x = 30.0_nm + 6.1_nm * (place % 10);
+        const double y = 32.0_nm + 5.3_nm * (place / 10);
+        const PullOff pulled = pullOffAt(scene, x, y);
+        EXPECT_TRUE(pulled.isFree) << x << ", " << y;
+        EXPECT_LE(pulled.unsolved, 1) << "the search slows down at the very end of the branch";
+        EXPECT_TRUE(pulled.jumped) << x << ", " << y;
+    }
+}
+
 TEST(TipEquilibrium, AnExactSphereTakesAHillAsFlatAndSaysSo) {
     for (const bool onHill : {true, false}) {
         SceneDescription description = test::plainScene();

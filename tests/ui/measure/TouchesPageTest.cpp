@@ -63,11 +63,18 @@ TEST_F(TouchesPageTest, ShowsValuesInTheUnitsOfTheTitles) {
         EXPECT_FALSE(
             model.headerData(column, Qt::Horizontal, Qt::ToolTipRole).toString().isEmpty());
     }
-    EXPECT_TRUE(page.model()
-                    .index(2, TouchModel::PullOff)
-                    .data(Qt::ToolTipRole)
-                    .toString()
-                    .contains(QStringLiteral("12.3 ± 0.20 nN")));
+    const auto toolTip = [this](int row) {
+        return page.model().index(row, TouchModel::PullOff).data(Qt::ToolTipRole).toString();
+    };
+    EXPECT_TRUE(toolTip(2).endsWith(QStringLiteral("\n12.3 nN ± 0.2 (noise)")))
+        << toolTip(2).toStdString();
+    Touch known = touchOf(12.3e-9, 90e-9);
+    Budget budget{.value = 12.3e-9, .noise = 0.2e-9};
+    budget.shares[static_cast<std::size_t>(UncertaintyInput::Stiffness)] = 1.2e-9;
+    known.budgets = {{"pull_off_force_n", "pull-off force", "N", budget}};
+    page.model().updateLast(known);
+    EXPECT_TRUE(toolTip(2).endsWith(QStringLiteral("\n12.3 nN ± 0.2 (noise) ± 1.2 (k)")))
+        << toolTip(2).toStdString();
 }
 
 TEST_F(TouchesPageTest, SortsByNumbersNotByTexts) {

@@ -103,7 +103,7 @@ TEST_F(CyclePanelTest, AnAreaThatIsNoneIsNotShown) {
     row.cycle.areaSigma = 1e-14;
     table.setRows({row});
     EXPECT_EQ(table.text(0, CycleTable::Hysteresis), QStringLiteral("2040 fJ"));
-    EXPECT_TRUE(table.details(0).contains(QStringLiteral("± 10.0 fJ")))
+    EXPECT_TRUE(table.details(0).contains(QStringLiteral("2.04 pJ ± 0.01 (noise)")))
         << table.details(0).toStdString();
     row.cycle.fromStart = true;
     table.setRows({row});

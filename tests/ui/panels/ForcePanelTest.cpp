@@ -6,6 +6,7 @@
 #include "core/scene/SceneTruth.h"
 #include "tests/support/TestScenes.h"
 #include "tests/ui/panels/PanelSamples.h"
+#include "ui/panels/ReadingBudget.h"
 
 #include <QApplication>
 
@@ -124,6 +125,13 @@ TEST(ForcePanel, SaysWhatIsOpenInTheIndentation) {
          {"indentation: ", "contact radius: ", "contact stiffness: ", "modulus"}) {
         EXPECT_TRUE(text.contains(QString::fromUtf8(part))) << part << " in " << text.toStdString();
     }
+    const TipState& pressed = sample.output.model;
+    const PlaceBudgets budgets = budgetsAt(scene, pressed, pressed.normalForce);
+    const Budget radius =
+        budgetOf(budgets, Landmark::ContactRadius).of(pressed.contact.contactRadius, 0.0);
+    EXPECT_GT(radius.model(), 0.01 * radius.value);
+    EXPECT_TRUE(text.contains(namedBudget(QStringLiteral("contact radius"), radius, "m")))
+        << "by its own landmark: " << text.toStdString();
 }
 
 TEST(ForcePanel, NoiseFarFromTheSampleReadsAsZero) {

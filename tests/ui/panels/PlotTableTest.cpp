@@ -32,10 +32,11 @@ TEST(PlotTable, NumbersComeBackToTheSameBits) {
 TEST(ShownNumbers, AreListedWithStandardDeviationAndUnit) {
     const ShownNumbers numbers{{QStringLiteral("Fz"), 5e-9, 1e-11, QStringLiteral("N"), 5e-10},
                                {QStringLiteral("ticks"), 12.0, {}, {}}};
-    EXPECT_EQ(tabSeparated(numbers),
-              QStringLiteral("name\tvalue\tstandard deviation\tby model and calibration\tunit\n"
-                             "Fz\t5e-09\t1e-11\t5e-10\tN\n"
-                             "ticks\t12\t\t\t\n"));
+    EXPECT_EQ(
+        tabSeparated(numbers),
+        QStringLiteral("name\tvalue\tstandard deviation by noise\tby model and calibration\tunit\n"
+                       "Fz\t5e-09\t1e-11\t5e-10\tN\n"
+                       "ticks\t12\t\t\t\n"));
 }
 
 }  // namespace

@@ -37,6 +37,21 @@ TEST(ViewExtent, MakesRoomForADentAndKeepsIt) {
     EXPECT_EQ(extent.bottom(kSurface), before);
 }
 
+/// A dent nearly as deep as the frame is wide had the lower edge of the block out of the view.
+TEST(ViewExtent, HoldsADentOfTheUsualDepthFromTheFirst) {
+    ViewExtent extent;
+    extent.fit(kSurface, 30.0_nm);
+    const double shallow = extent.bottom(kSurface);
+    extent.fit(kSurface, 30.0_nm, 0.5_nm);
+    EXPECT_EQ(extent.bottom(kSurface), shallow) << "the block has room for that";
+    extent.fit(kSurface, 30.0_nm, 35.0_nm);
+    const double deep = extent.bottom(kSurface);
+    EXPECT_LT(deep, -4.0_nm - 35.0_nm);
+    const FrameBox box = extent.box(kSurface, Vector2::Zero());
+    EXPECT_NEAR(box.middle.z() - box.below, deep, 1e-20) << "in the view";
+    EXPECT_FALSE(extent.makeRoomFor(-4.0_nm - 35.0_nm, kSurface)) << "it is there already";
+}
+
 TEST(ViewExtent, StretchesWithTheHeights) {
     FramedSurface stretched = kSurface;
     stretched.heightScale = 5.0;

@@ -21,6 +21,14 @@ TEST(Placement, AWindowOpensInTheMiddleAndInsideOfAnyScreen) {
     EXPECT_EQ(openingPlace(kWanted, {0, 0, 3840, 2160}).size(), kWanted);
 }
 
+/// What is wanted is more than a usual screen has: it was opened on three quarters of one.
+TEST(Placement, TheFirstWindowFillsAUsualScreen) {
+    const QRect screen(0, 0, 1920, 1080);
+    const QRect place = openingPlace({2400, 1500}, screen);
+    EXPECT_GE(place.width(), 0.98 * screen.width());
+    EXPECT_GE(place.height(), 0.95 * screen.height());
+}
+
 TEST(Placement, AnotherWindowOpensBesideWhereThereIsRoom) {
     const QRect screen(0, 0, 3840, 2160);
     const QSize size(1080, 760);
