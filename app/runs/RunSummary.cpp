@@ -113,14 +113,17 @@ OrderedJson halfSpaceJson(const Scene& scene, const std::optional<TickSample>& s
             {"contact_radius_m", answer.contactRadius}};
 }
 
-/// Attraction by the sample beside the contact, which the contact law leaves out; null where the
-/// state has no contact on a height field.
+/// Attraction by the sample beside the contact, which the contact law leaves out, and what the
+/// model has of it; null where the state has no contact on a height field.
 OrderedJson bodyAttractionJson(const Scene& scene, const std::optional<TickSample>& sample) {
     if (!sample || scene.shape || !(sample->output.model.contact.contactRadius > 0.0)) {
         return nullptr;
     }
-    const BodyAttraction beside = bodyAttraction(scene.surface, scene.belief, sample->output.model);
-    return {{"force_n", beside.force}, {"share_of_pull_off", beside.share}};
+    const TipState& state = sample->output.model;
+    const BodyAttraction beside = bodyAttraction(scene.surface, scene.belief, state);
+    return {{"force_n", beside.force},
+            {"share_of_pull_off", beside.share},
+            {"in_model_n", state.body.at(state.contact.indentation)}};
 }
 
 /// A jump of the model between two states; null when there was none.

@@ -1,6 +1,6 @@
 // What a single tick takes in scenes of different kinds, each with the model that it requires:
-// closest points, contact law, decoupling, validity flags. The same approach, slide and retract,
-// recorded once, is ticked in turns with the other scenes.
+// closest points, contact law, attraction beside it, decoupling, validity flags. The same approach,
+// slide and retract, recorded once, is ticked in turns with the other scenes.
 
 #include "bench/BenchMain.h"
 #include "bench/BenchRows.h"
@@ -43,10 +43,12 @@ SceneDescription described(const char* name) {
     return readScene(std::string(ASPERITY_SCENES) + "/" + name + ".toml");
 }
 
-/// The film under a blunt tip: every asperity near the contact is looked at.
-SceneDescription bluntOnFilm() {
+/// The film under a blunt tip: every asperity near the contact is looked at, and all that lies
+/// beside it attracts the tip.
+SceneDescription bluntOnFilm(bool attraction) {
     SceneDescription description = described("granular_film");
     description.tip.radius = 2.0_um;
+    description.choices.bodyAttraction = attraction;
     return description;
 }
 
@@ -75,7 +77,9 @@ std::vector<BenchRow> measured(int rounds) {
     scenes.push_back(timedScene("terraces", described("silicon")));
     scenes.push_back(timedScene("particles", described("polystyrene")));
     scenes.push_back(timedScene("granular film", described("granular_film")));
-    scenes.push_back(timedScene("film under a blunt tip", bluntOnFilm()));
+    scenes.push_back(
+        timedScene("film under a blunt tip, without body attraction", bluntOnFilm(false)));
+    scenes.push_back(timedScene("film under a blunt tip, with it", bluntOnFilm(true)));
     for (int round = 0; round < rounds; ++round) {
         for (TimedScene& timed : scenes) {
             const ModelRun run = runModel(timed.scene, timed.runs);

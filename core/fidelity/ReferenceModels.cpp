@@ -4,18 +4,26 @@
 
 namespace asperity {
 
-ForceModelOptions wholeModel(SceneDescription scene) {
-    scene.choices = {.solver = SolverSetting::Exact,
-                     .closestPointSearch = SearchEffort::Certified,
-                     .decoupling = scene.choices.decoupling,
-                     .deformation = scene.choices.deformation};
-    return usualModel(scene);
+ForceModelOptions wholeModel(const Scene& scene) {
+    SceneDescription description = scene.description;
+    description.choices = {.solver = SolverSetting::Exact,
+                           .closestPointSearch = SearchEffort::Certified,
+                           .decoupling = description.choices.decoupling,
+                           .deformation = description.choices.deformation};
+    ForceModelOptions model = usualModel(description);
+    model.bodyAttraction = isInScene(ModelTerm::BodyAttraction, scene);
+    return model;
 }
 
-std::vector<ModelTerm> missingTerms(const ForceModelOptions& model, const SceneDescription& scene) {
+bool isInScene(ModelTerm term, const Scene& scene) noexcept {
+    return isPossible(term, scene.description) &&
+           (term != ModelTerm::BodyAttraction || scene.moments != nullptr);
+}
+
+std::vector<ModelTerm> missingTerms(const ForceModelOptions& model, const Scene& scene) {
     std::vector<ModelTerm> missing;
     for (const ModelTerm term : kModelTerms) {
-        if (!isOfSurface(term) && !has(model, term) && isPossible(term, scene)) {
+        if (!isOfSurface(term) && !has(model, term) && isInScene(term, scene)) {
             missing.push_back(term);
         }
     }

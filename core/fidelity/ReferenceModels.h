@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/scene/ModelTerm.h"
-#include "core/scene/SceneDescription.h"
+#include "core/scene/Scene.h"
 
 #include <vector>
 
@@ -9,11 +9,15 @@ namespace asperity {
 
 /// Every term that the law of the scene's materials has room for, whatever the scene overrules,
 /// solved afresh and with the certified search for contact points. @throw Error as usualModel()
-[[nodiscard]] ForceModelOptions wholeModel(SceneDescription scene);
+[[nodiscard]] ForceModelOptions wholeModel(const Scene& scene);
+
+/// Whether the sample and, as built, its surface have what a term is about: nothing beside a
+/// contact attracts where the tip is nowhere blunt.
+[[nodiscard]] bool isInScene(ModelTerm term, const Scene& scene) noexcept;
 
 /// Terms of the force that the sample has and the model has not.
 [[nodiscard]] std::vector<ModelTerm> missingTerms(const ForceModelOptions& model,
-                                                  const SceneDescription& scene);
+                                                  const Scene& scene);
 
 /// A model with a term and the same without it; what excludes the term is out of both.
 struct TermPair {

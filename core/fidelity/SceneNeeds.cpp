@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 namespace asperity {
@@ -19,6 +20,19 @@ bool tipFitsEverywhere(const Scene& scene) {
     const BoxBounds scan = scene.surface.bounds().all();
     const double above = scene.belief.tipRadius() + scene.belief.contact.attractionRange();
     return !scene.shape && scan.concavity * (scan.highest - scan.lowest + above) < 1.0;
+}
+
+/// What a model may have of a scene: nobody leaves a term out before it is weighed.
+ForceModelOptions fullModel(const Scene& scene, const ForceModelOptions& usual) {
+    ForceModelOptions full = usual;
+    for (const ModelTerm term : kSwitchedTerms) {
+        const ForceModelOptions more = with(full, term);
+        if (!isSettled(term, scene.description.choices) && isInScene(term, scene) &&
+            more.law == full.law) {
+            full = more;
+        }
+    }
+    return full;
 }
 
 /// Decides about the terms of the force.
@@ -151,7 +165,7 @@ private:
 
     /// The model that has all, whatever the scene says; where it says nothing the full one.
     [[nodiscard]] ForceModelOptions theWhole() {
-        ForceModelOptions whole = wholeModel(scene_.description);
+        ForceModelOptions whole = wholeModel(scene_);
         whole.solver = needs_.full.solver;  // they agree to nine digits
         whole.decoupling = needs_.full.decoupling;
         if (saysLaw()) {
@@ -164,7 +178,7 @@ private:
     void measureError() {
         const ForceModelOptions whole = theWhole();
         needs_.wholeErrors = runs_.errors(needs_.model, whole);
-        for (const ModelTerm term : missingTerms(whole, scene_.description)) {
+        for (const ModelTerm term : missingTerms(whole, scene_)) {
             const QuantityErrors errors = errorsWithout(term, whole);
             needs_.lawErrors.addSquares(errors);
             if (errors.worst() > 0.0) {
@@ -236,12 +250,20 @@ SceneNeeds needsBeforeFit(const SceneDescription& scene) {
 SceneNeeds fitModel(Scene& scene, double longestTick, Progress* progress) {
     SceneNeeds needs = needsBeforeFit(scene.description);
     needs.pending = false;
+    for (TermNeed& need : needs.terms) {
+        need.possible = isInScene(need.term, scene);
+    }
+    // A scene that ticks too slowly to be fitted keeps what it was loaded with.
+    const std::optional<bool> beside = scene.description.choices.bodyAttraction;
+    needs.full.bodyAttraction = beside.value_or(scene.truth.beside != nullptr);
+    needs.model = needs.full;
     setModel(scene, needs.full);
     ProgressPart forcePart(progress, 0.0, 0.7);
     ForceNeeds force(scene, needs, longestTick, &forcePart);
     if (force.isSlow()) {
         needs.fullTick = needs.modelTick = force.usualTickTime();
     } else {
+        needs.full = fullModel(scene, needs.full);
         ProgressPart surfacePart(progress, 0.7, 1.0);
         decideAll(scene, force, needs, &surfacePart);
     }

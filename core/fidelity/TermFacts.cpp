@@ -34,6 +34,9 @@ TermFact factOf(ModelTerm term, const Scene& scene, const ModelRun& run) {
                 material.filmThickness};
     case ModelTerm::SampleCurvature:
         return {curvatureOf(run) * scene.belief.tipRadius()};
+    case ModelTerm::BodyAttraction:
+        return {largestOf(
+            run, [](const TipState& s) { return std::abs(s.body.at(s.contact.indentation)); })};
     case ModelTerm::Friction:
         return {material.friction.coefficient, material.friction.shearStrength};
     case ModelTerm::Torsion: {

@@ -12,6 +12,7 @@ namespace asperity {
 /// - exact sphere, film's base: the widest contact, in tip radii and in film thicknesses;
 /// - curvature of the sample, global search: the largest of sample and of hollows over the tip's;
 ///   infinite for the search on a shape, which may come near at several places;
+/// - body attraction: the largest force of it [N];
 /// - friction: coefficient and shear strength [Pa];
 /// - torsion: how the tip yields across the lever, over its yielding along z;
 /// - tilt: of the mount [rad].

@@ -64,7 +64,8 @@ BodyAttraction bodyAttraction(const BSplineSurface& surface, const ProbeSystem& 
     const double touch = kContactSeparation - state.contact.indentation;
     const auto traction = [cohesive = joint * joint * joint](double separation) {
         const double apart = std::max(separation, 0.0);
-        return 1.0 / ((apart * apart * apart) + cohesive);
+        const double cube = apart * apart * apart;
+        return cube / ((cube + cohesive) * (cube + cohesive));
     };
     const SampleBeside sample(surface, state.closest,
                               system.curvature && !isSphere(system.contact.law()));

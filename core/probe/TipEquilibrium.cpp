@@ -1,6 +1,7 @@
 #include "core/probe/TipEquilibrium.h"
 
 #include "core/contact/Within.h"
+#include "core/probe/BesideContacts.h"
 #include "core/probe/ProbeSystem.h"
 #include "core/probe/Sliding.h"
 #include "core/probe/TipContactPoint.h"
@@ -13,6 +14,7 @@
 #include <boost/container/static_vector.hpp>
 #include <cmath>
 #include <numbers>
+#include <span>
 #include <utility>
 
 namespace asperity {
@@ -61,7 +63,8 @@ public:
         , compliance_(compliance)
         , tolerance_(std::min(kPositionTolerance, kOfRadius * system.tipRadius()))
         , range_(system.contact.attractionRange())
-        , tracker_(tracker) {}
+        , tracker_(tracker)
+        , beside_(system) {}
 
     TipState solve(EquilibriumMemory& memory) {
         margin_ = marginFor(memory);
@@ -79,7 +82,8 @@ public:
             }
             dropDoubledPoints();
             const bool still = (deflection_ - before).norm() <= tolerance_;
-            state_.converged = still && !followSample() && !findMorePoints(memory);
+            state_.converged = still && !followSample() && !beside_.follow(points(), tip()) &&
+                               !findMorePoints(memory);
         }
         for (TipContactPoint& closest : points_) {
             closest.tellJump();
@@ -98,9 +102,11 @@ private:
         Vector3 offset;  ///< of the tip when the closest point bears no force [m]
     };
 
+    [[nodiscard]] Vector3 tip() const { return base_.position + deflection_; }
     [[nodiscard]] Vector3 center() const {
         return base_.position + deflection_ + Vector3(0.0, 0.0, system_.tipRadius());
     }
+    [[nodiscard]] std::span<TipContactPoint> points() { return {points_.data(), points_.size()}; }
 
     /// How far the tip may move from where closest points are looked for [m]. A lever bends by less
     /// than its base moves, as long as nothing jumps.
@@ -120,6 +126,7 @@ private:
         }
         addPoints({known.data(), known.size()}, memory);
         followSample();
+        beside_.sum(points(), beside_.likelyTip(points_.front(), tip(), memory.tip));
         if (recalls(memory)) {
             recallForces();
         }
@@ -138,6 +145,7 @@ private:
     /// What each point bears where the tip was left. The first one to be settled would else have to
     /// bear all that the lever pulls, and would let go where they hold the tip together.
     void recallForces() {
+        beside_.pull(points(), tip(), 0.0);
         for (TipContactPoint& closest : points_) {
             closest.hold(system_.tipRadius(), base_.velocity);
         }
@@ -157,7 +165,11 @@ private:
         const std::size_t before = points_.size();
         addPoints({known.data(), known.size()}, memory);
         followSample();
-        return dropped || points_.size() > before;
+        const bool changed = dropped || points_.size() > before;
+        if (changed) {
+            beside_.sum(points(), tip());
+        }
+        return changed;
     }
 
     /// Makes room: points beside the main one that nothing bonds and that lie out of range.
@@ -289,6 +301,9 @@ private:
         // The part mu N of friction is solved with N, as a change of the lever's compliance
         // (1 / k_n of docs/theory.md 7.2); the rest, of the area, is that of the last sweep.
         const bool slides = closest.memory.friction > 0.0 && !locks;
+        if (&closest == &points_.front()) {
+            beside_.pull(points(), tip(), std::max(along, withFriction));
+        }
         const double ofLoad = slides ? closest.friction.coefficient * closest.contact.force : 0.0;
         // Approach of the undeflected tip towards the tangent plane of the present closest point.
         const double approach = system_.tipRadius() - closest.place.distance +
@@ -307,6 +322,7 @@ private:
         for (std::size_t i = points_.size(); i-- > 1;) {
             if (isKnown(points_[i].place, i)) {
                 points_.erase(points_.begin() + static_cast<std::ptrdiff_t>(i));
+                beside_.forget();
             }
         }
     }
@@ -341,6 +357,7 @@ private:
         state_.tip = base_.position + deflection_;
         state_.closest = main.place;
         state_.contact = main.contact;
+        state_.body = main.model.bodyPull();
         state_.slip = main.slip;
         state_.effectiveRadius = main.radius.radius;
         state_.tipFits = main.radius.tipFits;
@@ -404,6 +421,7 @@ private:
         Vector3::Zero();       ///< the tip's center when closest points were last looked for
     double freeToMove_ = 0.0;  ///< from there, until another closest point may bear [m]
     boost::container::static_vector<TipContactPoint, kMaxContactPoints> points_;
+    BesideContacts beside_;  ///< of these points
     TipState state_;
 };
 

@@ -2,6 +2,7 @@
 
 #include "core/Vector.h"
 #include "core/contact/ContactState.h"
+#include "core/contact/laws/BodyPull.h"
 #include "core/surface/closest/ClosestPointTracker.h"
 
 #include <array>
@@ -44,7 +45,8 @@ struct TipState {
     double normalForce = 0.0;           ///< that sum along `normal`, > 0 repulsive [N]
     ClosestPoint closest;               ///< of the center of the tip's sphere
     ContactState contact;               ///< along closest.normal
-    double contactArea = 0.0;           ///< of all closest points [m^2]
+    BodyPull body;  ///< part of contact.force: attraction by the sample beside the contact
+    double contactArea = 0.0;   ///< of all closest points [m^2]
     double contactRatio = 0.0;  ///< largest contact radius over effective radius of a closest point
     double effectiveRadius = 0.0;  ///< of tip and curved sample together [m]
     int points = 1;                ///< that bear a force
@@ -62,10 +64,12 @@ struct TipState {
 /// over all closest points, each with the effective radius of its place: those that the tip presses
 /// on, that hold it or that attract it, see ContactModel::attractionRange(), the nearest
 /// kMaxContactPoints of them. Where there are more, the proof is TooManyPoints.
+/// Where the system has the attraction of the sample beside a contact, the main one has it of a
+/// height field, less what the laws of all contacts count.
 /// A base beyond 500 m along an axis or at no number has the contact status ApproachOutOfRange,
 /// does not converge and leaves the memory as it is. Allocation-free, bounded, never throws.
 /// @param tracker of this surface: saves time, changes nothing
-/// Source: docs/theory.md 1, 7.1-7.2.
+/// Source: docs/theory.md 1, 3.8, 7.1-7.2.
 [[nodiscard]] TipState tipEquilibrium(const SampleSurface& surface, const ProbeSystem& system,
                                       const BaseMotion& base, EquilibriumMemory& memory,
                                       ClosestPointTracker& tracker) noexcept;

@@ -1,10 +1,13 @@
 #include "core/scene/AsperityValidity.h"
 
 #include "core/contact/EffectiveRadius.h"
-#include "core/contact/laws/VanDerWaals.h"
+#include "core/probe/BodySum.h"
 #include "core/scene/Scene.h"
 #include "core/surface/Curvature.h"
+#include "core/surface/HeightMoments.h"
 #include "core/surface/TangentFrame.h"
+#include "core/surface/closest/ContactPoints.h"
+#include "core/surface/sample/SampleSurface.h"
 
 #include <algorithm>
 #include <array>
@@ -109,57 +112,95 @@ bool isBeyondAsperity(const Surroundings& around, const TipState& state) noexcep
     return std::abs(left) > kMaxChange * square / (2.0 * state.effectiveRadius);
 }
 
-/// Attraction of the tip's cap beyond the contact, less that by the paraboloid of the contact
-/// point, over 1.5 pi w R_eff: the midpoint rule over the logarithm of the radius.
-double attractionBeside(const Surroundings& around, const TipState& state,
-                        double tipRadius) noexcept {
-    constexpr double kSpacing = std::numbers::ln2;  // of the rings' logarithms
-    const double radius = state.effectiveRadius;
-    const double nearest = kContactSeparation + std::max(0.0, -state.contact.indentation);
-    // Traction over its value at D0, which is 2 w / D0.
-    const auto traction = [nearest](double gap) {
-        const double ratio = kContactSeparation / (nearest + std::max(0.0, gap));
-        return ratio * ratio * ratio;
-    };
-    double sum = 0.0;
-    const double inner = std::max(state.contact.contactRadius, std::sqrt(2.0 * radius * nearest));
-    for (double distance = std::numbers::sqrt2 * inner; distance < tipRadius; distance *= 2.0) {
-        const double square = distance * distance;
-        const double cap = square / (tipRadius + std::sqrt((tipRadius * tipRadius) - square));
-        double ring = 0.0;
-        for (const auto& direction : kDirections) {
-            ring += traction(cap - around.height(distance, direction));
-        }
-        sum += (ring * kShare - traction(square / (2.0 * radius))) * square;
+}  // namespace
+
+namespace {
+
+/// The tip where it comes down vertically and touches first.
+struct Touch {
+    Vector3 tip = Vector3::Zero();  ///< apex [m]
+    ClosestPoint place;
+    double effectiveRadius = 0.0;  ///< [m]
+};
+
+Touch touchAt(const SampleSurface& sample, const ProbeSystem& system, const Vector2& position,
+              double above, ClosestPointTracker& tracker) noexcept {
+    constexpr int kSteps = 8;  // down by the distance left, which the gap along z is never below
+    const double radius = system.tipRadius();
+    Touch touch{.tip = {position.x(), position.y(), above}, .place = {}};
+    for (int i = 0; i < kSteps; ++i) {
+        const Vector3 center = touch.tip + Vector3(0.0, 0.0, radius);
+        touch.place = *sample.contactPoints({center, radius}, 0.0, {}, tracker).list.all().begin();
+        touch.tip.z() -= touch.place.distance - radius;
     }
-    return sum * kSpacing * (8.0 / 3.0) / (kContactSeparation * radius);
+    const PrincipalCurvatures bend =
+        system.takesCurvature() ? touch.place.curvatures : PrincipalCurvatures{};
+    touch.effectiveRadius = effectiveRadius(radius, bend.largest, bend.smallest).radius;
+    return touch;
 }
 
-/// Whether attraction beside the contact point exceeds the tolerance of the pull-off force.
-bool attractsBeside(const Scene& scene, const ProbeSystem& system, const Surroundings& around,
-                    const TipState& state) noexcept {
-    if (system.pairAt(state.closest.point, state.effectiveRadius).workOfAdhesion < kMinAdhesion) {
-        return false;
+/// Calls with the tip touching a surface at 8 x 8 positions until that returns true; whether it
+/// did.
+template <class Visitor>
+bool anyTouch(const BSplineSurface& surface, const ProbeSystem& system, const Visitor& visitor) {
+    constexpr int kSide = 8;
+    const double above = surface.bounds().all().highest;
+    const SampleSurface sample(surface, SearchEffort::Global);
+    ClosestPointTracker tracker;
+    for (int i = 0; i < kSide * kSide; ++i) {
+        const Vector2 position((0.5 + i % kSide) / kSide * surface.sizeX(),
+                               (0.5 + i / kSide) / kSide * surface.sizeY());
+        if (visitor(touchAt(sample, system, position, above, tracker))) {
+            return true;
+        }
     }
-    return std::abs(attractionBeside(around, state, system.tipRadius())) >
-           scene.description.tolerance;
+    return false;
+}
+
+bool isBlunt(const ProbeSystem& system, double effectiveRadius) noexcept {
+    return system.tipRadius() > kBluntTip * effectiveRadius;
 }
 
 }  // namespace
 
+double shareBeside(const HeightMoments& sample, const ProbeSystem& system, const Vector3& tip,
+                   const ClosestPoint& place, double effectiveRadius) noexcept {
+    const BodyTraction traction = bodyTraction(system, system.pairAt(place.point, effectiveRadius));
+    if (traction.workOfAdhesion < kMinAdhesion || !isBlunt(system, effectiveRadius)) {
+        return 0.0;
+    }
+    return bodyForce(sample, traction, tip, {&place.point, 1}, place.normal).force /
+           traction.pullOff;
+}
+
+bool isBluntTip(const BSplineSurface& surface, const ProbeSystem& system) noexcept {
+    return system.contact.pair().workOfAdhesion >= kMinAdhesion &&
+           anyTouch(surface, system,
+                    [&](const Touch& touch) { return isBlunt(system, touch.effectiveRadius); });
+}
+
+bool isAttractedBeside(const HeightMoments& sample, const ProbeSystem& system,
+                       double tolerance) noexcept {
+    return anyTouch(sample.surface(), system, [&](const Touch& touch) {
+        return std::abs(shareBeside(sample, system, touch.tip, touch.place,
+                                    touch.effectiveRadius)) > tolerance;
+    });
+}
+
 ValidityFlags asperityValidity(const Scene& scene, const ProbeSystem& system,
                                const TipState& state) noexcept {
     ValidityFlags flags;
-    const bool usesCurvature = system.curvature && !isSphere(system.contact.law());
-    if (scene.shape || !usesCurvature || state.contact.branch != ContactBranch::Bonded) {
+    if (scene.shape || !system.takesCurvature() || state.contact.branch != ContactBranch::Bonded) {
         return flags;
     }
     const Surroundings around(scene, state);
     flags.set(Validity::UnresolvedCurvature, isUnresolved(scene, system, state.closest.point));
     flags.set(Validity::BeyondAsperity,
               state.contact.contactRadius > 0.0 && isBeyondAsperity(around, state));
-    flags.set(Validity::BodyAttraction, system.tipRadius() > kBluntTip * state.effectiveRadius &&
-                                            attractsBeside(scene, system, around, state));
+    flags.set(Validity::BodyAttraction,
+              scene.moments != nullptr && !system.attractsBeside() &&
+                  std::abs(shareBeside(*scene.moments, system, state.tip, state.closest,
+                                       state.effectiveRadius)) > scene.description.tolerance);
     return flags;
 }
 

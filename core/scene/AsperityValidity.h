@@ -20,16 +20,32 @@ struct TipState;
 /// - contact beyond the asperity: along the contact's rim the surface leaves the paraboloid of the
 ///   contact point, averaged over all directions and at the radius that weighs as the contact's
 ///   pressure does, by more than a tenth of the gap r^2/(2 R_eff) there;
-/// - attraction of the sample beside it: van der Waals attraction of the tip's cap by the scan,
-///   beyond the contact, differs from that of the paraboloid by more than the scene's tolerance
-///   of the pull-off force 1.5 pi w R_eff. Sought where R is more than 1.5 R_eff: below, the law's
-///   tail has all but a twentieth of it. What other contact points carry is not taken off.
+/// - attraction of the sample beside it: shareBeside() exceeds the scene's tolerance where the
+/// model
+///   leaves it out. What other contact points carry is not taken off.
 ///
 /// Each is a ratio: lengths, forces and energies scaled together change nothing, but for D0, the
 /// atomic separation of two solids.
 /// Source: docs/theory.md 1.1, 3.8.
 [[nodiscard]] ValidityFlags asperityValidity(const Scene& scene, const ProbeSystem& system,
                                              const TipState& state) noexcept;
+
+/// Attraction of a tip by the sample beside its contact, see bodyForce(), over the pull-off force
+/// 1.5 pi w R_eff; < 0: it pulls. Sought where R is more than 1.5 R_eff: below, the law's tail has
+/// all but a twentieth of it.
+/// @param tip apex [m] @param place its contact
+[[nodiscard]] double shareBeside(const HeightMoments& sample, const ProbeSystem& system,
+                                 const Vector3& tip, const ClosestPoint& place,
+                                 double effectiveRadius) noexcept;
+
+/// Whether the tip is more than 1.5 times as blunt as the contact anywhere that it comes down on
+/// the scan at one of 8 x 8 positions, and adheres.
+[[nodiscard]] bool isBluntTip(const BSplineSurface& surface, const ProbeSystem& system) noexcept;
+
+/// Whether shareBeside() exceeds a tolerance at any of these: whether a scene has the term before
+/// its model is fitted.
+[[nodiscard]] bool isAttractedBeside(const HeightMoments& sample, const ProbeSystem& system,
+                                     double tolerance) noexcept;
 
 /// What asperityValidity() of one tick leaves to the next. Its look-ups cost a tenth of a tick, and
 /// nobody reads a flag a thousand times a second: they are made in the first tick of a contact and

@@ -7,6 +7,7 @@ namespace asperity {
 ForceModelOptions ofForce(ForceModelOptions options) noexcept {
     options.deformation = ForceModelOptions{}.deformation;
     options.curvature = options.curvature || isSphere(options.law);
+    options.bodyAttraction = options.bodyAttraction && hasTail(options.law);
     return options;
 }
 

@@ -17,15 +17,17 @@ struct ForceModelOptions {
     DecouplingModel decoupling = DecouplingModel::Estimator;
     DeformationModel deformation = DeformationModel::ClosedForm;  ///< of the surface; no force
     bool friction = true;                                         ///< of the tip on the sample
-    bool torsion = true;    ///< of the lever, under a force across it
-    bool mountTilt = true;  ///< of the lever against the scan's plane
-    bool curvature = true;  ///< of the sample at the closest point: effective radius
+    bool torsion = true;          ///< of the lever, under a force across it
+    bool mountTilt = true;        ///< of the lever against the scan's plane
+    bool curvature = true;        ///< of the sample at the closest point: effective radius
+    bool bodyAttraction = false;  ///< of the tip by the sample beside the contact
 
     bool operator==(const ForceModelOptions&) const = default;
 };
 
-/// The options with all that does not move a force at its default: the deformation, and the
-/// curvature under a law that takes the sample as flat. Equal ones give the same force.
+/// The options with all that does not move a force at its default: the deformation, the curvature
+/// under a law that takes the sample as flat, attraction beside the contact of a law without a
+/// tail. Equal ones give the same force.
 [[nodiscard]] ForceModelOptions ofForce(ForceModelOptions options) noexcept;
 
 }  // namespace asperity

@@ -18,6 +18,10 @@ void freeContradicting(ModelChoices& choices, ModelTerm term, bool on) {
     if (!on) {
         if (term == ModelTerm::Adhesion) {
             free(choices, ModelTerm::VanDerWaalsTail, true);
+            free(choices, ModelTerm::BodyAttraction, true);
+        }
+        if (term == ModelTerm::VanDerWaalsTail) {
+            free(choices, ModelTerm::BodyAttraction, true);
         }
         return;
     }
@@ -26,7 +30,10 @@ void freeContradicting(ModelChoices& choices, ModelTerm term, bool on) {
             free(choices, other, true);
         }
     }
-    if (term == ModelTerm::VanDerWaalsTail) {
+    if (term == ModelTerm::BodyAttraction) {
+        free(choices, ModelTerm::VanDerWaalsTail, false);
+    }
+    if (term == ModelTerm::VanDerWaalsTail || term == ModelTerm::BodyAttraction) {
         free(choices, ModelTerm::Adhesion, false);
     }
 }
@@ -41,7 +48,8 @@ ForceModelOptions optionsOf(const ModelChoices& choices) noexcept {
     options.decoupling = choices.decoupling;
     options.deformation = choices.deformation.value_or(options.deformation);
     for (const ModelTerm term : kSwitchedTerms) {
-        options.*traitsOf(term).option = (choices.*traitsOf(term).choice).value_or(true);
+        const ModelTermTraits& traits = traitsOf(term);
+        options.*traits.option = (choices.*traits.choice).value_or(traits.usual);
     }
     return options;
 }

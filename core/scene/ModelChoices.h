@@ -26,6 +26,7 @@ struct ModelChoices {
     std::optional<bool> torsion = {};
     std::optional<bool> mountTilt = {};
     std::optional<bool> curvature = {};
+    std::optional<bool> bodyAttraction = {};
 
     bool operator==(const ModelChoices&) const = default;
 };

@@ -32,6 +32,9 @@ ForceModelOptions switched(ForceModelOptions model, ModelTerm term, bool on) {
         return model;
     }
     if (const auto option = traitsOf(term).option) {
+        if (on && term == ModelTerm::BodyAttraction && !hasTail(model.law)) {
+            model.law = switched(model.law, ModelTerm::VanDerWaalsTail, true);
+        }
         model.*option = on;
     } else if (isOfLaw(term)) {
         model.law = switched(model.law, term, on);
@@ -62,6 +65,8 @@ bool isPossible(ModelTerm term, const SceneDescription& scene) noexcept {
     case ModelTerm::Adhesion:
     case ModelTerm::VanDerWaalsTail:
         return material.workOfAdhesion >= kMinAdhesion;
+    case ModelTerm::BodyAttraction:
+        return material.workOfAdhesion >= kMinAdhesion && !scene.sample.shape;
     case ModelTerm::FilmBase:
         return material.filmThickness > 0.0;
     default:
@@ -81,6 +86,8 @@ bool has(const ForceModelOptions& model, ModelTerm term) noexcept {
         return isFilm(model.law);
     case ModelTerm::SampleCurvature:
         return model.curvature && !isSphere(model.law);
+    case ModelTerm::BodyAttraction:
+        return model.bodyAttraction && hasTail(model.law);
     case ModelTerm::GlobalSearch:
         return model.closestPointSearch != SearchEffort::Local;
     case ModelTerm::OutsideDisplacement:

@@ -19,6 +19,7 @@ enum class ModelTerm : std::uint8_t {
     SphereCorrection,     ///< the exact sphere in place of its paraboloid
     FilmBase,             ///< rigid, under a film: the film stiffens
     SampleCurvature,      ///< effective radius at the closest point
+    BodyAttraction,       ///< of the tip by the sample beside the contact
     Friction,             ///< of the tip on the sample
     Torsion,              ///< of the lever, under a force across it
     MountTilt,            ///< of the lever against the scan
@@ -36,6 +37,7 @@ struct ModelTermTraits {
     std::optional<bool> ModelChoices::*choice = nullptr;
     /// What a model has of it; null where it follows from law, closest point search or deformation.
     bool ForceModelOptions::*option = nullptr;
+    bool usual = true;  ///< whether a model has it as long as nobody knows whether it matters
 };
 
 template <>
@@ -48,6 +50,8 @@ inline constexpr auto kEnumTable<ModelTerm> = std::to_array<ModelTermTraits>(
      {ModelTerm::FilmBase, "film_base", "film's base", &ModelChoices::filmBase},
      {ModelTerm::SampleCurvature, "curvature", "sample curvature", &ModelChoices::curvature,
       &ForceModelOptions::curvature},
+     {ModelTerm::BodyAttraction, "body_attraction", "body attraction",
+      &ModelChoices::bodyAttraction, &ForceModelOptions::bodyAttraction, false},
      {ModelTerm::Friction, "friction", "friction", &ModelChoices::friction,
       &ForceModelOptions::friction},
      {ModelTerm::Torsion, "torsion", "lever torsion", &ModelChoices::torsion,
@@ -62,7 +66,8 @@ inline constexpr auto kModelTerms = kValues<ModelTerm>;
 
 /// Terms that a model simply has or has not, whatever its law.
 inline constexpr std::array kSwitchedTerms{ModelTerm::Friction, ModelTerm::Torsion,
-                                           ModelTerm::MountTilt, ModelTerm::SampleCurvature};
+                                           ModelTerm::MountTilt, ModelTerm::SampleCurvature,
+                                           ModelTerm::BodyAttraction};
 
 [[nodiscard]] constexpr const ModelTermTraits& traitsOf(ModelTerm term) noexcept {
     return *rowOf(term);
@@ -82,7 +87,8 @@ inline constexpr std::array kSwitchedTerms{ModelTerm::Friction, ModelTerm::Torsi
 /// adheres nor is it of the exact sphere.
 [[nodiscard]] bool exclude(ModelTerm a, ModelTerm b) noexcept;
 
-/// Whether the sample has what the term is about: adhesion, a film.
+/// Whether the sample has what the term is about: adhesion, a film, a topography around the
+/// contact.
 [[nodiscard]] bool isPossible(ModelTerm term, const SceneDescription& scene) noexcept;
 
 [[nodiscard]] bool has(const ForceModelOptions& model, ModelTerm term) noexcept;

@@ -1,11 +1,13 @@
 #include "core/scene/Scene.h"
 
 #include "core/Error.h"
+#include "core/scene/AsperityValidity.h"
 #include "core/scene/BelievedModel.h"
 #include "core/scene/SampleMaterials.h"
 #include "core/scene/ScanSmoothing.h"
 #include "core/scene/SceneTruth.h"
 #include "core/scene/ShapeSample.h"
+#include "core/surface/HeightMoments.h"
 #include "core/surface/InvalidPixels.h"
 #include "core/surface/fit/BSplineFit.h"
 #include "core/surface/imaging/TipErosion.h"
@@ -13,6 +15,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -47,6 +50,7 @@ struct Ground {
     CertaintyMap certainty;
     ScanSmoothing smoothing;
     std::optional<NurbsSurface> shape = std::nullopt;
+    std::shared_ptr<const HeightMoments> moments = nullptr;  ///< where they are known already
 };
 
 /// What is known of the surface under the image that a tip recorded; the image itself stands for it
@@ -110,6 +114,22 @@ std::shared_ptr<const MaterialField> believedField(const Scene& scene) {
                          description.tip.elastic);
 }
 
+/// Whether the sample beside contacts attracts the tip: the instrument has it where it does, the
+/// model where the scene says so, or where nothing else is said and the law has a tail.
+/// @param known moments of the surface; null: not yet
+void findBodyAttraction(Scene& scene, std::shared_ptr<const HeightMoments> known) {
+    const std::optional<bool> said = scene.description.choices.bodyAttraction;
+    const bool isBlunt = !scene.shape && isBluntTip(scene.surface, scene.truth);
+    if (isBlunt || said == true) {
+        scene.moments = known ? std::move(known) : std::make_shared<HeightMoments>(scene.surface);
+    }
+    const bool attracts =
+        isBlunt && isAttractedBeside(*scene.moments, scene.truth, scene.description.tolerance);
+    scene.truth.beside = attracts || said == true ? scene.moments : nullptr;
+    scene.model.bodyAttraction = said.value_or(attracts && hasTail(scene.model.law));
+    scene.belief.beside = scene.model.bodyAttraction ? scene.moments : nullptr;
+}
+
 /// The description of the scene states a low-pass that was chosen.
 Scene assemble(SceneDescription description, Ground ground, const SceneMaps& read) {
     if (ground.smoothing.choice && leavesSmoothing(description.sample)) {
@@ -142,6 +162,7 @@ Scene assemble(SceneDescription description, Ground ground, const SceneMaps& rea
     scene.belief.field = believedField(scene);
     scene.truth.field =
         materialField(maps.truth, actual, scene.truth.friction, description.tip.elastic);
+    findBodyAttraction(scene, std::move(ground.moments));
     return scene;
 }
 
@@ -157,8 +178,12 @@ Scene sceneOn(const SceneDescription& description, Map map, Progress* progress,
 
 ContactModel contactModelAt(const ProbeSystem& system, const TipState& state) noexcept {
     const double radius = state.effectiveRadius;
-    return radius > 0.0 ? system.contact.withPair(system.pairAt(state.closest.point, radius))
-                        : system.contact;
+    if (!(radius > 0.0)) {
+        return system.contact;
+    }
+    ContactModel model = system.contact.withPair(system.pairAt(state.closest.point, radius));
+    model.setBodyPull(state.body);
+    return model;
 }
 
 ContactModel contactModelAt(const Scene& scene, const TipState& state) noexcept {
@@ -191,7 +216,8 @@ Scene withMaterial(Scene scene, const SampleMaterial& material) {
     checkScene(description);
     return assemble(description,
                     {std::move(scene.removedBySteps), std::move(scene.surface),
-                     std::move(scene.certainty), smoothing, std::move(scene.shape)},
+                     std::move(scene.certainty), smoothing, std::move(scene.shape),
+                     std::move(scene.moments)},
                     scene.maps);
 }
 
@@ -202,16 +228,17 @@ Scene withDescription(const Scene& scene, const SceneDescription& description) {
         next.sample.smoothingPixels = scene.description.sample.smoothingPixels;
         next.sample.smoothingLength = scene.description.sample.smoothingLength;
     }
-    return assemble(
-        std::move(next),
-        {scene.removedBySteps, scene.surface, scene.certainty, keptSmoothing(scene), scene.shape},
-        scene.maps);
+    return assemble(std::move(next),
+                    {scene.removedBySteps, scene.surface, scene.certainty, keptSmoothing(scene),
+                     scene.shape, scene.moments},
+                    scene.maps);
 }
 
 void setModel(Scene& scene, const ForceModelOptions& model) {
     scene.belief = believedSystem(scene.description, model);
     scene.model = model;
     scene.belief.field = believedField(scene);
+    scene.belief.beside = model.bodyAttraction ? scene.moments : nullptr;
 }
 
 }  // namespace asperity

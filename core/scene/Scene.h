@@ -15,10 +15,13 @@
 #include "core/surface/nurbs/NurbsSurface.h"
 #include "core/surface/sample/SampleSurface.h"
 
+#include <memory>
 #include <optional>
 #include <vector>
 
 namespace asperity {
+
+class HeightMoments;
 
 /// The maps that the materials of a description name, as they were read.
 struct SceneMaps {
@@ -39,7 +42,9 @@ struct Scene {
     std::optional<SmoothingChoice> smoothing;  ///< none: the scene file stated it, or has a shape
     std::optional<NurbsSurface> shape;         ///< what the tip touches in place of `surface`
     SceneMaps maps;                            ///< of materials that are not the same everywhere
-    ForceModelOptions model;                   ///< with which the believed force is computed
+    /// Of the surface, where the tip is blunt on it, see AsperityValidity.h; else null.
+    std::shared_ptr<const HeightMoments> moments = nullptr;
+    ForceModelOptions model;       ///< with which the believed force is computed
     ProbeSystem belief;            ///< what the operator's side takes tip, lever and sample to be
     ProbeSystem truth;             ///< what they are inside the simulated instrument
     LeverSignals signalSigma;      ///< noise of the signals as the estimator takes it [rad]

@@ -199,6 +199,9 @@ std::vector<SceneField> fidelityFields() {
             "curvature", "Sample curvature",
             [](auto& scene) -> auto& { return scene.choices.curvature; }),
         term(
+            "body_attraction", "Body attraction",
+            [](auto& scene) -> auto& { return scene.choices.bodyAttraction; }),
+        term(
             "friction", "Friction", [](auto& scene) -> auto& { return scene.choices.friction; }),
         term(
             "torsion", "Lever torsion", [](auto& scene) -> auto& { return scene.choices.torsion; }),

@@ -16,16 +16,22 @@ namespace {
 void checkOn(const SceneDescription& scene, ModelTerm term) {
     if (!isPossible(term, scene)) {
         refuse(term, term == ModelTerm::FilmBase ? "the sample's film_thickness_m is 0"
-                                                 : "the sample's work_of_adhesion_j_m2 is 0");
+                     : scene.sample.shape && term == ModelTerm::BodyAttraction
+                         ? "the sample is a shape, which has nothing beside the contact"
+                         : "the sample's work_of_adhesion_j_m2 is 0");
     }
     for (const ModelTerm other : kModelTerms) {
         if (exclude(term, other) && choiceOf(other, scene.choices) == true) {
             refuse(term, std::string(keyOf(other)) + " is on, and no contact law has both");
         }
     }
-    if (term == ModelTerm::VanDerWaalsTail &&
+    const bool isOfTail = term == ModelTerm::BodyAttraction;
+    if ((isOfTail || term == ModelTerm::VanDerWaalsTail) &&
         choiceOf(ModelTerm::Adhesion, scene.choices) == false) {
         refuse(term, "adhesion is off");
+    }
+    if (isOfTail && choiceOf(ModelTerm::VanDerWaalsTail, scene.choices) == false) {
+        refuse(term, "van_der_waals_tail is off, of which it is a part");
     }
 }
 

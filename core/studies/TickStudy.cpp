@@ -44,7 +44,7 @@ double spreadOf(const std::vector<double>& medians) {
 }  // namespace
 
 TickStudy::TickStudy(Scene& scene, const TradeOffPlan& plan, Progress* progress)
-    : scene_(scene), plan_(plan), progress_(progress), model_(wholeModel(scene.description)) {
+    : scene_(scene), plan_(plan), progress_(progress), model_(wholeModel(scene)) {
     const Vector2 other(0.31 * scene.surface.sizeX(), 0.62 * scene.surface.sizeY());
     for (const DevicePath& path :
          {slidePath(scene, {.duration = plan.duration}),
@@ -112,7 +112,7 @@ void TickStudy::describe(TradeOffReference& reference) {
     reference.forceScale = forceScale(reference_);
     reference.contactRatio = largestContactRatio(reference_);
     double sum = 0.0;
-    for (const ModelTerm term : missingTerms(model_, scene_.description)) {
+    for (const ModelTerm term : missingTerms(model_, scene_)) {
         reference.missed.push_back({.term = term, .force = missedBy(term)});
         sum += reference.missed.back().force * reference.missed.back().force;
     }

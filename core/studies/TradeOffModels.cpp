@@ -1,5 +1,6 @@
 #include "core/studies/TradeOffModels.h"
 
+#include "core/fidelity/ReferenceModels.h"
 #include "core/scene/BelievedModel.h"
 #include "core/scene/ModelTerm.h"
 #include "core/scene/Scene.h"
@@ -44,6 +45,7 @@ std::string nameOf(const FrameOptions& options) {
 }
 
 std::vector<ForceModelOptions> tickModels(const Scene& scene) {
+    const bool attracts = isInScene(ModelTerm::BodyAttraction, scene);
     std::vector<ForceModelOptions> all;
     for (const ContactLaw law : lawsFor(scene.description)) {
         for (const SolverSetting solver : {SolverSetting::Table, SolverSetting::Newton}) {
@@ -52,7 +54,10 @@ std::vector<ForceModelOptions> tickModels(const Scene& scene) {
             }
             for (const SearchEffort effort :
                  {SearchEffort::Local, SearchEffort::Global, SearchEffort::Certified}) {
-                all.push_back({.law = law, .solver = solver, .closestPointSearch = effort});
+                all.push_back(ofForce({.law = law,
+                                       .solver = solver,
+                                       .closestPointSearch = effort,
+                                       .bodyAttraction = attracts}));
             }
         }
     }
@@ -61,7 +66,7 @@ std::vector<ForceModelOptions> tickModels(const Scene& scene) {
     for (const ModelTerm left : kSwitchedTerms) {
         ForceModelOptions less = own;
         for (const ModelTerm term : kSwitchedTerms) {
-            less.*traitsOf(term).option = term != left;
+            less.*traitsOf(term).option = term != left && isInScene(term, scene);
         }
         addOnce(all, ofForce(less));
     }

@@ -39,6 +39,8 @@ std::string factText(ModelTerm term, const TermFact& fact) {
         return formatted("contact radius up to %.2g film thicknesses", amount);
     case ModelTerm::SampleCurvature:
         return formatted("sample curvature up to %.2g of the tip's curvature", amount);
+    case ModelTerm::BodyAttraction:
+        return formatted("the sample beside contacts pulls with up to %.3g nN", 1e9 * amount);
     case ModelTerm::Friction:
         return formatted("friction coefficient %.2g, shear strength %.2g MPa", amount,
                          1e-6 * other);
@@ -94,7 +96,14 @@ void list(std::string& names, ModelTerm term) {
 }  // namespace
 
 const char* whyImpossible(ModelTerm term) noexcept {
-    return term == ModelTerm::FilmBase ? "the sample is no film" : "the materials do not adhere";
+    switch (term) {
+    case ModelTerm::FilmBase:
+        return "the sample is no film";
+    case ModelTerm::BodyAttraction:
+        return "the tip is nowhere blunt on the scan, or nothing adheres";
+    default:
+        return "the materials do not adhere";
+    }
 }
 
 std::string whyOf(const LawChoice& choice) {
@@ -177,11 +186,14 @@ std::string nameOf(const ForceModelOptions& options) {
     text += options.solver == SolverSetting::Exact ? ", exact" : "";
     text += std::string(", ") + keyOf(options.closestPointSearch) + " search";
     text += options.decoupling == DecouplingModel::Planar ? ", planar" : "";
-    const char* before = ", without ";
-    for (const ModelTerm term : kSwitchedTerms) {
-        if (!(options.*traitsOf(term).option)) {
-            text += std::string(before) + nameOf(term);
-            before = ", ";
+    for (const bool usual : {false, true}) {
+        const char* before = usual ? ", without " : ", with ";
+        for (const ModelTerm term : kSwitchedTerms) {
+            const ModelTermTraits& traits = traitsOf(term);
+            if (traits.usual == usual && options.*traits.option != usual) {
+                text += std::string(before) + nameOf(term);
+                before = ", ";
+            }
         }
     }
     return text;

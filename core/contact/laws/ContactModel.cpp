@@ -126,9 +126,28 @@ ContactState ContactModel::equilibrium(double approach, double compliance,
         return {.coordinate = memory.coordinate, .branch = memory.branch, .status = status};
     }
     const double soft = nearestCompliance(compliance);
+    if (!body_.present()) {
+        return wetEquilibrium(approach, soft, memory);
+    }
+    return withBodyPull(
+        wetEquilibrium(body_.bareApproach(approach, soft), wetCompliance(soft), memory));
+}
+
+ContactState ContactModel::withBodyPull(ContactState state) const noexcept {
+    state.force += body_.at(state.indentation);
+    state.stiffness += body_.slope;
+    return state;
+}
+
+double ContactModel::wetCompliance(double compliance) const noexcept {
+    return nearestCompliance(body_.compliance(compliance));
+}
+
+ContactState ContactModel::wetEquilibrium(double approach, double compliance,
+                                          const ContactMemory& memory) const noexcept {
     return given_.options.meniscus.present()
-               ? WettedContact(*this).equilibrium(approach, soft, memory)
-               : bare(approach, soft, memory);
+               ? WettedContact(*this).equilibrium(approach, compliance, memory)
+               : bare(approach, compliance, memory);
 }
 
 ContactState ContactModel::bare(double approach, double compliance,
@@ -137,24 +156,32 @@ ContactState ContactModel::bare(double approach, double compliance,
         [&](const auto& joined) { return joined.equilibrium(approach, compliance, memory); });
 }
 
+double ContactModel::wetJumpInApproach(double compliance) const noexcept {
+    if (given_.options.meniscus.present()) {
+        return WettedContact(*this).jumpInApproach(compliance);
+    }
+    return onJoined([&](const auto& joined) { return joined.jumpInApproach(compliance); });
+}
+
+double ContactModel::wetPullOffApproach(double compliance) const noexcept {
+    return onJoined([&](const auto& joined) { return joined.pullOffApproach(compliance); }) -
+           (compliance * meniscusPull());
+}
+
 double ContactModel::jumpInApproach(double compliance) const noexcept {
     const double soft = nearestCompliance(compliance);
-    if (given_.options.meniscus.present()) {
-        return WettedContact(*this).jumpInApproach(soft);
-    }
-    return onJoined([&](const auto& joined) { return joined.jumpInApproach(soft); });
+    return body_.approach(wetJumpInApproach(wetCompliance(soft)), soft);
 }
 
 double ContactModel::pullOffApproach(double compliance) const noexcept {
     const double soft = nearestCompliance(compliance);
-    return onJoined([&](const auto& joined) { return joined.pullOffApproach(soft); }) -
-           (soft * meniscusPull());
+    return body_.approach(wetPullOffApproach(wetCompliance(soft)), soft);
 }
 
 double ContactModel::attractionRange() const noexcept {
     // Four contact points just out of range pull with a hundredth of the strongest pull together.
     constexpr double kFaint = 1.0 / 400.0;
-    double range = std::max(-jumpInApproach(0.0), 0.0);
+    double range = std::max(-wetJumpInApproach(0.0), 0.0);
     if (given_.options.meniscus.present()) {
         range = std::max(range, given_.options.meniscus.range);
     }
@@ -168,17 +195,21 @@ double ContactModel::attractionRange() const noexcept {
 }
 
 ContactState ContactModel::lastFar(double compliance) const noexcept {
-    const double soft = nearestCompliance(compliance);
+    const double soft = wetCompliance(nearestCompliance(compliance));
     if (given_.options.meniscus.present()) {
-        return equilibrium(WettedContact(*this).jumpInApproach(soft), soft, {});
+        return withBodyPull(wetEquilibrium(wetJumpInApproach(soft), soft, {}));
     }
-    return onJoined([&](const auto& joined) { return joined.lastFar(soft); });
+    return withBodyPull(onJoined([&](const auto& joined) { return joined.lastFar(soft); }));
+}
+
+ContactState ContactModel::wetLastBonded(double compliance) const noexcept {
+    const ContactState last =
+        onJoined([&](const auto& joined) { return joined.lastBonded(compliance); });
+    return given_.options.meniscus.present() ? WettedContact(*this).wetted(last) : last;
 }
 
 ContactState ContactModel::lastBonded(double compliance) const noexcept {
-    const double soft = nearestCompliance(compliance);
-    const ContactState last = onJoined([&](const auto& joined) { return joined.lastBonded(soft); });
-    return given_.options.meniscus.present() ? WettedContact(*this).wetted(last) : last;
+    return withBodyPull(wetLastBonded(wetCompliance(nearestCompliance(compliance))));
 }
 
 double ContactModel::widestFilmContact() const noexcept {

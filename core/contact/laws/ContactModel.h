@@ -2,6 +2,7 @@
 
 #include "core/contact/ContactState.h"
 #include "core/contact/Material.h"
+#include "core/contact/laws/BodyPull.h"
 #include "core/contact/laws/ContactLaw.h"
 #include "core/contact/laws/ContactOptions.h"
 
@@ -33,6 +34,11 @@ public:
     /// The same law for another pair that the constructor would take, its radius as in
     /// withTipRadius(). The range of the cohesive zone stays, its stress goes with the adhesion.
     [[nodiscard]] ContactModel withPair(const ContactPair& pair) const noexcept;
+
+    /// Adds a force beside the law's to every force below, in place of the one before. Of a model
+    /// that is made from this one there is none again.
+    void setBodyPull(const BodyPull& pull) noexcept { body_ = pull; }
+    [[nodiscard]] const BodyPull& bodyPull() const noexcept { return body_; }
 
     /// Stable equilibrium at `approach` = indentation + compliance x force [m], the approach of the
     /// undeflected tip; `compliance` is the lever's along the normal [m/N] (0: displacement
@@ -113,10 +119,20 @@ private:
 
     [[nodiscard]] ContactState bare(double approach, double compliance,
                                     const ContactMemory& memory) const noexcept;
+    // Of law and meniscus, without the body's pull; the compliance within its range.
+    [[nodiscard]] ContactState wetEquilibrium(double approach, double compliance,
+                                              const ContactMemory& memory) const noexcept;
+    [[nodiscard]] double wetJumpInApproach(double compliance) const noexcept;
+    [[nodiscard]] double wetPullOffApproach(double compliance) const noexcept;
+    [[nodiscard]] ContactState wetLastBonded(double compliance) const noexcept;
+    [[nodiscard]] ContactState withBodyPull(ContactState state) const noexcept;
+    /// Compliance that law and meniscus are asked for [m/N].
+    [[nodiscard]] double wetCompliance(double compliance) const noexcept;
 
     static constexpr std::size_t kJoinedSize = 640;  ///< [bytes]
 
     Checked given_;
+    BodyPull body_;
     alignas(double) std::array<std::byte, kJoinedSize> joined_;
 };
 

@@ -7,8 +7,6 @@
 
 namespace asperity {
 
-namespace {}  // namespace
-
 /// A state of the bare law with the meniscus' force on it.
 ContactState WettedContact::wetted(ContactState state) const noexcept {
     const Meniscus& meniscus = model_.given_.options.meniscus;
@@ -95,7 +93,7 @@ ContactState WettedContact::equilibrium(double approach, double compliance,
         return wetted(bonded);
     }
     // Where rounding leaves neither branch, the two meet.
-    return far ? pulledOff(*far, compliance) : model_.lastBonded(compliance);
+    return far ? pulledOff(*far, compliance) : model_.wetLastBonded(compliance);
 }
 
 ContactState WettedContact::snappedIn(double approach, double compliance) const noexcept {
@@ -109,7 +107,8 @@ ContactState WettedContact::snappedIn(double approach, double compliance) const 
 /// The bonded state at an approach where one must exist; rounding may put it on the fold.
 ContactState WettedContact::landedAt(double approach, double compliance) const noexcept {
     const ContactState bonded = bondedAt(approach, compliance, kBondedMemory);
-    return bonded.branch == ContactBranch::Bonded ? wetted(bonded) : model_.lastBonded(compliance);
+    return bonded.branch == ContactBranch::Bonded ? wetted(bonded)
+                                                  : model_.wetLastBonded(compliance);
 }
 
 WettedContact::Jump WettedContact::jumpAtEnd(double compliance) const noexcept {
@@ -126,9 +125,9 @@ WettedContact::Jump WettedContact::jumpAtEnd(double compliance) const noexcept {
 /// Bodies that bond across a gap have the water's full pull at once, which may take more energy
 /// than the jump releases: pull-off releases so much less.
 ContactState WettedContact::pulledOff(ContactState state, double compliance) const noexcept {
-    const ContactState fold = model_.lastBonded(compliance);
+    const ContactState fold = model_.wetLastBonded(compliance);
     const double end =
-        std::min(model_.pullOffApproach(compliance), endOfSeparate(compliance).approach);
+        std::min(model_.wetPullOffApproach(compliance), endOfSeparate(compliance).approach);
     if (const auto landing = separateAt(end, compliance)) {
         const double lent = std::min(0.0, jumpAtEnd(compliance).released);
         state.jumped = fold.force < landing->force;

@@ -14,6 +14,7 @@
 #include "core/scene/ModelTerm.h"
 #include "core/surface/fit/GaussianFilter.h"
 
+#include <algorithm>
 #include <fstream>
 #include <sstream>
 #include <string_view>
@@ -213,6 +214,14 @@ void readFidelity(TomlSection section, SceneDescription& scene) {
             std::optional<bool>& value = model.*term.choice;
             value = choiceOrNone(section, term.key, value);
         }
+    }
+    // Recordings state each of these terms. One that does not state this one is older than it.
+    const auto isStated = [&model](ModelTerm term) {
+        return term == ModelTerm::BodyAttraction || (model.*traitsOf(term).choice).has_value();
+    };
+    if (!section.has(keyOf(ModelTerm::BodyAttraction)) &&
+        std::ranges::all_of(kSwitchedTerms, isStated)) {
+        model.bodyAttraction = false;
     }
     section.refuseUnknownKeys();
 }

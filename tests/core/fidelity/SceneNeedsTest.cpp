@@ -246,6 +246,44 @@ TEST(SceneNeeds, AFitReportsProgressAndCanBeCanceled) {
     }
 }
 
+/// A blunt tip on an asperity of 40 nm radius: low above the plane, and high above it.
+Scene bluntTipOn(double height) {
+    HeightMap map{.columns = 129, .rows = 129, .pitchX = 4.0_nm, .pitchY = 4.0_nm};
+    for (int i = 0; i < 129 * 129; ++i) {
+        const double away = std::hypot(i % 129 - 64, i / 129 - 64) * 4.0_nm;
+        map.heights.push_back(height * std::exp(-away * away / (80.0_nm * height)));
+    }
+    SceneDescription description = test::plainScene();
+    description.tip.radius = 2.0_um;
+    description.sample.material.friction = {};
+    description.truth.material = description.sample.material;
+    return buildScene(description, map);
+}
+
+TEST(SceneNeeds, ABluntTipOnALowAsperityNeedsWhatAttractsBesideIt) {
+    Scene low = bluntTipOn(4.0_nm);
+    const SceneNeeds needs = fitModel(low);
+    const TermNeed& need = needOf(needs, ModelTerm::BodyAttraction);
+    EXPECT_TRUE(need.on);
+    EXPECT_GT(need.effect, needs.tolerance);
+    EXPECT_TRUE(low.belief.attractsBeside());
+    ASSERT_TRUE(need.fact.has_value());
+    EXPECT_GT(need.fact->amount, 0.1_nN);
+}
+
+/// What is left out stands in the stated error.
+TEST(SceneNeeds, AttractionBesideThatIsTurnedOffIsPartOfTheError) {
+    Scene scene = bluntTipOn(4.0_nm);
+    SceneDescription description = scene.description;
+    description.choices.bodyAttraction = false;
+    Scene less = withDescription(scene, description);
+    const double effect = needOf(fitModel(scene), ModelTerm::BodyAttraction).effect;
+    const SceneNeeds needs = fitModel(less);
+    EXPECT_FALSE(needOf(needs, ModelTerm::BodyAttraction).on);
+    EXPECT_TRUE(needOf(needs, ModelTerm::BodyAttraction).overruled);
+    EXPECT_GT(needs.statedError(), 0.9 * effect);
+}
+
 TEST(SceneNeeds, WhereATickTakesTooLongAllStaysIn) {
     Scene scene = buildScene(test::plainScene(), test::hillyMap());
     const SceneNeeds needs = fitModel(scene, 0.0);

@@ -259,12 +259,12 @@ std::vector<StatedErrorScene> statedErrorScenes() {
 
 QuantityErrors trueErrors(Scene& scene, const SceneNeeds& needs) {
     const ForceModelOptions fitted = scene.model;
-    ForceModelOptions whole = wholeModel(scene.description);
+    ForceModelOptions whole = wholeModel(scene);
     whole.law = needs.full.law;
     setModel(scene, whole);
     OtherRuns runs(scene);
     QuantityErrors law;
-    for (const ModelTerm term : missingTerms(whole, scene.description)) {
+    for (const ModelTerm term : missingTerms(whole, scene)) {
         const TermPair pair = pairOf(term, whole);
         law.addSquares(runs.errors(pair.without, pair.with));
     }

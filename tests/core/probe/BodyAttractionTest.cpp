@@ -109,7 +109,8 @@ double besideBump(double height, double curvature, double indentation) {
     const double cohesive = std::pow(kContactSeparation + kCohesiveRange, 3);
     const double touch = kContactSeparation - indentation;
     const auto traction = [&](double gap) {
-        return 1.0 / (std::pow(std::max(touch + gap, 0.0), 3) + cohesive);
+        const double cube = std::pow(std::max(touch + gap, 0.0), 3);
+        return cube / std::pow(cube + cohesive, 2);
     };
     double sum = 0.0;
     for (int i = 0; i < kSteps; ++i) {  // denser near the middle

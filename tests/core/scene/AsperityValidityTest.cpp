@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace asperity {
@@ -21,6 +22,7 @@ struct Bump {
     double pitch = 0.0;      ///< [m]
     double smoothing = 0.0;  ///< [pixel]
     double scale = 1.0;      ///< of all lengths and of the work of adhesion
+    bool attracts = false;   ///< beside the contact, in the model
 
     [[nodiscard]] double curvature() const { return height / (width * width); }  ///< [1/m]
 };
@@ -44,6 +46,7 @@ Scene sceneOf(const Bump& bump) {
     description.sample.material.workOfAdhesion *= bump.scale;
     description.tip.radius = bump.scale * bump.tipRadius;
     description.choices.law = ContactLaw::Split;
+    description.choices.bodyAttraction = bump.attracts;
     return buildScene(description, std::move(map));
 }
 
@@ -130,22 +133,25 @@ TEST(AsperityValidity, AContactIsBeyondItsAsperityWhereThatIsNoParaboloidByATent
     }
 }
 
-/// Attraction of the cap by plane and flanks beyond the contact, less that by the paraboloid, over
-/// the pull-off force 1.5 pi w R_eff.
-double shareBeside(const Bump& bump, const TipState& state) {
+/// Attraction of the cap by plane and flanks beyond the range of cohesion, less that by the
+/// paraboloid, over the pull-off force 1.5 pi w R_eff.
+double shareOfBump(const Bump& bump, const TipState& state) {
     constexpr int kSteps = 100'000;
-    const double inner = state.contact.contactRadius;
-    const double step = (bump.tipRadius - inner) / kSteps;
-    const auto traction = [](double gap) {
-        return std::pow(kContactSeparation / (kContactSeparation + gap), 3);
+    const double step = bump.tipRadius / kSteps;
+    const double touch = kContactSeparation - state.contact.indentation;
+    const auto traction = [touch](double gap) {
+        const double cohesive = kContactSeparation + kCohesiveRange;
+        const double cube = std::pow(std::max(0.0, touch + gap), 3);
+        return std::pow(kContactSeparation, 3) * cube / std::pow(cube + std::pow(cohesive, 3), 2);
     };
     double sum = 0.0;
     for (int i = 0; i < kSteps; ++i) {
-        const double r = inner + (i + 0.5) * step;
+        const double r = (i + 0.5) * step;
         const double ratio = r / bump.width;
         const double cap = bump.tipRadius - std::sqrt(bump.tipRadius * bump.tipRadius - r * r);
         const double below = bump.height * (1.0 - std::exp(-0.5 * ratio * ratio));
-        sum += (traction(cap + below) - traction(r * r / (2.0 * state.effectiveRadius))) * r * step;
+        const double ofLaw = cap + 0.5 * r * r * bump.curvature();
+        sum += (traction(cap + below) - traction(ofLaw)) * r * step;
     }
     return sum * 4.0 / (1.5 * kContactSeparation * state.effectiveRadius);
 }
@@ -159,7 +165,7 @@ TEST(AsperityValidity, ThePlaneUnderALowAsperityAttractsABluntTip) {
         const TipState state = pressedOn(scene, bump);
         const double ratio = kContactSeparation / (kContactSeparation + height);
         const double ofPlane = 4.0 / 3.0 * bump.tipRadius / state.effectiveRadius * ratio * ratio;
-        const double share = shareBeside(bump, state);
+        const double share = shareOfBump(bump, state);
         SCOPED_TRACE(testing::Message() << height << " m: share " << share);
         EXPECT_GT(share, 0.8 * ofPlane) << "2 pi w R (D0 / D)^2";
         const bool attracts =
@@ -167,10 +173,36 @@ TEST(AsperityValidity, ThePlaneUnderALowAsperityAttractsABluntTip) {
         if (share < 0.045 || share > 0.055) {
             EXPECT_EQ(attracts, share > 0.05);
         }
+        Bump inModel = bump;
+        inModel.attracts = true;
+        EXPECT_FALSE(flagsOn(inModel).has(Validity::BodyAttraction)) << "the force has it";
         flagged += attracts ? 1 : 0;
     }
     EXPECT_GT(flagged, 1);
     EXPECT_LT(flagged, 6);
+}
+
+/// Whether the model of a scene has the term by itself, before it is fitted.
+TEST(AsperityValidity, ASceneHasTheAttractionBesideWhereItsFlagWouldBeSet) {
+    Bump bump{.height = 4.0_nm, .tipRadius = 2.0_um, .pitch = 4.0_nm};
+    bump.width = std::sqrt(bump.height * 40.0_nm);
+    SceneDescription description = sceneOf(bump).description;
+    description.choices.bodyAttraction = std::nullopt;
+    const Scene scene = withDescription(sceneOf(bump), description);
+    EXPECT_TRUE(scene.model.bodyAttraction);
+    EXPECT_TRUE(scene.belief.beside != nullptr);
+    EXPECT_TRUE(scene.truth.beside != nullptr);
+    description.choices.bodyAttraction = false;
+    const Scene without = withDescription(scene, description);
+    EXPECT_FALSE(without.belief.beside != nullptr);
+    EXPECT_TRUE(without.truth.beside != nullptr) << "the instrument has everything";
+    description.choices = {.law = ContactLaw::Maugis};
+    EXPECT_FALSE(withDescription(scene, description).model.bodyAttraction) << "no tail";
+    const Scene flat = buildScene(test::plainScene(), test::flatMap());
+    EXPECT_FALSE(flat.model.bodyAttraction);
+    EXPECT_FALSE(flat.truth.beside != nullptr);
+    const Scene hilly = buildScene(test::plainScene(), test::hillyMap());
+    EXPECT_FALSE(hilly.truth.beside != nullptr) << "a tip sharper than the hills";
 }
 
 TEST(AsperityValidity, FlatSamplesAndExactShapesHaveNoAsperity) {

@@ -1,5 +1,6 @@
 #include "core/scene/ModelChoices.h"
 
+#include "core/Error.h"
 #include "core/scene/ModelTerm.h"
 #include "core/scene/SceneDescription.h"
 #include "tests/support/TestScenes.h"
@@ -34,6 +35,14 @@ TEST(ModelChoices, AChoiceFreesWhatContradictsIt) {
     choices = withChoice(choices, ModelTerm::VanDerWaalsTail, true);
     EXPECT_FALSE(choices.adhesion.has_value());
     EXPECT_NO_THROW(checkScene(scene));
+    choices = withChoice(choices, ModelTerm::BodyAttraction, true);
+    choices = withChoice(choices, ModelTerm::VanDerWaalsTail, false);
+    EXPECT_FALSE(choices.bodyAttraction.has_value()) << "it is a part of the tail's";
+    choices = withChoice(choices, ModelTerm::BodyAttraction, true);
+    EXPECT_FALSE(choices.vanDerWaalsTail.has_value());
+    EXPECT_NO_THROW(checkScene(scene));
+    choices.vanDerWaalsTail = false;
+    EXPECT_THROW(checkScene(scene), Error);
 }
 
 TEST(ModelChoices, AHalfSpaceSharesItsDisplacementAlready) {

@@ -77,6 +77,9 @@ TEST(ForceModelOptions, AreNamedByWhatDiffersFromTheUsual) {
                       .curvature = false}),
               std::string(nameOf(ContactLaw::Jkr)) +
                   ", table, local search, planar, without friction, sample curvature");
+    EXPECT_EQ(nameOf({.law = ContactLaw::Split, .torsion = false, .bodyAttraction = true}),
+              std::string(nameOf(ContactLaw::Split)) +
+                  ", certified search, with body attraction, without lever torsion");
 }
 
 TEST(LawWords, SayWhyALawWasTaken) {

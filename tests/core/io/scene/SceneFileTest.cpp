@@ -282,6 +282,17 @@ TEST_F(SceneFile, ComesBackTheSameFromItsOwnText) {
     EXPECT_EQ(again.settings.governor, scene.settings.governor);
 }
 
+/// Recordings state every term; those of before one was known do not state that one.
+TEST_F(SceneFile, ARecordingOfBeforeBodyAttractionHasNone) {
+    const std::string older = "[sample]\nfile = \"map.gsf\"\n[fidelity]\nfriction = \"on\"\n"
+                              "torsion = \"off\"\nmount_tilt = \"off\"\n";
+    EXPECT_EQ(readScene(write("open.toml", older)).choices.bodyAttraction, std::nullopt);
+    const std::string recorded = older + "curvature = \"on\"\n";
+    EXPECT_EQ(readScene(write("recorded.toml", recorded)).choices.bodyAttraction, false);
+    const std::string newer = recorded + "body_attraction = \"auto\"\n";
+    EXPECT_EQ(readScene(write("newer.toml", newer)).choices.bodyAttraction, std::nullopt);
+}
+
 TEST_F(SceneFile, NamesScansWhateverTheBytesOfTheirNames) {
     SceneDescription scene = defaultScene();
     for (const char* file : {"/scans/25 \xB5m 50%.gsf", "/scans/a\nb\x1b[31m\"\\.gsf",
