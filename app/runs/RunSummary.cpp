@@ -159,6 +159,7 @@ OrderedJson budgetJson(const CycleBudget& one) {
     const std::optional<UncertaintyInput> dominant = budget.dominant();
     return {{"text", budgetText(budget, one.unit)},
             {"value", budget.value},
+            {"shift", budget.shift},
             {"noise_sigma", budget.noise},
             {"model_sigma", budget.model()},
             {"dominant", dominant ? OrderedJson(keyOf(*dominant)) : OrderedJson(nullptr)},

@@ -40,7 +40,7 @@ void takeDeviations(const Scene& scene, const TipState& setpoint, MapValues& val
     for (const DeviationRow& row : kDeviations) {
         // Of a landmark that is missing it is not a number, too.
         values[row.deviation] =
-            budgetOf(budgets, row.landmark).of(values[row.quantity], 0.0).model();
+            budgetOf(budgets, row.landmark).of(values[row.quantity], 0.0).modelAboutValue();
     }
 }
 

@@ -15,16 +15,20 @@ int widerThan(int tenths) {
 
 Smoothing ofTenths(int tenths) { return {.x = tenths / 10.0, .y = tenths / 10.0}; }
 
+ScanSmoothing smoothingBy(const CurvatureNoise& scan, const Smoothing& width,
+                          const std::optional<SmoothingChoice>& choice) {
+    const double noise = scan.noise(width);
+    return {width, scan.heightNoise(width, noise), noise, choice};
+}
+
 template <class Map>
 ScanSmoothing smoothingOn(const SceneDescription& scene, const Map& map) {
     const CurvatureNoise scan(map, scene.uncertainty.heightNoise);
     if (!leavesSmoothing(scene.sample)) {
-        const Smoothing stated = smoothingOf(scene.sample, map);
-        return {stated, scan.heightNoise(stated), std::nullopt};
+        return smoothingBy(scan, smoothingOf(scene.sample, map), std::nullopt);
     }
     const SmoothingChoice choice = chooseSmoothing(scan, scene.tip.radius, scene.tolerance);
-    const Smoothing width{.x = choice.pixels, .y = choice.pixels};
-    return {width, scan.heightNoise(width), choice};
+    return smoothingBy(scan, {.x = choice.pixels, .y = choice.pixels}, choice);
 }
 
 }  // namespace

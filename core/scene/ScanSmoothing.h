@@ -30,7 +30,8 @@ struct SmoothingChoice {
 /// What a scan is smoothed by.
 struct ScanSmoothing {
     Smoothing width;
-    double heightNoise = 0.0;  ///< white noise of the heights that curvatures show after it [m]
+    double heightNoise = 0.0;     ///< white noise of the heights that curvatures show after it [m]
+    double curvatureNoise = 0.0;  ///< what it leaves of noise in the mean curvature [1/m]
     std::optional<SmoothingChoice> choice;  ///< none: the scene states it
 };
 

@@ -59,7 +59,8 @@ template <class Map>
 BasicTipReconstruction<Map> surfaceUnder(const SampleDescription& sample, Map image,
                                          Progress* progress) {
     if (sample.erode) {
-        return reconstructed(std::move(image), sample.imagingTipRadius, progress);
+        return reconstructed(std::move(image), sample.imagingTipRadius, progress,
+                             TouchedPoint::BetweenPixels);
     }
     std::vector<std::uint8_t> certain = certainPixels(image, sample.imagingTipRadius, progress);
     return {std::move(image), std::move(certain)};
@@ -100,7 +101,10 @@ Ground groundOf(const SceneDescription& scene, Map map, Progress* progress) {
 
 /// What the surface of a scene was smoothed by, but for the width, which its description states.
 ScanSmoothing keptSmoothing(const Scene& scene) {
-    return {.width = {}, .heightNoise = scene.heightNoise, .choice = scene.smoothing};
+    return {.width = {},
+            .heightNoise = scene.heightNoise,
+            .curvatureNoise = scene.curvatureNoise,
+            .choice = scene.smoothing};
 }
 
 /// With the model's friction or none.
@@ -150,6 +154,7 @@ Scene assemble(SceneDescription description, Ground ground, const SceneMaps& rea
         .surface = std::move(ground.surface),
         .certainty = std::move(ground.certainty),
         .heightNoise = ground.smoothing.heightNoise,
+        .curvatureNoise = ground.smoothing.curvatureNoise,
         .smoothing = ground.smoothing.choice,
         .shape = std::move(ground.shape),
         .maps = maps,

@@ -39,6 +39,8 @@ struct Scene {
     /// White noise of the scan's heights before smoothing that would leave the curvatures the noise
     /// that they have, estimated [m].
     double heightNoise = 0.0;
+    /// Standard deviation of the mean curvature of the recorded surface by noise [1/m].
+    double curvatureNoise = 0.0;
     std::optional<SmoothingChoice> smoothing;  ///< none: the scene file stated it, or has a shape
     std::optional<NurbsSurface> shape;         ///< what the tip touches in place of `surface`
     SceneMaps maps;                            ///< of materials that are not the same everywhere

@@ -72,7 +72,7 @@ inline constexpr auto kEnumTable<UncertaintyInput> = std::to_array<UncertaintyRo
      {UncertaintyInput::TipRadius, "tip_radius", "tip radius", "Tip radius",
       "Of a tip that was characterized; a maker's value leaves more", &Uncertainty::tipRadius},
      {UncertaintyInput::ImagingTip, "imaging_tip_radius", "imaging tip", "Imaging tip radius",
-      "Of the tip that recorded the scan; a scan that is not eroded leaves all of it",
+      "Of the tip that recorded the scan; what a scan that is not eroded holds of it is a shift",
       &Uncertainty::imagingTip},
      {UncertaintyInput::Modulus, "youngs_modulus", "modulus", "Young's modulus",
       "Of the sample; values of one material in the literature differ by this and more",

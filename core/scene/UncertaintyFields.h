@@ -6,7 +6,8 @@
 
 namespace asperity {
 
-/// The rows of sceneFields() on what model and calibration leave open.
+/// The rows of sceneFields() on what model and calibration leave open. A file of their own: they
+/// follow from kEnumTable<UncertaintyInput> by a template, where the others are written out.
 [[nodiscard]] std::vector<SceneField> uncertaintyFields();
 
 }  // namespace asperity

@@ -10,6 +10,8 @@ double Budget::model() const noexcept {
     return std::sqrt(std::inner_product(shares.begin(), shares.end(), shares.begin(), 0.0));
 }
 
+double Budget::modelAboutValue() const noexcept { return std::hypot(model(), shift); }
+
 double Budget::total() const noexcept { return std::hypot(noise, model()); }
 
 std::optional<UncertaintyInput> Budget::dominant() const noexcept {
@@ -45,6 +47,7 @@ Budget Budget::of(double reading, double deviation) const noexcept {
     const double scale = value != 0.0 ? std::abs(reading / value) : 0.0;
     budget.value = reading;
     budget.noise = deviation;
+    budget.shift *= scale;
     for (double& one : budget.shares) {
         one *= scale;
     }

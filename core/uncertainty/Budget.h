@@ -14,12 +14,19 @@ struct Budget {
     double noise = 0.0;  ///< what the detector cannot resolve
     /// By what each input moves the result, in the order of UncertaintyInput, >= 0.
     std::array<double, kUncertaintyInputCount> shares{};
+    /// By how much the value is too large because the scan still has the shape of its imaging tip:
+    /// value - shift is the best estimate, about which the deviations are. Known in size and sign,
+    /// it is no deviation: an interval by its square would hold the truth too often.
+    double shift = 0.0;
 
     [[nodiscard]] double share(UncertaintyInput input) const noexcept {
         return shares[static_cast<std::size_t>(input)];
     }
     /// What model and calibration leave open: all shares, as independent ones.
     [[nodiscard]] double model() const noexcept;
+    /// The same about the value as it is, for where one number must do: the shift counts as one
+    /// more deviation.
+    [[nodiscard]] double modelAboutValue() const noexcept;
     /// Noise and model together.
     [[nodiscard]] double total() const noexcept;
     /// The input with the largest share; none: no input moves the result.

@@ -29,10 +29,12 @@ double factorOf(double sign, double deviation) {
 
 }  // namespace
 
-BudgetBuilder::BudgetBuilder(const Uncertainty& given, LandmarkLaw law)
+BudgetBuilder::BudgetBuilder(const Uncertainty& given, LandmarkLaw law,
+                             const std::optional<Landmarks>& shown)
     : given_(given), law_(std::move(law)), middle_(law_({})) {
+    const Landmarks& values = shown ? *shown : middle_;
     for (std::size_t i = 0; i < kLandmarkCount; ++i) {
-        budgets_[i].value = middle_[i];
+        budgets_[i].value = values[i];
     }
 }
 
@@ -120,14 +122,11 @@ void BudgetBuilder::takeHeightScales() {
               given_.lateralCalibration);
 }
 
-void BudgetBuilder::takeImagingTip(const SampleDescription& sample) {
-    const double radius = sample.imagingTipRadius;
-    if (radius > 0.0 && sample.erode) {
-        addBy(UncertaintyInput::ImagingTip, [&](double sign) {
-            return PlaceNumbers{.imagingTip = sign * given_.imagingTip * radius};
-        });
-    } else if (radius > 0.0) {
-        add(UncertaintyInput::ImagingTip, movesTo({.imagingTip = radius}));
+void BudgetBuilder::takeImagingTip() {
+    addFactor(UncertaintyInput::ImagingTip, &PlaceNumbers::imagingTip, given_.imagingTip);
+    for (std::size_t i = 0; i < kLandmarkCount; ++i) {
+        const double shift = budgets_[i].value - middle_[i];
+        budgets_[i].shift = std::isfinite(shift) ? shift : 0.0;
     }
 }
 

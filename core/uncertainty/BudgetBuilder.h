@@ -5,6 +5,7 @@
 
 #include <array>
 #include <functional>
+#include <optional>
 
 namespace asperity {
 
@@ -17,7 +18,9 @@ using LandmarkMoves = std::array<double, kLandmarkCount>;
 /// Fills the budgets of one law, input by input.
 class BudgetBuilder {
 public:
-    BudgetBuilder(const Uncertainty& given, LandmarkLaw law);
+    /// @param shown landmarks that a scene shows; none: those of the law as it is
+    BudgetBuilder(const Uncertainty& given, LandmarkLaw law,
+                  const std::optional<Landmarks>& shown = std::nullopt);
 
     [[nodiscard]] const PlaceBudgets& budgets() const noexcept { return budgets_; }
 
@@ -38,8 +41,8 @@ public:
     void takeMaterial(bool hasCohesiveRange);
     void takeNormal();
     void takeHeightScales();
-    /// @param sample whose scan may have the shape of its imaging tip in it
-    void takeImagingTip(const SampleDescription& sample);
+    /// The radius of the imaging tip, and what a scene shows because it has not taken it out.
+    void takeImagingTip();
 
 private:
     void addBy(UncertaintyInput input, const std::function<PlaceNumbers(double sign)>& moved) {

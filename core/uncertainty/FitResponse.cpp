@@ -132,24 +132,13 @@ constexpr int kDifference = 3;  // first column of the differences in the produc
 
 }  // namespace
 
-Relief reliefOf(const HeightSample& sample) noexcept {
-    return {sample.dx, sample.dy, sample.dxx, sample.dxy, sample.dyy};
-}
-
-HeightSample sampleOf(const Relief& relief) noexcept {
-    return {.dx = relief[0], .dy = relief[1], .dxx = relief[2], .dxy = relief[3], .dyy = relief[4]};
-}
-
-FitResponse::FitResponse(const BSplineSurface& surface, const Smoothing& smoothing, double x,
-                         double y) {
-    const BSplineSurface::Grid& grid = surface.grid();
+FitResponse::FitResponse(const RecordedScan& scan, const Smoothing& smoothing, double x, double y) {
+    const BSplineSurface::Grid& grid = scan.grid();
     const ScanAxis axisX{grid.columns, grid.pitchX, smoothing.x, x};
     const ScanAxis axisY{grid.rows, grid.pitchY, smoothing.y, y};
     alongX_ = productsOf(axisX);
     alongY_ = productsOf(axisY);
-    const auto at = [&surface](double placeX, double placeY) {
-        return reliefOf(surface.at(placeX, placeY));
-    };
+    const auto at = [&scan](double placeX, double placeY) { return scan.reliefAt(placeX, placeY); };
     const double stepX = axisX.step();
     const double stepY = axisY.step();
     const double middleX = axisX.middle();

@@ -1,19 +1,13 @@
 #pragma once
 
-#include "core/surface/BSplineSurface.h"
 #include "core/surface/fit/GaussianFilter.h"
+#include "core/uncertainty/RecordedScan.h"
 
 #include <Eigen/Core>
 
 namespace asperity {
 
-/// Slopes and second derivatives of a surface at one place: dx, dy, dxx, dxy, dyy.
-using Relief = Eigen::Matrix<double, 5, 1>;
 using ReliefCovariance = Eigen::Matrix<double, 5, 5>;
-
-[[nodiscard]] Relief reliefOf(const HeightSample& sample) noexcept;
-/// A sample with these derivatives, at height 0.
-[[nodiscard]] HeightSample sampleOf(const Relief& relief) noexcept;
 
 /// Variances of a blur along both axes [m^2].
 struct BlurWidth {
@@ -26,9 +20,9 @@ struct BlurWidth {
 /// x and one along y, those of lineFitWeights().
 class FitResponse {
 public:
-    /// @param smoothing with which the surface was fitted
+    /// @param smoothing of the scan
     /// @param x, y world [m]
-    FitResponse(const BSplineSurface& surface, const Smoothing& smoothing, double x, double y);
+    FitResponse(const RecordedScan& scan, const Smoothing& smoothing, double x, double y);
 
     /// Covariance of the derivatives by white noise of the heights with a standard deviation of 1
     /// m.

@@ -3,7 +3,9 @@
 #include "core/scene/ScanSmoothing.h"
 #include "core/scene/Scene.h"
 #include "core/uncertainty/BudgetBuilder.h"
+#include "core/uncertainty/FitResponse.h"
 #include "core/uncertainty/PlaceLaw.h"
+#include "core/uncertainty/RecordedScan.h"
 
 #include <Eigen/Cholesky>
 
@@ -21,15 +23,17 @@ ReliefCovariance rootOf(const ReliefCovariance& covariance) {
     return parts.transpositionsP().transpose() * (lower * lengths.asDiagonal());
 }
 
-/// What the heights of a scan leave open at a place.
+/// What the heights of a scan leave open at a place where it was recorded: before any erosion,
+/// which then makes of each move what it makes of the surface.
 class HeightShares {
 public:
-    HeightShares(const Scene& scene, const Vector2& place, BudgetBuilder& builder)
+    HeightShares(const Scene& scene, const RecordedScan& scan, const Vector2& place,
+                 BudgetBuilder& builder)
         : builder_(builder)
         , smoothing_(smoothingOf(scene.description.sample, scene.surface.grid()))
-        , pitchX_(scene.surface.grid().pitchX)
-        , pitchY_(scene.surface.grid().pitchY)
-        , response_(scene.surface, smoothing_, place.x(), place.y())
+        , pitchX_(scan.grid().pitchX)
+        , pitchY_(scan.grid().pitchY)
+        , response_(scan, smoothing_, place.x(), place.y())
         , noise_(usedHeightNoise(scene)) {}
 
     void take() {
@@ -85,16 +89,21 @@ double usedHeightNoise(const Scene& scene) noexcept {
 }
 
 PlaceBudgets budgetsAt(const Scene& scene, const TipState& state, double force) {
-    const PlaceLaw law(scene, state, force);
+    const RecordedScan scan(scene);
+    const RecordedPlaces places = recordedPlaces(scene, state);
+    const PlaceLaw law(scene, state, scan, places, force);
     const Uncertainty& given = scene.description.uncertainty;
-    BudgetBuilder builder(given, [&law](const PlaceNumbers& numbers) { return law.at(numbers); });
+    BudgetBuilder builder(
+        given, [&law](const PlaceNumbers& numbers) { return law.at(numbers); }, law.shown());
     if (given.enabled) {
         builder.takeInstrument();
         builder.takeMaterial(hasCohesiveRange(scene.belief.contact));
         builder.takeNormal();
         if (!scene.shape) {
-            builder.takeImagingTip(scene.description.sample);
-            HeightShares(scene, state.closest.point.head<2>(), builder).take();
+            if (scene.description.sample.imagingTipRadius > 0.0) {
+                builder.takeImagingTip();
+            }
+            HeightShares(scene, scan, places.touched, builder).take();
         }
     }
     return builder.budgets();

@@ -2,7 +2,7 @@
 
 #include "core/contact/laws/ContactModel.h"
 #include "core/scene/SceneDescription.h"
-#include "core/uncertainty/FitResponse.h"
+#include "core/uncertainty/Relief.h"
 
 #include <optional>
 
@@ -17,9 +17,10 @@ struct PlaceNumbers {
     double workOfAdhesion = 1.0;
     double heightScale = 1.0;
     double lateralScale = 1.0;
-    /// By how much the radius of the imaging tip is larger than what was taken out of the scan [m].
-    double imagingTip = 0.0;
-    Relief relief = Relief::Zero();  ///< to be added to that of the place
+    /// Radius of the imaging tip that is taken out of the scan, where the scene says one; 0: the
+    /// scan as it was recorded.
+    double imagingTip = 1.0;
+    Relief relief = Relief::Zero();  ///< to be added to that of the recorded scan at the place
     Vector2 turn = Vector2::Zero();  ///< of the normal about two axes along the surface [rad]
     std::optional<double> cohesiveRange = std::nullopt;  ///< none: the scene's
 };

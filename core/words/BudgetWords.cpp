@@ -23,6 +23,17 @@ std::string partText(double deviation, double factor, const std::string& inputs)
                : std::string();
 }
 
+/// Where it would move the 95 % interval by more than a twentieth of its half-width.
+std::string shiftText(const Budget& budget, double factor) {
+    constexpr double kSeen = 0.1;  // standard deviations
+    const double shift = std::abs(budget.shift);
+    if (!(shift > kSeen * budget.total())) {
+        return {};
+    }
+    return (budget.shift > 0.0 ? ", too high by " : ", too low by ") + digitsOf(shift * factor) +
+           " (imaging tip)";
+}
+
 std::string inputList(const Budget& budget) {
     constexpr std::size_t kMost = 4;
     std::string list;
@@ -41,7 +52,8 @@ std::string inputList(const Budget& budget) {
 std::string budgetText(const Budget& budget, const char* unit) {
     const SiScale scale = siScaleFor(budget.value, unit);
     return formatSi(budget.value, unit) + partText(budget.noise, scale.factor, "noise") +
-           partText(budget.model(), scale.factor, inputList(budget));
+           partText(budget.model(), scale.factor, inputList(budget)) +
+           shiftText(budget, scale.factor);
 }
 
 std::string resolutionText(const Budget& budget, const char* name, double tolerance) {

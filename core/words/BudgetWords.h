@@ -7,7 +7,8 @@
 namespace asperity {
 
 /// A result with what is open in it, by prefix, and the inputs that make up most of the second
-/// deviation: "16.9 nN ± 0.2 (noise) ± 4 (heights, smoothing, k)". A part that is 0 is left out.
+/// deviation: "16.9 nN ± 0.2 (noise) ± 4 (heights, smoothing, k)". A part that is 0 is left out. A
+/// shift that matters beside the deviations follows: ", too high by 2 (imaging tip)".
 /// @param unit SI
 [[nodiscard]] std::string budgetText(const Budget& budget, const char* unit);
 

@@ -25,6 +25,18 @@ std::string pixelWords(double pixels) {
     return formatted("%.3g", pixels) + (pixels == 1.0 ? " pixel" : " pixels");
 }
 
+/// What no deviation of a result holds: docs/uncertainty.md 1.6.
+std::string unsmoothedWords(const Scene& scene) {
+    const SceneDescription& description = scene.description;
+    const SampleDescription& sample = description.sample;
+    const bool isSmoothed =
+        sample.smoothingLength > 0.0 || sample.smoothingPixels.value_or(0.0) > 0.0;
+    return isSmoothed || !(description.tip.radius * scene.curvatureNoise > description.tolerance)
+               ? std::string()
+               : "; the tip touches the highest of noisy places first: pull-off and stiffness come "
+                 "out too low, by more than their deviations say";
+}
+
 }  // namespace
 
 std::string smoothingNote(const Scene& scene) {
@@ -36,14 +48,15 @@ std::string smoothingNote(const Scene& scene) {
         const std::string width = sample.smoothingLength > 0.0
                                       ? formatSi(sample.smoothingLength, "m")
                                       : (pixels > 0.0 ? pixelWords(pixels) : "none");
-        return "smoothing: " + width + ", as the scene states; " + noise;
+        return "smoothing: " + width + ", as the scene states; " + noise + unsmoothedWords(scene);
     }
     const auto& [pixels, isBounded] = *scene.smoothing;
     const std::string width = pixels > 0.0 ? pixelWords(pixels)
                               : isBounded  ? "none"
                                            : "none, the scan is clean";
     return "smoothing: " + width + ", by " + noise + " and " + tip +
-           (isBounded ? "; more would take away the surface's own curvature" : "");
+           (isBounded ? "; more would take away the surface's own curvature" : "") +
+           unsmoothedWords(scene);
 }
 
 std::string sampleName(const SampleDescription& sample) {

@@ -63,7 +63,7 @@ std::optional<Reading> workOf(const ContactCycle& cycle) {
 /// What model and calibration leave open in a reading.
 std::optional<double> modelSigmaOf(const std::vector<CycleBudget>& budgets, std::string_view key) {
     const std::optional<Budget> budget = budgetNamed(budgets, key);
-    return budget ? std::optional(budget->model()) : std::nullopt;
+    return budget ? std::optional(budget->modelAboutValue()) : std::nullopt;
 }
 
 /// An open loop has no area, and one that could be nothing but noise is none.

@@ -29,7 +29,8 @@ void addUncertainty(PageContent& page, const Scene& scene,
     page.addParagraph("The first deviation is the noise of the signals. The second is what lever, "
                       "tip, material, calibration and the way from the scan to the effective "
                       "radius leave open, by the scene's section [uncertainty]; in brackets the "
-                      "inputs that make up most of it. Both are one standard deviation.");
+                      "inputs that make up most of it. Both are one standard deviation, about the "
+                      "value less what it is said to be too high by.");
 }
 
 }  // namespace asperity

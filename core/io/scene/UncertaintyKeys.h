@@ -6,7 +6,8 @@
 namespace asperity {
 
 /// Reads [uncertainty], key by key of kEnumTable<UncertaintyInput>; what the section does not say
-/// stays. @throw InputError for a key that is none
+/// stays. A file of its own as those of the other sections whose keys follow a table.
+/// @throw InputError for a key that is none
 void readUncertainty(TomlSection section, Uncertainty& uncertainty);
 
 /// The same as a table.

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 
@@ -174,16 +175,69 @@ double FootprintSearch<Heights>::bestFor(Tile& tile, Pixel apex) const {
 }
 
 template <class Heights>
-Heights FootprintSearch<Heights>::highest(Progress* progress) const {
+template <class Value>
+Heights FootprintSearch<Heights>::eachOf(Progress* progress, const Value& value) const {
     using Height = typename Heights::value_type;
     Heights result(index(grid_.rows, 0));
     forEachTile(progress, [&](Tile& tile) {
         findCandidates(tile, floorOf(tile));
         forEachPixel(tile, [&](int row, int column) {
-            result[index(row, column)] = static_cast<Height>(bestFor(tile, {row, column}));
+            result[index(row, column)] = static_cast<Height>(value(tile, Pixel{row, column}));
         });
     });
     return result;
+}
+
+template <class Heights>
+Heights FootprintSearch<Heights>::highest(Progress* progress) const {
+    return eachOf(progress, [this](Tile& tile, Pixel apex) { return bestFor(tile, apex); });
+}
+
+/// Height less rise; minus infinity where there is none.
+template <class Heights>
+double FootprintSearch<Heights>::sumAt(Pixel apex, int row, int column) const {
+    const bool isInside = row >= 0 && row < grid_.rows && column >= 0 && column < grid_.columns &&
+                          std::abs(row - apex.row) <= tip_.reachY();
+    return isInside && heights_.counts(index(row, column))
+               ? heights_.at(index(row, column)) -
+                     *tip_.risesFrom(row - apex.row, column - apex.column)
+               : kNoHeight;
+}
+
+/// How far the top lies above the highest pixel; 0 where the eight around it have no such top.
+template <class Heights>
+double FootprintSearch<Heights>::topAbove(Pixel apex, Pixel highest) const {
+    std::array<Lanes, 3> sums{};
+    for (int i = 0; i < 3; ++i) {
+        for (int j = 0; j < 3; ++j) {
+            const double sum = sumAt(apex, highest.row + i - 1, highest.column + j - 1);
+            if (sum == kNoHeight) {
+                return 0.0;
+            }
+            sums[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)] = sum;
+        }
+    }
+    const double x = 0.5 * (sums[1][2] - sums[1][0]);
+    const double y = 0.5 * (sums[2][1] - sums[0][1]);
+    const double xx = sums[1][2] - (2.0 * sums[1][1]) + sums[1][0];
+    const double yy = sums[2][1] - (2.0 * sums[1][1]) + sums[0][1];
+    const double xy = 0.25 * (sums[2][2] - sums[2][0] - sums[0][2] + sums[0][0]);
+    const double determinant = (xx * yy) - (xy * xy);
+    if (!(xx < 0.0) || !(determinant > 0.0)) {
+        return 0.0;
+    }
+    const double right = ((xy * y) - (yy * x)) / determinant;  // [pixel]
+    const double down = ((xy * x) - (xx * y)) / determinant;
+    return std::max(std::abs(right), std::abs(down)) <= 1.0 ? 0.5 * ((x * right) + (y * down))
+                                                            : 0.0;
+}
+
+template <class Heights>
+Heights FootprintSearch<Heights>::highestBetweenPixels(Progress* progress) const {
+    return eachOf(progress, [this](Tile& tile, Pixel apex) {
+        const double best = bestFor(tile, apex);
+        return best == kNoHeight ? best : best + topAbove(apex, touchesOf(tile, apex, best).first);
+    });
 }
 
 template <class Heights>

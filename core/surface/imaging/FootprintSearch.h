@@ -50,6 +50,10 @@ public:
     /// @throw Canceled
     [[nodiscard]] Heights highest(Progress* progress = nullptr) const;
 
+    /// The same between pixels: the top of the paraboloid through the highest and its eight
+    /// neighbors, where they have one within a pixel [m]. @throw Canceled
+    [[nodiscard]] Heights highestBetweenPixels(Progress* progress = nullptr) const;
+
     /// Marks with 1 each pixel that is the only one to reach the level of some apex position.
     /// Positions where part of the tip lies beyond the map's edge prove nothing, nor do those
     /// without a level, or whose only pixel has none.
@@ -105,6 +109,10 @@ private:
     const BlockHeights& heightsOf(Tile& tile, Block& block) const;
     [[nodiscard]] double bestOf(const BlockHeights& heights, const Block& block, Pixel apex) const;
     [[nodiscard]] double bestFor(Tile& tile, Pixel apex) const;
+    template <class Value>
+    [[nodiscard]] Heights eachOf(Progress* progress, const Value& value) const;
+    [[nodiscard]] double sumAt(Pixel apex, int row, int column) const;
+    [[nodiscard]] double topAbove(Pixel apex, Pixel highest) const;
     [[nodiscard]] Touches touchesOf(Tile& tile, Pixel apex, double level) const;
     void collect(const BlockHeights& heights, const Block& block, Pixel apex, double level,
                  Touches& touches) const;

@@ -40,10 +40,13 @@ void replaceHeights(Map<Heights>& map, Heights heights) {
 /// Below invalid pixels too, as far as the tip reaches; minus infinity elsewhere. The sign is
 /// turned on the way: a minimum of sums is a maximum of differences.
 template <class Heights>
-Heights erosion(const Map<Heights>& image, double tipRadius, Progress* progress = nullptr) {
+Heights erosion(const Map<Heights>& image, double tipRadius, Progress* progress = nullptr,
+                TouchedPoint point = TouchedPoint::Pixel) {
     SearchedHeights<Heights> turned = heightsOf(image);
     turned.isTurned = true;
-    Heights heights = FootprintSearch<Heights>(gridOf(image), turned, tipRadius).highest(progress);
+    const FootprintSearch<Heights> search(gridOf(image), turned, tipRadius);
+    Heights heights = point == TouchedPoint::Pixel ? search.highest(progress)
+                                                   : search.highestBetweenPixels(progress);
     using Height = typename Heights::value_type;
     constexpr auto kNone = -std::numeric_limits<Height>::infinity();
     for (Height& height : heights) {
@@ -84,12 +87,19 @@ std::vector<std::uint8_t> touched(const Map<Heights>& image, const Heights& surf
 }
 
 template <class AnyMap>
-BasicTipReconstruction<AnyMap> reconstruction(AnyMap image, double tipRadius, Progress* progress) {
+BasicTipReconstruction<AnyMap> reconstruction(AnyMap image, double tipRadius, Progress* progress,
+                                              TouchedPoint point) {
     requireUsable(image);
-    ProgressPart eroding(progress, 0.0, 0.5);
+    const double share = point == TouchedPoint::Pixel ? 0.5 : 0.4;  // of all, by each step
+    ProgressPart eroding(progress, 0.0, share);
     auto surface = erosion(image, tipRadius, &eroding);
-    ProgressPart telling(progress, 0.5, 1.0);
+    ProgressPart telling(progress, share, 2.0 * share);
     std::vector<std::uint8_t> certain = touched(image, surface, tipRadius, &telling);
+    if (point == TouchedPoint::BetweenPixels) {
+        surface = {};  // of a large scan there is no memory for both
+        ProgressPart refining(progress, 2.0 * share, 1.0);
+        surface = erosion(image, tipRadius, &refining, point);
+    }
     replaceHeights(image, std::move(surface));
     return {std::move(image), std::move(certain)};
 }
@@ -118,12 +128,14 @@ HeightMap eroded(HeightMap image, double tipRadius) {
     return image;
 }
 
-TipReconstruction reconstructed(HeightMap image, double tipRadius, Progress* progress) {
-    return reconstruction(std::move(image), tipRadius, progress);
+TipReconstruction reconstructed(HeightMap image, double tipRadius, Progress* progress,
+                                TouchedPoint point) {
+    return reconstruction(std::move(image), tipRadius, progress, point);
 }
 
-ScanReconstruction reconstructed(ScanMap image, double tipRadius, Progress* progress) {
-    return reconstruction(std::move(image), tipRadius, progress);
+ScanReconstruction reconstructed(ScanMap image, double tipRadius, Progress* progress,
+                                 TouchedPoint point) {
+    return reconstruction(std::move(image), tipRadius, progress, point);
 }
 
 std::vector<std::uint8_t> certainPixels(const HeightMap& image, double tipRadius,

@@ -16,6 +16,10 @@ namespace asperity {
 /// have given the same image. All on the pixel grid; the tip's axis is z. Source: Villarrubia
 /// (1997), J. Res. NIST 102, 425; docs/surface.md.
 ///
+/// Between pixels the touched point is the bottom of the paraboloid through the lowest sum and its
+/// eight neighbors. Where slopes and curvatures count it has to be: from pixel to pixel it goes in
+/// steps, between which the erosion has the image's own curvature.
+///
 /// A pixel that is marked invalid, or whose height is not a finite number, takes no part and stays
 /// what it is. Nothing lies beyond the map's borders. Linear time in the pixels, and few times a
 /// block of pixels for each, however wide the tip, on the surfaces of scans.
@@ -29,6 +33,12 @@ namespace asperity {
 /// The reconstruction from an image that a tip of this radius recorded; nowhere above the image.
 /// @throw Error as dilated()
 [[nodiscard]] HeightMap eroded(HeightMap image, double tipRadius);
+
+/// Where a tip may have touched.
+enum class TouchedPoint : std::uint8_t {
+    Pixel,          ///< at pixel centers alone: the erosion by its definition
+    BetweenPixels,  ///< between them, too
+};
 
 /// An eroded map with what is certain about it.
 template <class Map>
@@ -47,11 +57,14 @@ using ScanReconstruction = BasicTipReconstruction<ScanMap>;
 /// pixel grid, to rounding. A height that the map's precision cannot tell from a touching one
 /// counts as touching. Positions where the tip reaches beyond the map's edges, or where it can have
 /// touched below an invalid pixel, prove nothing.
+/// @param point of the surface; what is certain is a matter of the pixels
 /// @throw Error as dilated(); Canceled
 [[nodiscard]] TipReconstruction reconstructed(HeightMap image, double tipRadius,
-                                              Progress* progress = nullptr);
+                                              Progress* progress = nullptr,
+                                              TouchedPoint point = TouchedPoint::Pixel);
 [[nodiscard]] ScanReconstruction reconstructed(ScanMap image, double tipRadius,
-                                               Progress* progress = nullptr);
+                                               Progress* progress = nullptr,
+                                               TouchedPoint point = TouchedPoint::Pixel);
 
 /// The certainty map alone.
 /// @throw Error as dilated(); Canceled

@@ -220,7 +220,11 @@ bool holdsAny(const HeightMap& map) {
 }  // namespace
 
 template <class Map>
-void CurvatureNoise::takeParts(const Map& map) {
+CurvatureNoise::CurvatureNoise(const Map& map, double heightNoise)
+    : pitchX_(map.pitchX)
+    , pitchY_(map.pitchY)
+    , white_(heightNoise > 0.0 ? heightNoise : asperity::heightNoise(map))
+    , isKnown_(heightNoise > 0.0) {
     constexpr std::size_t kWhole = 65536;  // pixels of a scan that is not taken in parts
     const bool isLarge = map.heights.size() > kWhole;
     const auto [rows, height] = partsOf(map.rows, isLarge);
@@ -236,21 +240,8 @@ void CurvatureNoise::takeParts(const Map& map) {
     }
 }
 
-CurvatureNoise::CurvatureNoise(const HeightMap& map, double heightNoise)
-    : pitchX_(map.pitchX)
-    , pitchY_(map.pitchY)
-    , white_(heightNoise > 0.0 ? heightNoise : asperity::heightNoise(map))
-    , isKnown_(heightNoise > 0.0) {
-    takeParts(map);
-}
-
-CurvatureNoise::CurvatureNoise(const ScanMap& map, double heightNoise)
-    : pitchX_(map.pitchX)
-    , pitchY_(map.pitchY)
-    , white_(heightNoise > 0.0 ? heightNoise : asperity::heightNoise(map))
-    , isKnown_(heightNoise > 0.0) {
-    takeParts(map);
-}
+template CurvatureNoise::CurvatureNoise(const HeightMap& map, double heightNoise);
+template CurvatureNoise::CurvatureNoise(const ScanMap& map, double heightNoise);
 
 double CurvatureNoise::differencesNoise(const Smoothing& smoothing, bool acrossRows) const {
     const FitKernel kernel(smoothing);
@@ -319,9 +310,9 @@ double CurvatureNoise::blur(const Smoothing& smoothing, double noise) const {
     return std::sqrt(std::max(0.0, changes.variance() - (share * noise * noise)));
 }
 
-double CurvatureNoise::heightNoise(const Smoothing& smoothing) const {
+double CurvatureNoise::heightNoise(const Smoothing& smoothing, double noise) const {
     const FitKernel kernel(smoothing);
-    return noise(smoothing) / std::sqrt(covariance(kernel, kernel, pitchX_, pitchY_));
+    return noise / std::sqrt(covariance(kernel, kernel, pitchX_, pitchY_));
 }
 
 }  // namespace asperity

@@ -16,9 +16,10 @@ namespace asperity {
 /// direction. A scan's lines are its rows. Source: docs/uncertainty.md 1.2.
 class CurvatureNoise {
 public:
+    /// @param map a HeightMap or a ScanMap
     /// @param heightNoise standard deviation of white noise that is known [m]; 0: not known
-    explicit CurvatureNoise(const HeightMap& map, double heightNoise = 0.0);
-    explicit CurvatureNoise(const ScanMap& map, double heightNoise = 0.0);
+    template <class Map>
+    explicit CurvatureNoise(const Map& map, double heightNoise = 0.0);
 
     /// Returns the standard deviation of the mean curvature by noise [1/m].
     [[nodiscard]] double noise(const Smoothing& smoothing) const;
@@ -28,8 +29,10 @@ public:
     /// @param noise what noise() returns for it
     [[nodiscard]] double blur(const Smoothing& smoothing, double noise) const;
 
-    /// Returns the standard deviation of the white noise of heights that would leave noise() [m].
-    [[nodiscard]] double heightNoise(const Smoothing& smoothing) const;
+    /// Returns the standard deviation of the white noise of heights that would leave this noise
+    /// [m].
+    /// @param noise what noise() returns for it
+    [[nodiscard]] double heightNoise(const Smoothing& smoothing, double noise) const;
 
 private:
     /// A part of the scan, without holes.
@@ -40,8 +43,6 @@ private:
         PixelMask invalid;            ///< empty: none
     };
 
-    template <class Map>
-    void takeParts(const Map& map);
     /// Median over the parts of what fourth differences along one axis hold, as a variance of the
     /// mean curvature [1/m^2].
     [[nodiscard]] double differencesNoise(const Smoothing& smoothing, bool acrossRows) const;

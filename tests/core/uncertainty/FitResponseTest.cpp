@@ -50,8 +50,8 @@ TEST(FitResponse, NoiseIsThatOfTheFitItself) {
     for (const Smoothing& smoothing : {Smoothing{0.0, 0.0}, Smoothing{1.0, 0.7}}) {
         for (const double x : {1.7e-9, 20.3e-9, 41.5e-9}) {
             const double y = 0.6 * x;
-            const FitResponse response(fitSurface(mapOf(1.0, [](int, int) { return 0.0; })),
-                                       smoothing, x, y);
+            const RecordedScan scan(fitSurface(mapOf(1.0, [](int, int) { return 0.0; })));
+            const FitResponse response(scan, smoothing, x, y);
             expectNear(response.noise(), byImpulses(smoothing, x, y));
         }
     }
@@ -60,8 +60,10 @@ TEST(FitResponse, NoiseIsThatOfTheFitItself) {
 TEST(FitResponse, HasNoLengthOfItsOwn) {
     const auto flat = [](int /*row*/, int /*column*/) { return 0.0; };
     const Smoothing smoothing{1.0, 1.0};
-    const FitResponse one(fitSurface(mapOf(1.0, flat)), smoothing, 20e-9, 20e-9);
-    const FitResponse large(fitSurface(mapOf(64.0, flat)), smoothing, 64.0 * 20e-9, 64.0 * 20e-9);
+    const RecordedScan small(fitSurface(mapOf(1.0, flat)));
+    const RecordedScan wide(fitSurface(mapOf(64.0, flat)));
+    const FitResponse one(small, smoothing, 20e-9, 20e-9);
+    const FitResponse large(wide, smoothing, 64.0 * 20e-9, 64.0 * 20e-9);
     EXPECT_NEAR(large.noise()(0, 0) * 64.0 * 64.0, one.noise()(0, 0), 1e-9 * one.noise()(0, 0));
     EXPECT_NEAR(large.noise()(2, 2) * std::pow(64.0, 4), one.noise()(2, 2),
                 1e-9 * one.noise()(2, 2));
@@ -81,7 +83,7 @@ TEST(FitResponse, TakesOutTheBlurOfAWave) {
     const double x = 64e-9;
     const double y = 4e-9;
     const double variance = 4e-18;
-    const FitResponse response(surface, smoothing, x, y);
+    const FitResponse response(RecordedScan(surface), smoothing, x, y);
     const double blurred = surface.at(x, y).dxx;
     const double sharp = blurred + response.sharpening({variance, variance})[2];
     const double truth = -1e-9 * kWave * kWave;

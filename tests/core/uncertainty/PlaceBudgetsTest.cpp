@@ -1,6 +1,7 @@
 #include "core/uncertainty/PlaceBudgets.h"
 
 #include "core/scene/Scene.h"
+#include "core/uncertainty/FitResponse.h"
 #include "tests/support/TestScenes.h"
 
 #include <gtest/gtest.h>
@@ -19,6 +20,19 @@ SceneDescription softScene() {
     scene.probe.thickness = thicknessForStiffness(scene.probe, 0.01);
     scene.truth.stiffness = 0.01;
     return scene;
+}
+
+/// A bump of 8 nm. @param width square of where it has fallen by a factor of e [m^2]
+HeightMap bumpMap(double width) {
+    HeightMap map = test::flatMap();
+    for (int row = 0; row < map.rows; ++row) {
+        for (int column = 0; column < map.columns; ++column) {
+            const double x = (column - 31.5) * map.pitchX;
+            const double y = (row - 31.5) * map.pitchY;
+            map.heights[map.index(row, column)] = 8e-9 * std::exp(-((x * x) + (y * y)) / width);
+        }
+    }
+    return map;
 }
 
 double relative(const PlaceBudgets& budgets, Landmark landmark, UncertaintyInput input) {
@@ -82,38 +96,81 @@ TEST(PlaceBudgets, OfALawAreThoseOfAFlatSample) {
     }
 }
 
-/// The surface is inside its scan by the imaging tip, as a parallel surface: under JKR the pull-off
-/// goes as the effective radius.
-TEST(PlaceBudgets, TheImagingTipSharpensWhatItsScanShows) {
-    HeightMap map = test::flatMap();
-    for (int row = 0; row < map.rows; ++row) {
-        for (int column = 0; column < map.columns; ++column) {
-            const double x = (column - 31.5) * map.pitchX;
-            const double y = (row - 31.5) * map.pitchY;
-            map.heights[map.index(row, column)] = 8e-9 * std::exp(-((x * x) + (y * y)) / 900e-18);
-        }
+/// Under JKR the pull-off goes as the effective radius, here that of a bump without its imaging
+/// tip.
+class ImagedBump : public ::testing::Test {
+protected:
+    static constexpr double kImaging = 10e-9;  // [m]
+
+    ImagedBump() { description.sample.imagingTipRadius = kImaging; }
+
+    [[nodiscard]] Scene scene(bool erode) const {
+        SceneDescription eroded = description;
+        eroded.sample.erode = erode;
+        return buildScene(eroded, bumpMap(900e-18));
     }
-    constexpr double kImaging = 10e-9;  // [m]
-    Scene scene = buildScene(softScene(), map);
-    scene.description.sample.imagingTipRadius = kImaging;
-    const HeightSample top = scene.surface.at(kMiddle.x(), kMiddle.y());
-    const double curvature = -0.5 * (top.dxx + top.dyy);
-    const auto radiusWithout = [&](double tip) {
-        return 1.0 / ((1.0 / scene.belief.tipRadius()) + curvature / (1.0 - (tip * curvature)));
-    };
-    const auto share = [&] {
-        return relative(budgetsAt(scene, kMiddle, 2e-9), Landmark::AdhesionForce,
-                        UncertaintyInput::ImagingTip);
-    };
-    const double all = 1.0 - (radiusWithout(kImaging) / radiusWithout(0.0));
+    /// Of the scan as it was recorded [1/m].
+    [[nodiscard]] double curvature() const {
+        const HeightSample top = scene(false).surface.at(kMiddle.x(), kMiddle.y());
+        return -0.5 * (top.dxx + top.dyy);
+    }
+    [[nodiscard]] double radiusAt(double bend, double tip) const {
+        return 1.0 / ((1.0 / description.tip.radius) + bend / (1.0 - (tip * bend)));
+    }
+
+    SceneDescription description = softScene();
+};
+
+TEST_F(ImagedBump, KeepsAShiftWhereItIsNotEroded) {
+    const Scene shown = scene(false);
+    const Budget pull = budgetOf(budgetsAt(shown, kMiddle, 2e-9), Landmark::AdhesionForce);
+    const double all = 1.0 - (radiusAt(curvature(), kImaging) / radiusAt(curvature(), 0.0));
     EXPECT_GT(all, 0.04);
-    EXPECT_NEAR(share(), all, 0.03 * all) << "nothing was taken out of it";
-    scene.description.sample.erode = true;
-    const double tenth = 0.1 * kImaging;
-    const double half = 0.5 * (radiusWithout(-tenth) - radiusWithout(tenth)) / radiusWithout(0.0);
-    EXPECT_NEAR(share(), half, 0.03 * half);
-    scene.description.sample.imagingTipRadius = 0.0;
-    EXPECT_EQ(share(), 0.0) << "none is known";
+    EXPECT_NEAR(pull.shift / pull.value, all, 0.03 * all);
+    EXPECT_LT(pull.share(UncertaintyInput::ImagingTip), 0.5 * pull.shift);
+    const Budget eroded = budgetOf(budgetsAt(scene(true), kMiddle, 2e-9), Landmark::AdhesionForce);
+    EXPECT_EQ(eroded.shift, 0.0);
+    Scene unknown = shown;
+    unknown.description.sample.imagingTipRadius = 0.0;
+    const Budget ofScan = budgetOf(budgetsAt(unknown, kMiddle, 2e-9), Landmark::AdhesionForce);
+    EXPECT_EQ(ofScan.shift, 0.0) << "none is known";
+    EXPECT_EQ(ofScan.share(UncertaintyInput::ImagingTip), 0.0);
+    Scene off = shown;
+    off.description.uncertainty.enabled = false;
+    EXPECT_EQ(budgetOf(budgetsAt(off, kMiddle, 2e-9), Landmark::AdhesionForce).shift, 0.0);
+}
+
+TEST_F(ImagedBump, LeavesTheDeviationOfItsTip) {
+    const double bend = curvature();
+    const double half = 0.5 * (radiusAt(bend, kImaging / 1.1) - radiusAt(bend, 1.1 * kImaging));
+    for (const bool erode : {false, true}) {
+        const Budget pull =
+            budgetOf(budgetsAt(scene(erode), kMiddle, 2e-9), Landmark::AdhesionForce);
+        const double expected = half / radiusAt(bend, erode ? kImaging : 0.0);
+        EXPECT_NEAR(pull.share(UncertaintyInput::ImagingTip) / pull.value, expected,
+                    0.05 * expected)
+            << erode;
+    }
+}
+
+/// The low-pass acted on what was recorded; erosion makes more of it. Read off the surface behind
+/// the erosion, whose search goes from pixel to pixel, it would be a multiple.
+TEST_F(ImagedBump, WasSmoothedBeforeItWasEroded) {
+    description.sample.smoothingPixels = 2.0;
+    const double bend = curvature();
+    constexpr double kPitch = 2e-9;  // [m]
+    const Scene recorded = scene(false);
+    const FitResponse response(RecordedScan(recorded.surface), {2.0, 2.0}, kMiddle.x(),
+                               kMiddle.y());
+    const double variance = 4.0 * kPitch * kPitch;
+    const Relief sharpening = response.sharpening({variance, variance});
+    const double sharper = bend - (0.5 * (sharpening[2] + sharpening[4]));
+    const double radius = radiusAt(bend, kImaging);
+    const double expected = (radius - radiusAt(sharper, kImaging)) / radius;
+    const double share = relative(budgetsAt(scene(true), kMiddle, 2e-9), Landmark::AdhesionForce,
+                                  UncertaintyInput::Smoothing);
+    EXPECT_GT(expected, 0.005);
+    EXPECT_NEAR(share, expected, 0.3 * expected) << "a fourth derivative between wide pixels";
 }
 
 /// Heights with noise, whose curvature the smoothing and the pitch let through.
@@ -138,14 +195,7 @@ TEST(PlaceBudgets, NoiseOfHeightsGoesThroughTheCurvature) {
 /// A bump 15 nm wide looks blunter through a wide low-pass; the budget says by how much.
 TEST(PlaceBudgets, SmoothingThatMovesTheResultIsNamed) {
     SceneDescription description = softScene();
-    HeightMap map = test::flatMap();
-    for (int row = 0; row < map.rows; ++row) {
-        for (int column = 0; column < map.columns; ++column) {
-            const double x = (column - 31.5) * map.pitchX;
-            const double y = (row - 31.5) * map.pitchY;
-            map.heights[map.index(row, column)] = 8e-9 * std::exp(-((x * x) + (y * y)) / 450e-18);
-        }
-    }
+    const HeightMap map = bumpMap(450e-18);
     const Scene sharp = buildScene(description, map);
     description.sample.smoothingPixels = 3.0;
     const Scene blurred = buildScene(description, map);

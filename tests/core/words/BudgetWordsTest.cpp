@@ -22,6 +22,18 @@ TEST(BudgetWords, StateNoiseAndModelApart) {
     EXPECT_EQ(budgetText({.value = 2e-9}, "N"), "2 nN");
 }
 
+TEST(BudgetWords, StateAShiftThatMatters) {
+    Budget budget = pullOff();
+    budget.shift = 1.62e-9;
+    EXPECT_EQ(budgetText(budget, "N"),
+              "16.9 nN ± 0.2 (noise) ± 4 (heights, smoothing), too high by 1.6 (imaging tip)");
+    budget.shift = -2.4e-9;
+    EXPECT_EQ(budgetText(budget, "N"),
+              "16.9 nN ± 0.2 (noise) ± 4 (heights, smoothing), too low by 2 (imaging tip)");
+    budget.shift = 0.3e-9;
+    EXPECT_EQ(budgetText(budget, "N"), "16.9 nN ± 0.2 (noise) ± 4 (heights, smoothing)");
+}
+
 TEST(BudgetWords, NameSmoothingThatMattersMoreThanTheTolerance) {
     EXPECT_EQ(resolutionText(pullOff(), "pull-off force", 0.05),
               "smoothing and pixels move the pull-off force by 15 %, more than the tolerance of "

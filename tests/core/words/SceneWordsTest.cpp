@@ -61,6 +61,17 @@ TEST(SceneWords, SayByWhatAScanIsSmoothed) {
     Scene scene = buildScene(test::plainScene(), test::slopedMap(0.1));
     scene.heightNoise = 30e-12;
     EXPECT_EQ(smoothingNote(scene), "smoothing: none, as the scene states; 30 pm of height noise");
+    scene.curvatureNoise = 1.0 / scene.description.tip.radius;
+    EXPECT_EQ(
+        smoothingNote(scene),
+        "smoothing: none, as the scene states; 30 pm of height noise; the tip touches the "
+        "highest of noisy places first: pull-off and stiffness come out too low, by more than "
+        "their deviations say");
+    scene.description.sample.smoothingPixels = 1.0;
+    EXPECT_EQ(smoothingNote(scene),
+              "smoothing: 1 pixel, as the scene states; 30 pm of height noise");
+    scene.curvatureNoise = 0.0;
+    scene.description.sample.smoothingPixels = 0.0;
     scene.smoothing = SmoothingChoice{.pixels = 1.2};
     EXPECT_EQ(smoothingNote(scene),
               "smoothing: 1.2 pixels, by 30 pm of height noise and a 15 nm tip");

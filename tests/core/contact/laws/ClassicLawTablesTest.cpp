@@ -48,8 +48,7 @@ void expectPoint(const LawPoint& point, const LawPoint& expected, const MaugisUn
                  double tolerance = kLawTolerance) {
     expectClose(point.contactRadius, expected.contactRadius, tolerance, units.radius);
     expectClose(point.cohesiveRadius, expected.contactRadius, tolerance, units.radius);
-    expectClose(point.force, expected.force, tolerance, units.force);
-    expectClose(point.indentation, expected.indentation, tolerance, units.indentation);
+    test::expectPoint(point, expected.indentation, expected.force, units, tolerance);
 }
 
 TEST(ClassicLaws, AreTheReferenceAtAnyContactRadius) {

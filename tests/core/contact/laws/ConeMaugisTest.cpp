@@ -19,14 +19,15 @@ namespace {
 
 using std::numbers::pi;
 using test::expectClose;
+using test::expectPoint;
 using test::ReferenceTable;
 
 constexpr ContactPair kUnit{1.0, 1.0, 0.05};
 
 void expectSame(const LawPoint& point, const LawPoint& other, double tolerance, double indentation,
                 double force) {
-    expectClose(point.indentation, other.indentation, tolerance, indentation);
-    expectClose(point.force, other.force, tolerance, force);
+    expectPoint(point, other.indentation, other.force, {.force = force, .indentation = indentation},
+                tolerance);
     expectClose(point.contactRadius, other.contactRadius, tolerance);
     expectClose(point.cohesiveRadius, other.cohesiveRadius, tolerance);
     expectClose(point.stiffness, other.stiffness, 10.0 * tolerance, 2.0 * other.contactRadius);
@@ -73,8 +74,9 @@ TEST(ConeMaugis, HasTheReferenceStatesOfASphere) {
         }
         const LawPoint point = ConeMaugisLaw(pair, cell("s0_Pa"), kHalfAngle).at(cell("a_m"));
         const double lift = 2.0 * cell("s0_Pa") / pair.reducedModulus * cell("md_c_m");
-        expectClose(point.indentation, cell("md_delta_m"), 1e-10, lift);
-        expectClose(point.force, cell("md_P_N"), 1e-10, pi * cell("w") * pair.tipRadius);
+        const double pull = pi * cell("w") * pair.tipRadius;
+        expectPoint(point, cell("md_delta_m"), cell("md_P_N"), {.force = pull, .indentation = lift},
+                    1e-10);
         expectClose(point.cohesiveRadius, cell("md_c_m"), 1e-10);
         ++found;
     }
@@ -96,8 +98,8 @@ TEST(ConeMaugis, BecomesJkrForAShortRange) {
         SCOPED_TRACE(::testing::Message() << halfAngle << " rad, a " << a << ", w " << work);
         const LawPoint point = ConeMaugisLaw({1.0, 1.0, work}, kStress, halfAngle).at(a);
         const double lift = std::sqrt(2.0 * pi * a * work);
-        expectClose(point.indentation, table.number(row, "delta"), 1e-9, lift);
-        expectClose(point.force, table.number(row, "P"), 1e-9, 2.0 * a * lift);
+        expectPoint(point, table.number(row, "delta"), table.number(row, "P"),
+                    {.force = 2.0 * a * lift, .indentation = lift}, 1e-9);
         ++compared;
     }
     EXPECT_GT(compared, 200);

@@ -19,6 +19,7 @@ namespace {
 
 using std::numbers::pi;
 using test::expectClose;
+using test::expectPoint;
 using test::ReferenceTable;
 
 constexpr double kTolerance = 1e-12;
@@ -38,8 +39,8 @@ struct ConeRow {
     [[nodiscard]] double pull() const { return 2.0 * radius * lift(); }
 
     void expect(const LawPoint& point) const {
-        expectClose(point.indentation, indentation, kTolerance, lift());
-        expectClose(point.force, force, kTolerance, pull());
+        expectPoint(point, indentation, force, {.force = pull(), .indentation = lift()},
+                    kTolerance);
         expectClose(point.contactRadius, radius, kTolerance);
     }
 };

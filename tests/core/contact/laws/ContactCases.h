@@ -2,7 +2,9 @@
 
 #include "core/contact/Material.h"
 #include "core/contact/laws/ContactModel.h"
+#include "core/contact/laws/LawPoint.h"
 #include "core/contact/maugis/MaugisCurve.h"
+#include "core/contact/maugis/MaugisUnits.h"
 #include "tests/support/ReferenceTable.h"
 
 #include <gtest/gtest.h>
@@ -29,6 +31,13 @@ namespace asperity::test {
 /// |actual - expected| at most `tolerance` times |expected|, or times `unit` where that is larger.
 inline void expectClose(double actual, double expected, double tolerance, double unit = 0.0) {
     EXPECT_NEAR(actual, expected, tolerance * std::max(std::abs(expected), unit));
+}
+
+/// Indentation and force of a state, relative to the units where they vanish.
+inline void expectPoint(const LawPoint& point, double indentation, double force,
+                        const MaugisUnits& units, double tolerance) {
+    expectClose(point.indentation, indentation, tolerance, units.indentation);
+    expectClose(point.force, force, tolerance, units.force);
 }
 
 /// The row of T16 for a material with the recommended cohesive range (tag H357).

@@ -107,6 +107,41 @@ TEST(TipErosion, UndoesDilationOfASurfaceThatTheTipFits) {
                 100.0 * certain / inside, largest * 1e9);
 }
 
+/// A sphere of 20 nm that a tip of 8 nm shows as one of 28 nm. From pixel to pixel its top keeps
+/// the image's curvature. A paraboloid leaves 0.064 pitch^3 of the third derivative, that of tip
+/// less image at a slope of 30 degrees being 0.044 / nm^2: 9.5 pm.
+TEST(TipErosion, BetweenPixelsIsTheParallelSurface) {
+    constexpr double kTip = 8e-9;
+    constexpr double kSphere = 20e-9;
+    const auto squareAt = [](const HeightMap& map, int row, int column) {
+        const double x = (column - (0.5 * (map.columns - 1))) * map.pitchX;
+        const double y = (row - (0.5 * (map.rows - 1))) * map.pitchY;
+        return (x * x) + (y * y);
+    };
+    HeightMap image = flatMap({.columns = 41, .rows = 41, .sizeX = 61.5_nm, .sizeY = 61.5_nm});
+    forEachPixel(image, [&](int row, int column) {
+        const double wide = kSphere + kTip;
+        const double cap = (wide * wide) - squareAt(image, row, column);
+        image.heights[image.index(row, column)] =
+            std::max(0.0, std::sqrt(std::max(0.0, cap)) - kTip);
+    });
+    const auto largestError = [&](TouchedPoint point) {
+        const HeightMap surface = reconstructed(image, kTip, nullptr, point).surface;
+        double largest = 0.0;
+        forEachPixel(surface, [&](int row, int column) {
+            const double square = squareAt(surface, row, column);
+            if (square < 100e-18) {
+                const double height = std::sqrt((kSphere * kSphere) - square);
+                largest = std::max(largest, std::abs(surface.at(row, column) - height));
+            }
+        });
+        return largest;
+    };
+    const double byPixels = largestError(TouchedPoint::Pixel);
+    EXPECT_GT(byPixels, 20e-12);
+    EXPECT_LT(largestError(TouchedPoint::BetweenPixels), 9.5e-12);
+}
+
 /// Beside the foot of a step the tip rests on the edge: what lies there is not proven, however
 /// close the pixel is to one that is.
 TEST(TipErosion, ThePixelBesideAStepIsUncertain) {

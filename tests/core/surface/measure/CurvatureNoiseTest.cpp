@@ -77,6 +77,10 @@ TEST(CurvatureNoise, IsThatOfTheFitWhateverTheNoiseAndTheShape) {
     }
 }
 
+double whiteNoise(const CurvatureNoise& scan, const Smoothing& smoothing) {
+    return scan.heightNoise(smoothing, scan.noise(smoothing));
+}
+
 /// sqrt(2 / pi) / (4 s^3) of the noise over the pitch squared, in the continuum; the spline's
 /// second derivative is 1 + (k p)^2 / 12 of that, which at 1 / (s p) is a hundredth for 3 pixels.
 TEST(CurvatureNoise, OfKnownWhiteNoiseIsTheClosedForm) {
@@ -85,7 +89,7 @@ TEST(CurvatureNoise, OfKnownWhiteNoiseIsTheClosedForm) {
         const double expected = std::sqrt(2.0 / std::numbers::pi) / (4.0 * std::pow(pixels, 3)) *
                                 kScanNoise / (kNoisyPitch * kNoisyPitch);
         EXPECT_NEAR(scan.noise({pixels, pixels}), expected, 0.03 * expected) << pixels;
-        EXPECT_NEAR(scan.heightNoise({pixels, pixels}), kScanNoise, 1e-9 * kScanNoise);
+        EXPECT_NEAR(whiteNoise(scan, {pixels, pixels}), kScanNoise, 1e-9 * kScanNoise);
     }
 }
 
@@ -93,16 +97,16 @@ TEST(CurvatureNoise, OfKnownWhiteNoiseIsTheClosedForm) {
 /// those that curvatures are made of.
 TEST(CurvatureNoise, IsNotFooledByNoiseThatIsFiltered) {
     const Smoothing smoothing{1.0, 1.0};
-    EXPECT_NEAR(CurvatureNoise(noiseMap(0.0, 3)).heightNoise(smoothing), kScanNoise,
+    EXPECT_NEAR(whiteNoise(CurvatureNoise(noiseMap(0.0, 3)), smoothing), kScanNoise,
                 0.1 * kScanNoise);
     const HeightMap filtered = noiseMap(0.7, 3);
     EXPECT_LT(heightNoise(filtered), 0.6 * kScanNoise) << "by the highest frequencies alone";
-    EXPECT_GT(CurvatureNoise(filtered).heightNoise(smoothing), kScanNoise);
+    EXPECT_GT(whiteNoise(CurvatureNoise(filtered), smoothing), kScanNoise);
 }
 
 TEST(CurvatureNoise, IsNextToNoneOnASmoothSurface) {
     const CurvatureNoise scan(sampledMap(kNoisyScan, kHills));
-    EXPECT_LT(scan.heightNoise({}), 1e-3 * kScanNoise);
+    EXPECT_LT(whiteNoise(scan, {}), 1e-3 * kScanNoise);
 }
 
 /// exp(-u) - exp(-2 u) of a wave's curvature, u the variance over the square of 1 / k.

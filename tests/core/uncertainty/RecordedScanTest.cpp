@@ -1,0 +1,80 @@
+#include "core/uncertainty/RecordedScan.h"
+
+#include "tests/support/TestScenes.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace asperity {
+namespace {
+
+/// @param tolerance of slopes, and of curvatures in units of the imaging tip's
+void expectNear(const Relief& found, const Relief& expected, double tolerance) {
+    for (int i = 0; i < found.size(); ++i) {
+        EXPECT_NEAR(found[i], expected[i], tolerance * (i < 2 ? 1.0 : 1e8)) << i;
+    }
+}
+
+constexpr double kImaging = 10e-9;  // [m]
+
+SceneDescription imagedScene(bool erode) {
+    SceneDescription description = test::plainScene();
+    description.sample.imagingTipRadius = kImaging;
+    description.sample.erode = erode;
+    return description;
+}
+
+/// On hills that the tip fits. A pixel's paraboloid leaves 0.064 pitch^3 of the third derivative of
+/// the tip, 3 slope / R^2; curvatures are off by six times that over the pitch squared: 4.4e6 / m
+/// at 0.19.
+TEST(RecordedScan, IsWhatWasThereBeforeTheErosion) {
+    HeightMap map = test::hillyMap();
+    for (double& height : map.heights) {
+        height *= 0.3;
+    }
+    const Scene eroded = buildScene(imagedScene(true), map);
+    const Scene whole = buildScene(imagedScene(false), map);
+    double largest = 0.0;
+    for (const Vector2& place :
+         {Vector2(64e-9, 61e-9), Vector2(37.3e-9, 90.1e-9), Vector2(50e-9, 40e-9)}) {
+        const Relief expected = reliefOf(whole.surface.at(place.x(), place.y()));
+        expectNear(RecordedScan(whole).reliefAt(place.x(), place.y()), expected, 1e-12);
+        expectNear(RecordedScan(eroded).reliefAt(place.x(), place.y()), expected, 0.044);
+        largest = std::max(
+            largest,
+            (reliefOf(eroded.surface.at(place.x(), place.y())) - expected).cwiseAbs().maxCoeff());
+    }
+    EXPECT_GT(largest, 2e6) << "of curvatures that erosion changes [1/m]";
+}
+
+/// The recorded surface is parallel to the one under it: the same normal, further along it.
+TEST(RecordedScan, LiesAlongTheNormal) {
+    TipState state;
+    state.closest.point = Vector3(50e-9, 60e-9, 0.0);
+    state.closest.normal = Vector3(-0.6, 0.0, 0.8);
+    const Scene eroded = buildScene(imagedScene(true), test::slopedMap(0.1));
+    const RecordedPlaces places = recordedPlaces(eroded, state);
+    EXPECT_NEAR(places.touched.x(), 44e-9, 1e-15);
+    EXPECT_NEAR(places.touched.y(), 60e-9, 1e-15);
+    EXPECT_EQ(places.shown, places.touched);
+}
+
+/// A tip of 15 nm on the surface is one of 5 nm on what a tip of 10 nm recorded of it.
+TEST(RecordedScan, ShowsWhereATipTouchesTheSurfaceUnderIt) {
+    const Scene whole = buildScene(imagedScene(false), test::hillyMap());
+    TipState state;
+    const Vector2 place(37e-9, 90e-9);
+    const HeightSample sample = whole.surface.at(place.x(), place.y());
+    state.closest.point = Vector3(place.x(), place.y(), sample.height);
+    state.closest.normal = sample.normal();
+    const RecordedPlaces places = recordedPlaces(whole, state);
+    EXPECT_EQ(places.shown, place);
+    const Vector3 there = whole.surface.at(places.touched.x(), places.touched.y()).normal();
+    const Vector2 center = place + (15e-9 * sample.normal().head<2>());
+    EXPECT_LT((places.touched + (5e-9 * there.head<2>()) - center).norm(), 1e-14);
+    EXPECT_GT((places.touched - place).norm(), 1e-9);
+}
+
+}  // namespace
+}  // namespace asperity
