@@ -54,7 +54,7 @@ public:
     /// What model and calibration leave open in a reading.
     void addModel(const Touch& touch, const char* key) {
         const std::optional<Budget> budget = budgetNamed(touch.budgets, key);
-        addIf(budget.has_value(), budget ? budget->model() : 0.0);
+        addIf(budget.has_value(), budget ? budget->modelAboutValue() : 0.0);
     }
     void add(const std::optional<Reading>& reading) {
         addIf(reading.has_value(), reading ? reading->value : 0.0);

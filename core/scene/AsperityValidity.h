@@ -1,11 +1,15 @@
 #pragma once
 
+#include "core/Vector.h"
 #include "core/scene/Validity.h"
 
 #include <cstdint>
 
 namespace asperity {
 
+class BSplineSurface;
+struct ClosestPoint;
+class HeightMoments;
 struct ProbeSystem;
 struct Scene;
 struct TipState;
@@ -21,8 +25,7 @@ struct TipState;
 ///   contact point, averaged over all directions and at the radius that weighs as the contact's
 ///   pressure does, by more than a tenth of the gap r^2/(2 R_eff) there;
 /// - attraction of the sample beside it: shareBeside() exceeds the scene's tolerance where the
-/// model
-///   leaves it out. What other contact points carry is not taken off.
+///   model leaves it out. What other contact points carry is not taken off.
 ///
 /// Each is a ratio: lengths, forces and energies scaled together change nothing, but for D0, the
 /// atomic separation of two solids.

@@ -30,7 +30,7 @@ std::optional<TouchMean> meanOf(const std::vector<BudgetedTouch>& touches, const
         if (const std::optional<Reading> reading = readingOf(touch.cycle)) {
             readings.push_back(*reading);
             const std::optional<Budget> budget = budgetNamed(touch.budgets, key);
-            model += budget ? budget->model() : 0.0;
+            model += budget ? budget->modelAboutValue() : 0.0;
         }
     }
     if (readings.empty()) {
@@ -105,8 +105,11 @@ std::string cellOf(const TouchColumn& column, const BudgetedTouch& touch, const 
         return kNoReading;
     }
     const std::optional<Budget> budget = budgetNamed(touch.budgets, column.key);
-    return budget && budget->model() > 0.0 ? measuredText({reading->value, budget->total()}, scale)
-                                           : noisyText(*reading, scale);
+    if (!budget || budget->model() <= 0.0) {
+        return noisyText(*reading, scale);
+    }
+    return measuredText({reading->value, std::hypot(budget->noise, budget->modelAboutValue())},
+                        scale);
 }
 
 std::string remarkOn(const ContactCycle& cycle) {
