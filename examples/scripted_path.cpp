@@ -3,6 +3,7 @@
 #include "core/haptics/VirtualRun.h"
 #include "core/io/heightmap/ScanFile.h"
 #include "core/io/scene/SceneFile.h"
+#include "core/scene/Scene.h"
 #include "core/scene/SceneTruth.h"
 
 #include <cmath>

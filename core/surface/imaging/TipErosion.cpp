@@ -96,7 +96,7 @@ BasicTipReconstruction<AnyMap> reconstruction(AnyMap image, double tipRadius, Pr
     ProgressPart telling(progress, share, 2.0 * share);
     std::vector<std::uint8_t> certain = touched(image, surface, tipRadius, &telling);
     if (point == TouchedPoint::BetweenPixels) {
-        surface = {};  // of a large scan there is no memory for both
+        surface = decltype(surface)();  // of a large scan there is no memory for both; {} keeps it
         ProgressPart refining(progress, 2.0 * share, 1.0);
         surface = erosion(image, tipRadius, &refining, point);
     }

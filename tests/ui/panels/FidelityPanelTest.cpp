@@ -72,13 +72,13 @@ protected:
 };
 
 TEST_F(FidelityPanelTest, ShowsWhatEachTermIsWorth) {
-    EXPECT_EQ(cell(5, 0), QStringLiteral("friction"));
-    EXPECT_EQ(cell(5, 2), QStringLiteral("off"));
-    EXPECT_EQ(cell(5, 3), QStringLiteral("1.2 %, pull-off force"));
-    EXPECT_EQ(cell(5, 4), QStringLiteral("0.52 µs a tick"));
-    EXPECT_EQ(cell(5, 5), QStringLiteral("friction coefficient 0.3, shear strength 2 MPa"));
-    EXPECT_EQ(cell(9, 3), QStringLiteral("25 % of the indentation"));
-    EXPECT_EQ(cell(9, 4), QStringLiteral("1.50 ms a patch"));
+    EXPECT_EQ(cell(6, 0), QStringLiteral("friction"));
+    EXPECT_EQ(cell(6, 2), QStringLiteral("off"));
+    EXPECT_EQ(cell(6, 3), QStringLiteral("1.2 %, pull-off force"));
+    EXPECT_EQ(cell(6, 4), QStringLiteral("0.52 µs a tick"));
+    EXPECT_EQ(cell(6, 5), QStringLiteral("friction coefficient 0.3, shear strength 2 MPa"));
+    EXPECT_EQ(cell(10, 3), QStringLiteral("25 % of the indentation"));
+    EXPECT_EQ(cell(10, 4), QStringLiteral("1.50 ms a patch"));
     EXPECT_EQ(cell(0, 3), QStringLiteral("–")) << "not measured";
 }
 

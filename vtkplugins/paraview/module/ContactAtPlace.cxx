@@ -5,6 +5,7 @@
 #include "core/deformation/ContactPatch.h"
 #include "core/map/Engagement.h"
 #include "core/map/MapPlan.h"
+#include "core/scene/Scene.h"
 
 #include <algorithm>
 
