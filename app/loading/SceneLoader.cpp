@@ -89,7 +89,7 @@ LoadedScene loadNamed(const std::string& name, const SceneDescription& descripti
                                                       : mapScene(description, overrides, &loading);
         ProgressPart fitting(progress, 0.8, 1.0);
         loaded.needs = fit == ModelFit::Now ? fitModel(loaded.scene, kLongestTick, &fitting)
-                                            : needsBeforeFit(loaded.scene.description);
+                                            : needsBeforeFit(loaded.scene);
         std::ranges::move(surfaceNotes(loaded.scene), std::back_inserter(loaded.notes));
         return loaded;
     } catch (const InputError&) {
@@ -146,7 +146,7 @@ LoadedScene withDescription(const LoadedScene& loaded, const SceneDescription& d
                         .channels = loaded.channels,
                         .filledPixels = loaded.filledPixels};
     changed.needs = fit == ModelFit::Now ? fitModel(changed.scene, kLongestTick, progress)
-                                         : needsBeforeFit(changed.scene.description);
+                                         : needsBeforeFit(changed.scene);
     return changed;
 }
 

@@ -230,33 +230,30 @@ void decideAll(Scene& scene, ForceNeeds& force, SceneNeeds& needs, Progress* pro
 
 }  // namespace
 
-SceneNeeds needsBeforeFit(const SceneDescription& scene) {
-    const ForceModelOptions full = usualModel(scene);
+SceneNeeds needsBeforeFit(const Scene& scene) {
+    const SceneDescription& description = scene.description;
+    ForceModelOptions full = usualModel(description);
+    full.bodyAttraction =
+        description.choices.bodyAttraction.value_or(scene.truth.beside != nullptr);
     SceneNeeds needs{.terms = {},
                      .full = full,
                      .model = full,
-                     .tolerance = scene.tolerance,
-                     .setpoint = scene.setpoint,
+                     .tolerance = description.tolerance,
+                     .setpoint = description.setpoint,
                      .pending = true};
     for (const ModelTerm term : kModelTerms) {
         needs.terms.push_back({.term = term,
                                .on = has(full, term),
-                               .overruled = isSettled(term, scene.choices),
-                               .possible = isPossible(term, scene)});
+                               .overruled = isSettled(term, description.choices),
+                               .possible = isInScene(term, scene)});
     }
     return needs;
 }
 
 SceneNeeds fitModel(Scene& scene, double longestTick, Progress* progress) {
-    SceneNeeds needs = needsBeforeFit(scene.description);
-    needs.pending = false;
-    for (TermNeed& need : needs.terms) {
-        need.possible = isInScene(need.term, scene);
-    }
     // A scene that ticks too slowly to be fitted keeps what it was loaded with.
-    const std::optional<bool> beside = scene.description.choices.bodyAttraction;
-    needs.full.bodyAttraction = beside.value_or(scene.truth.beside != nullptr);
-    needs.model = needs.full;
+    SceneNeeds needs = needsBeforeFit(scene);
+    needs.pending = false;
     setModel(scene, needs.full);
     ProgressPart forcePart(progress, 0.0, 0.7);
     ForceNeeds force(scene, needs, longestTick, &forcePart);

@@ -64,7 +64,7 @@ struct SceneNeeds {
 };
 
 /// What is known of a scene before its model is fitted: that has everything.
-[[nodiscard]] SceneNeeds needsBeforeFit(const SceneDescription& scene);
+[[nodiscard]] SceneNeeds needsBeforeFit(const Scene& scene);
 
 inline constexpr double kLongestTick = 1e-3;  ///< of scenes whose model is fitted [s]
 

@@ -38,7 +38,7 @@ protected:
                   .sha256 = "",
                   .notes = {},
                   .provenance = {},
-                  .needs = needsBeforeFit(scene.description)});
+                  .needs = needsBeforeFit(scene)});
     }
     bool isPending() { return run().loaded().needs.pending; }
     /// Waits until the model is found: then the run and who asks have the scene alone.

@@ -33,14 +33,14 @@ SceneNeeds needs() {
     for (const ModelTerm term : kModelTerms) {
         needs.terms.push_back({.term = term});
     }
-    needs.terms[5] = {.term = ModelTerm::Friction,
+    needs.terms[6] = {.term = ModelTerm::Friction,
                       .on = false,
                       .fact = TermFact{0.3, 2e6},
                       .effect = 0.0123,
                       .quantity = JudgedQuantity::PullOffForce,
                       .time = 0.52_us};
-    needs.terms[9].effect = 0.25;
-    needs.terms[9].time = 1.5_ms;
+    needs.terms[10].effect = 0.25;
+    needs.terms[10].time = 1.5_ms;
     needs.tolerance = 0.05;
     return needs;
 }
