@@ -11,8 +11,8 @@ namespace asperity {
 /// solved afresh and with the certified search for contact points. @throw Error as usualModel()
 [[nodiscard]] ForceModelOptions wholeModel(const Scene& scene);
 
-/// Whether the sample and, as built, its surface have what a term is about: nothing beside a
-/// contact attracts where the tip is nowhere blunt.
+/// Whether a term can change anything in a scene. The attraction by the body beside a contact
+/// cannot where the tip is nowhere blunt on the surface.
 [[nodiscard]] bool isInScene(ModelTerm term, const Scene& scene) noexcept;
 
 /// Terms of the force that the sample has and the model has not.

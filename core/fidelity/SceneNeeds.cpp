@@ -22,7 +22,7 @@ bool tipFitsEverywhere(const Scene& scene) {
     return !scene.shape && scan.concavity * (scan.highest - scan.lowest + above) < 1.0;
 }
 
-/// What a model may have of a scene: nobody leaves a term out before it is weighed.
+/// The usual model and every term of the scene that is still to be weighed.
 ForceModelOptions fullModel(const Scene& scene, const ForceModelOptions& usual) {
     ForceModelOptions full = usual;
     for (const ModelTerm term : kSwitchedTerms) {

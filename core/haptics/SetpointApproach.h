@@ -31,7 +31,7 @@ public:
     [[nodiscard]] long count() const noexcept { return count_; }
     [[nodiscard]] double mean() const noexcept { return mean_; }
     [[nodiscard]] double deviation() const noexcept;
-    /// Of the mean itself, by independent values; 0 of less than two.
+    /// Standard deviation of the mean, if the values are independent; 0: fewer than two values.
     [[nodiscard]] double meanDeviation() const noexcept;
 
 private:

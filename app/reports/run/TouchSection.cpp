@@ -20,7 +20,7 @@ std::optional<Reading> workOf(const ContactCycle& cycle) {
                          : std::nullopt;
 }
 
-/// Of the readings that the touches have. @param key of their budgets
+/// The mean of one reading over the touches that have it. @param key of the reading's budgets
 template <class ReadingOf>
 std::optional<TouchMean> meanOf(const std::vector<BudgetedTouch>& touches, const char* key,
                                 ReadingOf readingOf) {

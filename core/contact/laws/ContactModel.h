@@ -119,7 +119,7 @@ private:
 
     [[nodiscard]] ContactState bare(double approach, double compliance,
                                     const ContactMemory& memory) const noexcept;
-    // Of law and meniscus, without the body's pull; the compliance within its range.
+    // These three are of law and meniscus, without the body's pull. The compliance is in range.
     [[nodiscard]] ContactState wetEquilibrium(double approach, double compliance,
                                               const ContactMemory& memory) const noexcept;
     [[nodiscard]] double wetJumpInApproach(double compliance) const noexcept;
