@@ -17,8 +17,9 @@ struct TipContactPoint {
     EffectiveRadius radius;
     ContactState contact;
     Vector3 slip = Vector3::Zero();
-    Vector3 force = Vector3::Zero();  ///< on the tip, lab frame [N]
-    double jumpLoss = 0.0;            ///< energy lost by a jump that stays, see keepJump() [J]
+    Vector3 force = Vector3::Zero();    ///< on the tip, lab frame [N]
+    Vector3 foundAt = Vector3::Zero();  ///< deflection of the lever that it was found at [m]
+    double jumpLoss = 0.0;              ///< energy lost by a jump that stays, see keepJump() [J]
     bool jumpStays = false;
 
     /// Takes effective radius and material of its place; whether one of them changed.
@@ -33,6 +34,10 @@ struct TipContactPoint {
     void tellJump() noexcept;
 
     [[nodiscard]] double stiffness() const noexcept { return std::max(0.0, contact.stiffness); }
+    /// On a tip at another deflection, to first order [N].
+    [[nodiscard]] Vector3 forceAt(const Vector3& deflection) const noexcept {
+        return force - stiffness() * place.normal.dot(deflection - foundAt) * place.normal;
+    }
     [[nodiscard]] double area() const noexcept;           ///< of contact [m^2]
     [[nodiscard]] double frictionForce() const noexcept;  ///< of a sliding tip [N]
     /// Radius of the contact circle, with its cohesive zone [m].

@@ -148,6 +148,7 @@ private:
         beside_.pull(points(), tip(), 0.0);
         for (TipContactPoint& closest : points_) {
             closest.hold(system_.tipRadius(), base_.velocity);
+            closest.foundAt = deflection_;
         }
     }
 
@@ -278,7 +279,7 @@ private:
             if (&other != &closest) {
                 const Vector3& normal = other.place.normal;
                 stiffness += other.stiffness() * normal * normal.transpose();
-                force += other.force;
+                force += other.forceAt(deflection_);
             }
         }
         const Matrix3 stiffened =
@@ -315,6 +316,7 @@ private:
         closest.memory.friction = closest.frictionForce();
         closest.force = closest.contact.force * normal + closest.memory.friction * closest.slip;
         deflection_ = lever.offset + lever.compliance * closest.force;
+        closest.foundAt = deflection_;
     }
 
     /// Two valleys' closest points may slide into one: it must not bear its force twice.

@@ -1,4 +1,5 @@
 #include "app/loading/SceneLoader.h"
+#include "core/io/scene/SceneFile.h"
 #include "core/map/MapPlan.h"
 #include "core/map/PixelCycle.h"
 #include "tests/core/map/HeldTrace.h"
@@ -65,6 +66,24 @@ TEST(FilmPullOff, IsFoundInAValleyOfFourPoints) {
     EXPECT_EQ(states.engaged->atSetpoint.state.points, 4);
     const double slow = test::slowRetractPull(path, states.engaged->atSetpoint, 5e-12);
     EXPECT_NEAR(strongestPull(path, *states.retracted), slow, 0.02 * slow);
+}
+
+/// Two points press and pull with six times the setpoint, two more attract, and so does the sample
+/// beside them: each sweep of the search must take over what the points before it did to the tip.
+TEST(FilmPullOff, IsFoundWhereFourPointsPullAgainstEachOther) {
+    SceneDescription scene = readScene(test::shippedScene("granular_film"));
+    scene.sample.material.elastic = {.youngsModulus = 72e9, .poissonRatio = 0.17};
+    scene.sample.material.workOfAdhesion = 0.25;
+    scene.probe = defaultScene().probe;
+    scene.choices.bodyAttraction = true;
+    const LoadedScene loaded = loadScene(scene);
+    const MapInstrument instrument(loaded.scene, false);
+    VerticalPath path(instrument, Vector2(175e-9, 125e-9));
+    const CycleStates states = runCycle(path, scene.setpoint);
+    ASSERT_TRUE(states.engaged);
+    EXPECT_EQ(states.engaged->atSetpoint.state.points, 4);
+    EXPECT_TRUE(states.engaged->atSetpoint.state.converged);
+    EXPECT_TRUE(states.retracted);
 }
 
 }  // namespace

@@ -35,9 +35,6 @@ setpoint_n = 5e-9
 youngs_modulus_pa = 20e9
 poisson_ratio = 0.17
 work_of_adhesion_j_m2 = 0.2
-
-[fidelity]
-body_attraction = "off"  # with it one pixel has no result, and the checks below are of all
 """
 
 
