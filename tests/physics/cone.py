@@ -46,53 +46,60 @@ class Tip:
 
 class Maugis:
     """A cohesive zone of constant stress around the contact of a tip: docs/theory.md 4.8 as it stands
-    there, by the gap at the zone's edge."""
+    there, by the gap at the zone's edge; in mpmath's numbers, or in floating-point ones."""
 
-    def __init__(self, tip, work, stress):
-        self.tip, self.work, self.stress = tip, mpf(work), mpf(stress)
+    def __init__(self, half_angle, work, stress, context=mp):
+        self.context = context
+        self.radius, self.modulus, half_angle, self.work, self.stress = (
+            context.mpf(number) for number in (RADIUS, MODULUS, half_angle, work, stress))
+        self.sine, self.slope_beyond = context.sin(half_angle), context.cot(half_angle)
+        self.joint = self.radius * context.cos(half_angle)
 
     def elastic_depth(self, contact):
         """Closed form of 4.8: the quadrature within the quadrature would take minutes."""
-        tip = self.tip
-        if contact <= tip.joint:
-            return contact * mpmath.atanh(contact / RADIUS)
-        run, sine = mpmath.sqrt(contact**2 - tip.joint**2), RADIUS * mpmath.sin(tip.half_angle)
-        return contact * (mpmath.log((RADIUS + contact) / (sine + run)) +
-                          mpmath.cot(tip.half_angle) * mpmath.acos(tip.joint / contact))
+        context = self.context
+        if contact <= self.joint:
+            return contact / 2 * context.log((self.radius + contact) / (self.radius - contact))
+        run = context.sqrt(contact**2 - self.joint**2)
+        return contact * (
+            context.log((self.radius + contact) / (self.radius * self.sine + run)) +
+            self.slope_beyond * context.acos(self.joint / contact))
 
     def depth(self, contact, zone):
         return (self.elastic_depth(contact) -
-                2 * self.stress / MODULUS * mpmath.sqrt(zone**2 - contact**2))
+                2 * self.stress / self.modulus * self.context.sqrt(zone**2 - contact**2))
 
     def excess_gap(self, contact, zone):
         """Gap at the zone's edge less the range of the attraction."""
-        tip = self.tip
-        height = (RADIUS - mpmath.sqrt(RADIUS**2 - zone**2) if zone <= tip.joint else
-                  RADIUS * (1 - mpmath.sin(tip.half_angle)) +
-                  (zone - tip.joint) * tip.slope_beyond)
-        ends = [0, contact] if contact <= tip.joint else [0, tip.joint, contact]
-        angles = [mpmath.asin(end / zone) for end in ends]
-        pressed = mpmath.quad(lambda t: self.elastic_depth(zone * mpmath.sin(t)), angles)
+        context = self.context
+        height = (self.radius - context.sqrt(self.radius**2 - zone**2) if zone <= self.joint else
+                  self.radius * (1 - self.sine) + (zone - self.joint) * self.slope_beyond)
+        ends = [0, contact] if contact <= self.joint else [0, self.joint, contact]
+        angles = [context.asin(end / zone) for end in ends]
+        pressed = context.quad(lambda t: self.elastic_depth(zone * context.sin(t)), angles)
         depth = self.depth(contact, zone)
-        return (height - depth + 2 / mp.pi * (depth * mpmath.asin(contact / zone) - pressed) -
-                4 * self.stress / (mp.pi * MODULUS) * (zone - contact) - self.work / self.stress)
+        return (height - depth + 2 / context.pi * (depth * context.asin(contact / zone) - pressed) -
+                4 * self.stress / (context.pi * self.modulus) * (zone - contact) -
+                self.work / self.stress)
 
     def zone(self, contact):
         """Radius of the zone: a bracket, then a root, in the logarithm of what it is wider."""
-        excess = lambda wider: self.excess_gap(contact, contact * (1 + mpmath.exp(wider)))
-        low, high = mpf(-12), mpf(6)
+        context = self.context
+        excess = lambda wider: self.excess_gap(contact, contact * (1 + context.exp(wider)))
+        low, high = context.mpf(-12), context.mpf(6)
         for _ in range(12):
             middle = (low + high) / 2
             low, high = (middle, high) if excess(middle) < 0 else (low, middle)
-        return contact * (1 + mpmath.exp(mpmath.findroot(excess, (low, high), solver="anderson",
-                                                         tol=mpf("1e-22"), verify=False)))
+        return contact * (1 + context.exp(context.findroot(
+            excess, (low, high), solver="anderson", tol=context.eps / 100, verify=False)))
 
-    def state(self, contact):
-        """(indentation, force, radius of the zone)"""
-        zone = self.zone(contact)
+    def depth_at(self, contact):
+        return self.depth(contact, self.zone(contact))
+
+    def pull(self, contact, zone):
+        """Force of the cohesive zone."""
         width = mpmath.sqrt(zone**2 - contact**2)
-        pull = 2 * self.stress * (zone**2 * mpmath.acos(contact / zone) + contact * width)
-        return self.depth(contact, zone), self.tip.elastic(contact)[1] - pull, zone
+        return 2 * self.stress * (zone**2 * mpmath.acos(contact / zone) + contact * width)
 
 
 def check_maugis(checks, program):
@@ -103,13 +110,16 @@ def check_maugis(checks, program):
         tip = Tip(half_angle)
         # Ranges from a hundredth to a third of the radius.
         for work, stress in (("2e-4", "6e5"), ("2e-3", "4e5"), ("2e-2", "2e6")):
-            maugis = Maugis(tip, work, stress)
+            maugis = Maugis(half_angle, work, stress)
+            rounded = Maugis(half_angle, work, stress, mpmath.fp)
             for share in ("0.9", "1.01", "1.5", "4", "20"):
                 contact = mpf(share) * tip.joint
-                state = maugis.state(contact)
-                wider = [maugis.state(contact * mpf(factor))[0]
-                         for factor in ("1.0001", "1.05", "1.2", "1.5", "2.5", "6")]
-                if all(depth > state[0] for depth in wider):
+                depth, *wider = [rounded.depth_at(float(contact) * factor)
+                                 for factor in (1, 1.0001, 1.05, 1.2, 1.5, 2.5, 6)]
+                if all(other > depth for other in wider):
+                    zone = maugis.zone(contact)
+                    state = (maugis.depth(contact, zone),
+                             tip.elastic(contact)[1] - maugis.pull(contact, zone), zone)
                     kept.append((degrees, work, contact, state))
                     cases.append({"model": "md_sphere", "radius_m": RADIUS, "e_star_pa": MODULUS,
                                   "work_of_adhesion_j_m2": work, "sigma0_pa": stress,

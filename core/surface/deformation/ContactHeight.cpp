@@ -1,11 +1,13 @@
 #include "core/surface/deformation/ContactHeight.h"
 
 #include "core/Error.h"
+#include "core/surface/closest/BlockAxis.h"
 #include "core/surface/closest/BoxNewton.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 namespace asperity {
 
@@ -56,20 +58,8 @@ private:
     SurfaceRounding rounding_;
 };
 
-/// A run of spline cells along one axis; cell k lies between the centers of pixels k and k + 1.
-struct CellRange {
-    int first = 0;
-    int last = 0;
-};
-
-CellRange cellsBetween(double low, double high, double pitch, int pixels) {
-    const auto cellOf = [&](double place) {
-        return std::clamp(static_cast<int>(std::floor(place / pitch - 0.5)), -1, pixels - 1);
-    };
-    return {cellOf(low), cellOf(high)};
-}
-
-/// The search for the highest contact among all cells under the sphere.
+/// The search for the highest contact among all cells under the sphere, those first that may have
+/// the highest.
 class ContactSearch {
 public:
     ContactSearch(const BSplineSurface& surface, const Vector2& axis, double radius)
@@ -81,60 +71,72 @@ public:
                .high = scanBox(surface).nearest(axis + Vector2::Constant(radius))} {}
 
     double run() {
-        tryPlace(scanBox(surface_).nearest(axis_));
-        forEachCell([this](int column, int row) { tryPlace(placeIn(column, row, 0.0, 0.0)); });
-        polish(bestPlace_);
-        forEachCell([this](int column, int row) {
-            if (highestPossible(column, row) > best_) {
-                searchCell(column, row);
+        polish(scanBox(surface_).nearest(axis_));
+        add({.level = surface_.bounds().levels() - 1, .row = 0, .column = 0});
+        while (!waiting_.empty() && waiting_.front().highest > best_) {
+            std::ranges::pop_heap(waiting_, {}, &Block::highest);
+            const Block block = waiting_.back();
+            waiting_.pop_back();
+            if (block.level == 0) {
+                searchCell(boxOf(block));
+            } else {
+                addPartsOf(block);
             }
-        });
+        }
         return best_;
     }
 
 private:
-    template <class Visit>
-    void forEachCell(const Visit& visit) const {
-        const BSplineSurface::Grid& grid = surface_.grid();
-        const CellRange across =
-            cellsBetween(box_.low.x(), box_.high.x(), grid.pitchX, grid.columns);
-        const CellRange up = cellsBetween(box_.low.y(), box_.high.y(), grid.pitchY, grid.rows);
-        for (int row = up.first; row <= up.last; ++row) {
-            for (int column = across.first; column <= across.last; ++column) {
-                visit(column, row);
+    /// Of cells, see CellBounds.
+    struct Block {
+        int level = 0;
+        int row = 0;
+        int column = 0;
+        double highest = 0.0;  ///< possible height of the center for a contact in it [m]
+    };
+
+    [[nodiscard]] Box boxOf(const Block& block) const {
+        const BlockAxis across = blocksAlongX(surface_, block.level);
+        const BlockAxis up = blocksAlongY(surface_, block.level);
+        return {.low = box_.nearest(Vector2(across.low(block.column), up.low(block.row))),
+                .high = box_.nearest(Vector2(across.high(block.column), up.high(block.row)))};
+    }
+
+    void add(Block block) {
+        const double height = surface_.bounds().at(block.level, block.row, block.column).highest;
+        const double nearest = (boxOf(block).nearest(axis_) - axis_).squaredNorm();
+        block.highest = height + std::sqrt(std::max(radius_ * radius_ - nearest, 0.0));
+        if (block.highest > best_) {
+            waiting_.push_back(block);
+            std::ranges::push_heap(waiting_, {}, &Block::highest);
+        }
+    }
+
+    void addPartsOf(const Block& block) {
+        constexpr int kFactor = CellBounds::kFactor;
+        const int level = block.level - 1;
+        const BlockAxis across = blocksAlongX(surface_, level);
+        const BlockAxis up = blocksAlongY(surface_, level);
+        const int firstRow = std::max(kFactor * block.row, up.at(box_.low.y()));
+        const int lastRow = std::min(kFactor * (block.row + 1) - 1, up.at(box_.high.y()));
+        const int firstColumn = std::max(kFactor * block.column, across.at(box_.low.x()));
+        const int lastColumn = std::min(kFactor * (block.column + 1) - 1, across.at(box_.high.x()));
+        for (int row = firstRow; row <= lastRow; ++row) {
+            for (int column = firstColumn; column <= lastColumn; ++column) {
+                add({.level = level, .row = row, .column = column});
             }
         }
     }
 
-    /// A place of the cell, s and t from 0 to 1 across it, brought into the box.
-    [[nodiscard]] Vector2 placeIn(int column, int row, double s, double t) const {
-        return box_.nearest(Vector2((column + 0.5 + s) * surface_.grid().pitchX,
-                                    (row + 0.5 + t) * surface_.grid().pitchY));
-    }
-
-    /// Upper bound of the center's height for a contact in the cell: a spline lies below the
-    /// highest of its control points.
-    [[nodiscard]] double highestPossible(int column, int row) const {
-        double height = surface_.control(row - 1, column - 1);
-        for (int j = row - 1; j <= row + 2; ++j) {
-            for (int i = column - 1; i <= column + 2; ++i) {
-                height = std::max(height, surface_.control(j, i));
-            }
-        }
-        const Box cell{.low = placeIn(column, row, 0.0, 0.0),
-                       .high = placeIn(column, row, 1.0, 1.0)};
-        const double nearest = (cell.nearest(axis_) - axis_).squaredNorm();
-        return height + std::sqrt(std::max(radius_ * radius_ - nearest, 0.0));
-    }
-
-    void searchCell(int column, int row) {
-        constexpr int kSamples = 4;
+    void searchCell(const Box& cell) {
+        constexpr int kSamples = 6;
         double highest = -std::numeric_limits<double>::max();
         Vector2 start = Vector2::Zero();
         for (int j = 0; j <= kSamples; ++j) {
             for (int i = 0; i <= kSamples; ++i) {
-                const Vector2 place = placeIn(column, row, static_cast<double>(i) / kSamples,
-                                              static_cast<double>(j) / kSamples);
+                const Vector2 share(static_cast<double>(i) / kSamples,
+                                    static_cast<double>(j) / kSamples);
+                const Vector2 place = cell.low + share.cwiseProduct(cell.high - cell.low);
                 const double height = -depth_(place).value;
                 if (height > highest) {
                     highest = height;
@@ -145,20 +147,11 @@ private:
         polish(start);
     }
 
-    void tryPlace(const Vector2& place) {
-        const double height = -depth_(place).value;
-        if (height > best_) {
-            best_ = height;
-            bestPlace_ = place;
-        }
-    }
-
     void polish(const Vector2& start) {
-        if (!depth_.isUnderSphere(start)) {
-            return;
+        if (depth_.isUnderSphere(start)) {
+            const BoxNewton newton(depth_, box_, 0.25 * surface_.finestPitch());
+            best_ = std::max({best_, -depth_(start).value, -newton.minimize(start).model.value});
         }
-        const BoxNewton newton(depth_, box_, 0.25 * surface_.finestPitch());
-        tryPlace(newton.minimize(start).place);
     }
 
     const BSplineSurface& surface_;
@@ -167,7 +160,7 @@ private:
     CenterDepth depth_;
     Box box_;
     double best_ = -std::numeric_limits<double>::max();
-    Vector2 bestPlace_ = Vector2::Zero();
+    std::vector<Block> waiting_;  ///< a heap
 };
 
 }  // namespace
