@@ -65,13 +65,19 @@ double PlaceLaw::complianceOf(const Relief& relief, const PlaceNumbers& numbers)
     return normal.dot(scene_.belief.cantilever.compliance() * normal) / numbers.stiffness;
 }
 
+BodyPull PlaceLaw::bodyWith(const PlaceNumbers& numbers) const noexcept {
+    const double factor = numbers.workOfAdhesion * numbers.tipRadius;
+    return {.force = factor * state_.body.force, .slope = factor * state_.body.slope};
+}
+
 Landmarks PlaceLaw::at(const Relief& relief, const PlaceNumbers& numbers) const {
     const Relief moved = movedBy(numbers, relief);
     const double radius =
         state_.effectiveRadius * radiusOf(moved, numbers) / radiusOf(shown_, shownNumbers(scene_));
     const ContactPair pair = scene_.belief.pairAt(state_.closest.point, radius);
-    return landmarksOf(withNumbers(scene_.description, scene_.belief.contact, pair, numbers),
-                       complianceOf(moved, numbers), force_ * numbers.force);
+    ContactModel law = withNumbers(scene_.description, scene_.belief.contact, pair, numbers);
+    law.setBodyPull(bodyWith(numbers));
+    return landmarksOf(law, complianceOf(moved, numbers), force_ * numbers.force);
 }
 
 Landmarks PlaceLaw::at(const PlaceNumbers& numbers) const { return at(touched_, numbers); }

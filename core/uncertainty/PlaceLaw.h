@@ -29,6 +29,8 @@ private:
     [[nodiscard]] double radiusOf(const Relief& relief, const PlaceNumbers& numbers) const noexcept;
     [[nodiscard]] double complianceOf(const Relief& relief,
                                       const PlaceNumbers& numbers) const noexcept;
+    /// The attraction beside the contact goes as the half-space's, H R / (6 g^2).
+    [[nodiscard]] BodyPull bodyWith(const PlaceNumbers& numbers) const noexcept;
     [[nodiscard]] Landmarks at(const Relief& relief, const PlaceNumbers& numbers) const;
 
     const Scene& scene_;

@@ -38,4 +38,4 @@ private:
 /// Skips the calling test, saying why, where the real AFM data are not beside the repository.
 #define ASPERITY_NEEDS_SHARED_DATA()                                                               \
     if (!asperity::test::haveSharedData())                                                         \
-    GTEST_SKIP() << "SKIPPED: ../shared/data is not beside this checkout"
+    GTEST_SKIP() << "../shared/data is not beside this checkout"

@@ -173,6 +173,26 @@ TEST_F(ImagedBump, WasSmoothedBeforeItWasEroded) {
     EXPECT_NEAR(share, expected, 0.3 * expected) << "a fourth derivative between wide pixels";
 }
 
+/// A sharp asperity's law hardly depends on how blunt the tip is; what attracts beside it goes as
+/// the tip's radius.
+TEST(PlaceBudgets, HoldTheAttractionBesideTheContact) {
+    SceneDescription description = test::plainScene();
+    description.tip.radius = 20e-6;
+    description.sample.material.friction = {};
+    const auto pullWith = [&description](bool beside) {
+        description.choices.bodyAttraction = beside;
+        const Scene scene = buildScene(description, bumpMap(640e-18));
+        return budgetOf(budgetsAt(scene, kMiddle, 2e-9), Landmark::AdhesionForce);
+    };
+    const Budget alone = pullWith(false);
+    const Budget both = pullWith(true);
+    const double beside = both.value - alone.value;
+    EXPECT_GT(beside, 0.1 * alone.value);
+    EXPECT_LT(alone.share(UncertaintyInput::TipRadius), 0.002 * alone.value);
+    EXPECT_NEAR(both.share(UncertaintyInput::TipRadius), 0.1 * beside, 0.02 * beside);
+    EXPECT_NEAR(both.share(UncertaintyInput::WorkOfAdhesion), 0.1 * both.value, 0.01 * both.value);
+}
+
 /// Heights with noise, whose curvature the smoothing and the pitch let through.
 TEST(PlaceBudgets, NoiseOfHeightsGoesThroughTheCurvature) {
     SceneDescription description = softScene();

@@ -35,7 +35,7 @@ protected:
     void SetUp() override {
         ASPERITY_NEEDS_SHARED_DATA();
         if (kSanitized) {
-            GTEST_SKIP() << "SKIPPED: a sanitizer takes memory of its own";
+            GTEST_SKIP() << "a sanitizer takes memory of its own";
         }
         bytes = readFileBytes(sharedData("afm/" + GetParam()));
     }

@@ -94,7 +94,7 @@ class Gwyddion : public testing::TestWithParam<std::string> {};
 TEST_P(Gwyddion, ReadsTheSamePixels) {
     ASPERITY_NEEDS_SHARED_DATA();
     if (!haveGwyddion()) {
-        GTEST_SKIP() << "SKIPPED: the program gwyddion is not installed";
+        GTEST_SKIP() << "the program gwyddion is not installed";
     }
     if (losesEverything(GetParam())) {
         GTEST_SKIP() << "Gwyddion 2.62 does not read this file";
@@ -131,7 +131,7 @@ INSTANTIATE_TEST_SUITE_P(RealScans, Gwyddion, testing::ValuesIn(scansOfGwyddion(
 
 TEST(Gwyddion, ReadsTheSamePixelsOfSmallInstrumentFiles) {
     if (!haveGwyddion()) {
-        GTEST_SKIP() << "SKIPPED: the program gwyddion is not installed";
+        GTEST_SKIP() << "the program gwyddion is not installed";
     }
     NanonisText upward;
     upward.direction = "up";
@@ -173,7 +173,7 @@ TEST(Gwyddion, ReadsTheSamePixelsOfSmallInstrumentFiles) {
 
 TEST(Gwyddion, ReadsWhatWeWrite) {
     if (!haveGwyddion()) {
-        GTEST_SKIP() << "SKIPPED: the program gwyddion is not installed";
+        GTEST_SKIP() << "the program gwyddion is not installed";
     }
     const HeightMap map = bumpyMap(17, 9);
     const struct {
@@ -198,7 +198,7 @@ TEST(Gwyddion, ReadsWhatWeWrite) {
 /// docs/formats.md 9: there is no TIFF of which it takes both scales.
 TEST(Gwyddion, TakesTheValuesOfOurTiffAlone) {
     if (!haveGwyddion()) {
-        GTEST_SKIP() << "SKIPPED: the program gwyddion is not installed";
+        GTEST_SKIP() << "the program gwyddion is not installed";
     }
     const ScratchFolder folder;
     const HeightMap map = bumpyMap(17, 9);
@@ -211,7 +211,7 @@ TEST(Gwyddion, TakesTheValuesOfOurTiffAlone) {
 
 TEST(Gwyddion, SeesThePixelsWithoutDataAsMasked) {
     if (!haveGwyddion()) {
-        GTEST_SKIP() << "SKIPPED: the program gwyddion is not installed";
+        GTEST_SKIP() << "the program gwyddion is not installed";
     }
     const ScratchFolder folder;
     const HeightMap map = bumpyMapWithHoles(17, 9);
@@ -225,7 +225,7 @@ TEST(Gwyddion, SeesThePixelsWithoutDataAsMasked) {
 
 TEST(Gwyddion, ReadsAllImagesThatWeWriteIntoOneFile) {
     if (!haveGwyddion()) {
-        GTEST_SKIP() << "SKIPPED: the program gwyddion is not installed";
+        GTEST_SKIP() << "the program gwyddion is not installed";
     }
     const ScratchFolder folder;
     const HeightMap heights = bumpyMapWithHoles(17, 9);
