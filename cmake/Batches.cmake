@@ -5,7 +5,7 @@
 
 # asperity_batches(TARGET): at the end of the folder's CMakeLists.txt, which may give sources options of their
 # own until then. That a source is not compiled by itself holds for its whole folder: a target with one source
-# has a batch, too, so that two targets may share it.
+# has a batch, too, so that two such targets may share it.
 function(asperity_batches target)
   if(ASPERITY_BATCH GREATER 1)
     cmake_language(EVAL CODE "cmake_language(DEFER CALL asperity_batch_sources ${target})")
@@ -14,7 +14,8 @@ endfunction()
 
 # Sources with compile options of their own share batches with those of the same options. Sources with
 # definitions of their own and what the build writes (it changes at each commit) stay apart, but not what
-# Qt's moc writes. No other property of a source reaches its batch: it is refused.
+# Qt's moc writes. COMPILE_FLAGS,
+# INCLUDE_DIRECTORIES and OBJECT_DEPENDS would not reach a batch: they are refused.
 function(asperity_batch_sources target)
   get_target_property(sources ${target} SOURCES)
   get_target_property(folder ${target} SOURCE_DIR)

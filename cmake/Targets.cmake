@@ -38,8 +38,8 @@ endfunction()
 function(asperity_compile_options target)
   # -ffp-contract=off: a recorded run replays to the same bits whatever the optimizer fuses.
   # -Wno-missing-field-initializers: designated initializers leave defaults to the members.
-  # GCC 12, where it optimizes, sees std::string's own operator+ overlap (-Wrestrict, GCC bug 105651) and
-  # write out of bounds (-Warray-bounds, -Wstringop-overflow, GCC bug 105329).
+  # GCC 12, where it optimizes, sees std::string's own functions overlap (-Wrestrict, GCC bugs 105329 and
+  # 105651) and write out of bounds (-Warray-bounds, -Wstringop-overflow).
   set(is_optimizing_gcc $<AND:$<CXX_COMPILER_ID:GNU>,$<CONFIG:Release>>)
   target_compile_options(
     ${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual

@@ -27,7 +27,7 @@ def changed_files(commits):
     def git(*arguments):
         return subprocess.run(["git", "-C", TOP, *arguments], check=True, capture_output=True,
                               text=True).stdout.split("\n")
-    named = (git("log", "--no-merges", f"--max-count={commits}", "--name-only", "--pretty=format:")
+    named = (git("log", "--cc", f"--max-count={commits}", "--name-only", "--pretty=format:")
              + git("diff", "--name-only", "HEAD") + git("ls-files", "--others", "--exclude-standard"))
     return sorted({name for name in named if name and (TOP / name).is_file()})
 

@@ -137,7 +137,7 @@ class Suite:
             self.fail(end.format("outside of the tests"),
                       output.outside + [line for section in sections if len(section) > 2 for line in section])
         self.results |= results
-        return ended_early and bool(results)
+        return ended_early and not results.keys().isdisjoint(tests)
 
     def ends(self, process, log):
         """Waits until a process ends; ends it and returns False where one test takes too long."""

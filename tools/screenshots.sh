@@ -49,12 +49,14 @@ pngquant --force --ext .png --speed 1 --quality 80-100 "$out/fidelity.png"
 pngquant --force --ext .png --speed 1 --quality 80-100 "$out/device.png"
 mkdir "$moments/home"
 cp -r "$top/data/." "$moments/home"  # the dialog shows its folders
-HOME=$moments/home "$top/build/release/bin/asperity_open_picture" "$moments/home/scenes/granular_film.toml" "$out/open_dialog.png" part
+HOME=$moments/home "$top/build/release/bin/asperity_open_picture" "$moments/home/scenes/granular_film.toml" \
+    "$out/open_dialog.png" part
 pngquant --force --ext .png --speed 1 --quality 80-100 "$out/open_dialog.png"
 # What a user comes by: the first window, measuring, in the dark, on a large screen of small pixels.
 state() {  # STATE SAMPLE WIDTH HEIGHT SCALE NAME [dark]
     xvfb-run -a -s "-screen 0 $(($3 * $5))x$(($4 * $5))x24 -noreset" env "QT_SCALE_FACTOR=$5" \
-        "$top/build/release/bin/asperity_window_picture" "$1" "$top/data/samples/$2.gsf" "$3" "$4" "$out/$6.png" "${@:7}"
+        "$top/build/release/bin/asperity_window_picture" \
+        "$1" "$top/data/samples/$2.gsf" "$3" "$4" "$out/$6.png" "${@:7}"
     pngquant --force --ext .png --speed 1 --quality 70-95 "$out/$6.png"
 }
 state profile grating 1280 800 1 window_profile

@@ -8,6 +8,7 @@ import sys
 import tempfile
 import time
 import unittest
+import unittest.mock
 
 from planted_tree import TOOLS
 
@@ -67,6 +68,9 @@ class RunSuite(unittest.TestCase):
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
         self.folder = pathlib.Path(folder.name)
+        own = unittest.mock.patch.dict(os.environ, TMPDIR=folder.name)  # for what a killed suite leaves
+        own.start()
+        self.addCleanup(own.stop)
 
     def command(self, tests, *options):
         program = self.folder / "program"

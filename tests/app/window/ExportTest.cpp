@@ -238,7 +238,7 @@ TEST_F(WindowThatExportsAlone, ThePreviewDoesNotBlockTheWindow) {
     EventLoopWatchdog watchdog;
     watchdog.enter("view");
     part<QAbstractButton>("exportClean")->click();
-    live(1000);  // what the window does about it
+    live(1000);  // a loop that something blocks later must have the time to be seen
     watchdog.enter("plots");
     part<QComboBox>("exportSubject")->setCurrentIndex(static_cast<int>(ExportSubject::Forces));
     live(1000);

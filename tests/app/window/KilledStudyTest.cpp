@@ -44,7 +44,7 @@ TEST(KilledStudy, KeepsAllTrialsButTheOneInWorkAndGoesOnThere) {
     const fs::path out = scratch.file("out");
     const pid_t person = startPerson(writtenStudy(scratch, study), out);
     const bool isInFifth = comes(out / "trials" / ".005");  // it is being recorded
-    std::this_thread::sleep_for(100ms);
+    std::this_thread::sleep_for(100ms);  // somewhere in the trial: no place is waited for
     ::kill(person, SIGKILL);
     int status = 0;
     waitpid(person, &status, 0);

@@ -21,7 +21,7 @@ protected:
     void step(const std::string& name, const std::function<void()>& act) {
         watchdog_->enter(name);
         act();
-        live(400);  // what the window does about it
+        live(400);  // a loop that something blocks later must have the time to be seen
     }
     std::filesystem::path tableScene() {
         return folder.write("table.toml", "[sample]\nfile = \"" + levelScan(folder, 64).string() +

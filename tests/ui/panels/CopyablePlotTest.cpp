@@ -117,7 +117,7 @@ TEST(CopyablePlot, ARightClickOpensItsMenuAndARightDragDoesNot) {
     QTest::qWait(50);  // longer than a menu takes
     EXPECT_EQ(menu(), nullptr);
     QTest::mouseClick(drawing.windowHandle(), Qt::LeftButton, Qt::NoModifier, {20, 20});
-    QTest::qWait(50);
+    QTest::qWait(50);  // likewise
     EXPECT_EQ(menu(), nullptr);
 }
 
