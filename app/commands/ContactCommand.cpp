@@ -7,6 +7,7 @@
 #include "core/contact/laws/ContactModel.h"
 #include "core/contact/laws/LawChoice.h"
 #include "core/io/tables/CaseTable.h"
+#include "core/scene/ContactValidity.h"
 #include "core/scene/LawRange.h"
 
 #include <array>
@@ -133,6 +134,7 @@ std::string statusOf(const ContactModel& model, const ContactState& state) {
         status += applies ? (status.empty() ? "" : "|") + std::string(word) : "";
     };
     add(isAtEquator, "cohesive_zone_at_equator");
+    add(!isAtEquator && isBeyondSphere(model, state), "beyond_sphere");
     add(state.contactRadius > model.widestFilmContact(), "thin_film");
     add(!isAtEquator && leavesLawsRange(model, state), "law_out_of_range");
     add(isLargeContact(state.contactRadius, radius), "large_contact");

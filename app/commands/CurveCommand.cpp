@@ -280,6 +280,11 @@ void curve(const CurveOptions& options) {
         results.push_back({asked, forceCurve(asked.model, asked.compliance, plan),
                            budgetsOf(asked.scene, asked.model, asked.compliance,
                                      options.setpoint.value_or(0.0))});
+        if (const std::optional<ShapeDescription>& shape = asked.scene.sample.shape;
+            shape && shape->kind != ShapeKind::Plane && results.size() == 1) {
+            std::cerr << "note: the curve is that of a flat sample, not of the scene's "
+                      << sampleName(asked.scene.sample) << "; asperity map has it\n";
+        }
         for (const std::string& line : summary(results.back())) {
             std::cerr << printable(line) << '\n';
         }

@@ -169,11 +169,18 @@ void tellOutcome(const FinishedRun& run) {
     for (const std::string& remark : run.remarks) {
         std::cerr << "note: " << remark << '\n';
     }
-    for (const Validity flag :
-         {Validity::FilledPixel, Validity::LargeContact, Validity::LawOutOfRange,
-          Validity::Anisotropic, Validity::EstimateInconsistent, Validity::UnresolvedCurvature,
-          Validity::BeyondAsperity, Validity::BodyAttraction, Validity::RetardedAttraction,
-          Validity::LargeDeflection, Validity::BeyondSphere, Validity::NotInEquilibrium}) {
+    for (const Validity flag : {Validity::FilledPixel,          Validity::LargeContact,
+                                Validity::LawOutOfRange,        Validity::Anisotropic,
+                                Validity::EstimateInconsistent, Validity::UnresolvedCurvature,
+                                Validity::BeyondAsperity,       Validity::BodyAttraction,
+                                Validity::RetardedAttraction,   Validity::LargeDeflection,
+                                Validity::BeyondSphere,         Validity::NotInEquilibrium,
+                                Validity::OverlappingContacts,  Validity::InteractingContacts,
+                                Validity::SearchNotExhaustive,  Validity::StrengthLimited,
+                                Validity::ElasticLimit,         Validity::OutsideScan,
+                                Validity::UncertainPixel,       Validity::ThinFilm,
+                                Validity::VariedMaterial,       Validity::NarrowValley,
+                                Validity::FrictionLock}) {
         const int index = std::countr_zero(static_cast<std::uint32_t>(flag));
         if (const long ticks = events.flagged.at(index); ticks > 0) {
             std::cerr << "note: in " << ticks << " of " << events.ticks

@@ -24,14 +24,14 @@ Eigen::Matrix2d noiseRoot(const Eigen::Matrix2d& propagator) {
     return root;
 }
 
+}  // namespace
+
 double thermalDeviation(double temperature, double stiffness) {
     if (!(std::isfinite(temperature) && temperature >= 0.0)) {
         throw Error("thermal noise: the temperature must be zero or a positive number of kelvin");
     }
     return std::sqrt(kBoltzmann * temperature / stiffness);
 }
-
-}  // namespace
 
 ThermalNoise::ThermalNoise(const Oscillator& oscillator, double temperature, double timeStep,
                            std::uint64_t seed)

@@ -9,6 +9,11 @@
 
 namespace asperity {
 
+/// Returns the standard deviation of a spring's end by heat, sqrt(kB T / k) [m].
+/// @param temperature [K] @param stiffness [N/m]
+/// @throw Error when the temperature is negative or not finite
+[[nodiscard]] double thermalDeviation(double temperature, double stiffness);
+
 /// The lever's free end shaken by heat: the Ornstein-Uhlenbeck process of a damped oscillator,
 /// sampled exactly at a fixed step, so that variance (equipartition, kB T / k) and correlation from
 /// one sample to the next are right whatever the step. In thermal equilibrium from the first

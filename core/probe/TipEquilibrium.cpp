@@ -27,8 +27,7 @@ constexpr int kMaxSweeps = 48;
 // the lever takes the free tip: then no bonded state balances the lever, and the search would go to
 // and fro between the two.
 constexpr int kJumpsStay = kMaxSweeps / 2;
-constexpr double kPositionTolerance = 1e-15;  // [m]: a millionth of an atom's radius
-constexpr double kOfRadius = 1.0 / 15e6;      // and under a sharp tip so much of its radius
+constexpr double kPositionTolerance = 1.0 / 15e6;  // of the tip's radius: 1 fm of 15 nm
 constexpr double kSameSlot = 0.25;  // of the tip's radius: a point moves less from tick to tick
 // How far the tip may move, of its radius, until closest points are looked for again: little where
 // it hardly moves, since a wide look finds many points that bear nothing.
@@ -61,7 +60,7 @@ public:
         , system_(system)
         , base_(base)
         , compliance_(compliance)
-        , tolerance_(std::min(kPositionTolerance, kOfRadius * system.tipRadius()))
+        , tolerance_(kPositionTolerance * system.tipRadius())
         , range_(system.contact.attractionRange())
         , tracker_(tracker)
         , beside_(system) {}

@@ -22,13 +22,12 @@ bool yields(const ContactModel& model, const ContactState& state,
                yieldPressure(hardness, material.elastic.poissonRatio);
 }
 
-/// Whether a sphere alone is in contact where a tip with the usual shank would touch with that.
+}  // namespace
+
 bool isBeyondSphere(const ContactModel& model, const ContactState& state) noexcept {
     return !leavesOutCone(model.law()) && model.coneHalfAngle() == 0.0 &&
            state.contactRadius > model.pair().tipRadius * std::cos(kShankHalfAngle);
 }
-
-}  // namespace
 
 ValidityFlags contactValidity(const ContactModel& model, const ContactState& state,
                               const SampleMaterial& material) noexcept {

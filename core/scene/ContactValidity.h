@@ -17,4 +17,7 @@ namespace asperity {
 [[nodiscard]] ValidityFlags contactValidity(const ContactModel& model, const ContactState& state,
                                             const SampleMaterial& material) noexcept;
 
+/// Whether a sphere alone is in contact where a tip with the usual shank would touch with that.
+[[nodiscard]] bool isBeyondSphere(const ContactModel& model, const ContactState& state) noexcept;
+
 }  // namespace asperity

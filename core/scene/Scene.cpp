@@ -1,6 +1,8 @@
 #include "core/scene/Scene.h"
 
 #include "core/Error.h"
+#include "core/probe/CantileverModes.h"
+#include "core/probe/ThermalNoise.h"
 #include "core/scene/AsperityValidity.h"
 #include "core/scene/BelievedModel.h"
 #include "core/scene/SampleMaterials.h"
@@ -134,6 +136,15 @@ void findBodyAttraction(Scene& scene, std::shared_ptr<const HeightMoments> known
     scene.belief.beside = scene.model.bodyAttraction ? scene.moments : nullptr;
 }
 
+/// As the estimator takes it: what the detector leaves, and the lever's end that heat shakes.
+LeverSignals signalDeviation(const SceneDescription& description) {
+    const FlexuralMode shaken = flexuralMode(description.probe, 1);
+    const double heat =
+        shaken.endSlope * thermalDeviation(description.truth.temperature, shaken.stiffness);
+    return {.bending = std::hypot(description.signalSigma, heat),
+            .torsion = description.signalSigma};
+}
+
 /// The description of the scene states a low-pass that was chosen.
 Scene assemble(SceneDescription description, Ground ground, const SceneMaps& read) {
     if (ground.smoothing.choice && leavesSmoothing(description.sample)) {
@@ -147,23 +158,22 @@ Scene assemble(SceneDescription description, Ground ground, const SceneMaps& rea
     actual = withLargest(std::move(actual), maps.truth);
     checkScene(description);
     const ForceModelOptions model = usualModel(description);
-    Scene scene{
-        .description = description,
-        .removedBySteps = ground.removed,
-        .removedPlane = sumOfPlanes(ground.removed),
-        .surface = std::move(ground.surface),
-        .certainty = std::move(ground.certainty),
-        .heightNoise = ground.smoothing.heightNoise,
-        .curvatureNoise = ground.smoothing.curvatureNoise,
-        .smoothing = ground.smoothing.choice,
-        .shape = std::move(ground.shape),
-        .maps = maps,
-        .model = model,
-        .belief = believedSystem(description, model),
-        .truth = trueSystem(description),
-        .signalSigma = {.bending = description.signalSigma, .torsion = description.signalSigma},
-        .normalDeviation = description.uncertainty.normalDeviation(),
-        .settings = description.settings};
+    Scene scene{.description = description,
+                .removedBySteps = ground.removed,
+                .removedPlane = sumOfPlanes(ground.removed),
+                .surface = std::move(ground.surface),
+                .certainty = std::move(ground.certainty),
+                .heightNoise = ground.smoothing.heightNoise,
+                .curvatureNoise = ground.smoothing.curvatureNoise,
+                .smoothing = ground.smoothing.choice,
+                .shape = std::move(ground.shape),
+                .maps = maps,
+                .model = model,
+                .belief = believedSystem(description, model),
+                .truth = trueSystem(description),
+                .signalSigma = signalDeviation(description),
+                .normalDeviation = description.uncertainty.normalDeviation(),
+                .settings = description.settings};
     scene.belief.field = believedField(scene);
     scene.truth.field =
         materialField(maps.truth, actual, scene.truth.friction, description.tip.elastic);

@@ -32,16 +32,30 @@ constexpr auto kReadings = std::to_array<CycleReading>(
           return std::optional(Reading{cycle.maxIndentation, 0.0});
       }}});
 
+/// A reading of the signals, which goes as k and InvOLS, as the force at the setpoint does.
+Budget withInstrument(Budget budget, const Budget& force) {
+    for (const UncertaintyInput input : {UncertaintyInput::Stiffness, UncertaintyInput::InvOls}) {
+        double& share = budget.shares[static_cast<std::size_t>(input)];
+        const double more = force.share(input) / force.value * budget.value;
+        share = std::hypot(share, std::isfinite(more) ? more : 0.0);
+    }
+    return budget;
+}
+
 }  // namespace
 
 std::vector<CycleBudget> cycleBudgets(const PlaceBudgets& budgets, const ContactCycle& cycle) {
     std::vector<CycleBudget> list;
+    const Budget& force = budgetOf(budgets, Landmark::NormalForce);
     for (const CycleReading& row : kReadings) {
         const std::optional<Reading> reading = row.of(cycle);
         const Budget& ofLaw = budgetOf(budgets, row.landmark);
         if (reading && std::isfinite(ofLaw.value)) {
+            const bool isOfSignals =
+                row.landmark == Landmark::AdhesionForce || row.landmark == Landmark::SeparationWork;
+            const Budget budget = ofLaw.of(reading->value, reading->sigma);
             list.push_back({row.key, row.name, rowOf(row.landmark)->unit,
-                            ofLaw.of(reading->value, reading->sigma)});
+                            isOfSignals ? withInstrument(budget, force) : budget});
         }
     }
     return list;

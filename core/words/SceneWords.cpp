@@ -26,15 +26,12 @@ std::string pixelWords(double pixels) {
 }
 
 /// What no deviation of a result holds: docs/uncertainty.md 1.6.
-std::string unsmoothedWords(const Scene& scene) {
+std::string noisyWords(const Scene& scene) {
     const SceneDescription& description = scene.description;
-    const SampleDescription& sample = description.sample;
-    const bool isSmoothed =
-        sample.smoothingLength > 0.0 || sample.smoothingPixels.value_or(0.0) > 0.0;
-    return isSmoothed || !(description.tip.radius * scene.curvatureNoise > description.tolerance)
-               ? std::string()
-               : "; the tip touches the highest of noisy places first: pull-off and stiffness come "
-                 "out too low, by more than their deviations say";
+    return description.tip.radius * scene.curvatureNoise > description.tolerance
+               ? "; the tip touches the highest of noisy places first: pull-off and stiffness come "
+                 "out too low, by more than their deviations say"
+               : "";
 }
 
 }  // namespace
@@ -48,7 +45,7 @@ std::string smoothingNote(const Scene& scene) {
         const std::string width = sample.smoothingLength > 0.0
                                       ? formatSi(sample.smoothingLength, "m")
                                       : (pixels > 0.0 ? pixelWords(pixels) : "none");
-        return "smoothing: " + width + ", as the scene states; " + noise + unsmoothedWords(scene);
+        return "smoothing: " + width + ", as the scene states; " + noise + noisyWords(scene);
     }
     const auto& [pixels, isBounded] = *scene.smoothing;
     const std::string width = pixels > 0.0 ? pixelWords(pixels)
@@ -56,7 +53,7 @@ std::string smoothingNote(const Scene& scene) {
                                            : "none, the scan is clean";
     return "smoothing: " + width + ", by " + noise + " and " + tip +
            (isBounded ? "; more would take away the surface's own curvature" : "") +
-           unsmoothedWords(scene);
+           noisyWords(scene);
 }
 
 std::string sampleName(const SampleDescription& sample) {

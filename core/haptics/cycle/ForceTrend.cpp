@@ -25,7 +25,10 @@ double varianceAfter(int ticksBefore, double ticks) noexcept {
 
 void ForceTrend::Line::take(double measured, double sigmaOfOne, int memory) noexcept {
     if (ticks == 0) {
-        *this = {.force = measured, .sigma = sigmaOfOne, .ticks = 1};
+        *this = {.force = measured,
+                 .sigma = sigmaOfOne,
+                 .variance = sigmaOfOne * sigmaOfOne,
+                 .ticks = 1};
         return;
     }
     const double expected = force + slope;
@@ -34,8 +37,9 @@ void ForceTrend::Line::take(double measured, double sigmaOfOne, int memory) noex
     const double gain = 2.0 * (2.0 * n + 1.0) / ((n + 1.0) * (n + 2.0));
     force = expected + gain * surprise;
     slope += 6.0 / ((n + 1.0) * (n + 2.0)) * surprise;
-    sigma = std::sqrt(gain) * sigmaOfOne;
     ticks = std::min(ticks + 1, memory);
+    variance += (sigmaOfOne * sigmaOfOne - variance) / ticks;
+    sigma = std::sqrt(gain * variance);
 }
 
 /// The slope of n ticks has the variance 12 / (n (n^2 - 1)) of one, the force about 4 / n.

@@ -39,7 +39,7 @@ public:
     /// one half is measured without bias by the other.
     /// @param sign 1: of the force, -1: of its opposite
     [[nodiscard]] std::array<HalfForce, 2> halves(double sign) const noexcept;
-    /// Whether the sample pushes: by so much that noise alone does it once in days.
+    /// Whether the sample pushes: by more than white noise of these deviations does in days.
     [[nodiscard]] bool pushes() const noexcept { return force() > kSure * sigma(); }
     [[nodiscard]] bool pulls() const noexcept { return force() < -kSure * sigma(); }
 
@@ -52,7 +52,10 @@ private:
         double force = 0.0;  ///< at the latest tick [N]
         double slope = 0.0;  ///< [N/tick]
         double sigma = 0.0;  ///< of `force` [N]
-        int ticks = 0;       ///< since the start, at most the memory
+        /// Mean of one tick [N^2]. The estimate of a tick with little noise claims little: the
+        /// deviation of the latest one says nothing of those before.
+        double variance = 0.0;
+        int ticks = 0;  ///< since the start, at most the memory
 
         void take(double measured, double sigmaOfOne, int memory) noexcept;
         /// Whether the other line is the same force and slope within the noise of this one.

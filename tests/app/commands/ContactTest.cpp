@@ -173,6 +173,8 @@ TEST_F(Contact, WarnsOfALargeContact) {
         << "the sphere is exact: its strain is too large all the same";
     EXPECT_EQ(contactTable("md_sphere,1e-10,1e10,0.05,1.4e8,-1e-10,retract\n").text(0, "status"),
               "cohesive_zone_at_equator");
+    EXPECT_EQ(contactTable("sneddon,15e-9,2e9,0,0,1e-7,retract\n").text(0, "status"),
+              "beyond_sphere|large_contact");
 }
 
 /// Silicon oxide under the paper's tip: four forces of which one is right.

@@ -85,6 +85,22 @@ TEST(Scene, SmoothsByALengthAlongBothAxesWhateverThePixels) {
     EXPECT_THROW((void)buildScene(description, map), Error);
 }
 
+/// Half of kB T to each mode: the end of a spring of 2 N/m moves by 45 pm.
+TEST(Scene, TakesHeatForNoiseOfBending) {
+    SceneDescription description = test::plainScene();
+    description.probe.thickness = thicknessForStiffness(description.probe, 2.0);
+    const LeverSignals cold = buildScene(description, test::flatMap()).signalSigma;
+    description.truth.temperature = 296.0;
+    const LeverSignals warm = buildScene(description, test::flatMap()).signalSigma;
+    EXPECT_EQ(cold.bending, description.signalSigma);
+    EXPECT_EQ(warm.torsion, cold.torsion);
+    const double heat = std::sqrt(std::pow(warm.bending, 2.0) - std::pow(cold.bending, 2.0));
+    // The fundamental is a little stiffer than the beam, 1.03 k, and its end slopes by 1.377 / l.
+    const double expected =
+        1.3765 / description.probe.length * std::sqrt(1.380649e-23 * 296.0 / (1.0302 * 2.0));
+    EXPECT_NEAR(heat, expected, 1e-3 * expected);
+}
+
 TEST(Scene, RefusesWhatIsNoScan) {
     HeightMap high = test::flatMap();
     high.heights[5] = 1e30;

@@ -20,6 +20,23 @@ TEST(ForceTrend, FollowsARampWithoutLag) {
     EXPECT_NEAR(trend.force(), 10.0, 1e-9);
 }
 
+/// An estimate that weights its model by the signals claims little where they happen to agree.
+TEST(ForceTrend, ItsDeviationIsThatOfAllItsTicks) {
+    Random random(3);
+    ForceTrend trend;
+    int sure = 0;
+    double squares = 0.0;
+    constexpr int kTicks = 50000;
+    for (int i = 0; i < kTicks; ++i) {
+        const double noise = random.normal();
+        trend.take(kSigma * noise, kSigma * std::max(0.1, std::abs(noise)));
+        sure += trend.pushes() || trend.pulls() ? 1 : 0;
+        squares += trend.force() * trend.force() / (trend.sigma() * trend.sigma());
+    }
+    EXPECT_EQ(sure, 0);
+    EXPECT_NEAR(squares / kTicks, 1.0, 0.2);
+}
+
 TEST(ForceTrend, StartsAnewAtAJump) {
     ForceTrend trend;
     for (int i = 0; i < 50; ++i) {
