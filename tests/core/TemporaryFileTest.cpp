@@ -112,6 +112,15 @@ TEST(TemporaryFile, SweepsWhatAKilledProcessLeftForTheSameTarget) {
     EXPECT_EQ(filesIn(scratch.path()), 4);
 }
 
+TEST(TemporaryFile, SweepsWhatWasWrittenForItsTemporary) {
+    const test::ScratchFolder scratch;
+    const std::string first = temporaryName(temporaryPrefix("out.txt"));
+    scratch.write(first, "half");
+    scratch.write(temporaryName(temporaryPrefix(first)), "piece of it");
+    write(scratch.file("out.txt"), "text");
+    EXPECT_EQ(filesIn(scratch.path()), 1);
+}
+
 TEST(TemporaryFile, IsNotSweptWhileItIsWritten) {
     const test::ScratchFolder scratch;
     OutputFile slow(scratch.file("out.txt"));
