@@ -21,7 +21,7 @@ namespace {
 constexpr const char* kFlags = "flags";
 
 /// Whether two numbers are the same in single precision.
-bool isSameSingle(const std::string& before, const std::string& now) {
+bool isSameSingle(std::string_view before, std::string_view now) {
     const std::optional<double> one = parseNumber(before);
     const std::optional<double> other = parseNumber(now);
     return one && other &&
@@ -45,7 +45,7 @@ void requireSameChecks(const RecordedRun& run, const CsvTable& replayed) {
     RowChecks checks;
     for (std::size_t row = 0; row < run.log.rows(); ++row) {
         for (const std::string& column : run.log.columns()) {
-            checks.add((column == kFlags ? run.log : replayed).text(row, column));
+            checks.add((column == kFlags ? run.log : replayed).view(row, column));
         }
         checks.endRow();
     }
@@ -119,14 +119,15 @@ void requireSameLog(const RecordedRun& run, const CsvTable& replayed) {
     std::string otherFlags;
     for (std::size_t row = 0; row < common; ++row) {
         for (const std::string& column : recorded.columns()) {
-            const std::string& before = recorded.text(row, column);
-            const std::string& now = replayed.text(row, column);
+            const std::string_view before = recorded.view(row, column);
+            const std::string_view now = replayed.view(row, column);
             if (before == now || (!isExact && isSameSingle(before, now))) {
                 continue;
             }
             const std::string difference = "first differing tick: " + std::to_string(row) +
                                            " (time " + replayed.text(row, "time_s") +
-                                           " s): " + column + " was " + before + ", is now " + now;
+                                           " s): " + column + " was " + std::string(before) +
+                                           ", is now " + std::string(now);
             if (column != kFlags) {
                 throw Error(difference);
             }

@@ -1,6 +1,7 @@
 #include "core/io/FileBytes.h"
 
 #include "core/Error.h"
+#include "core/io/MemoryLimit.h"
 
 #include <cerrno>
 #include <fcntl.h>
@@ -103,9 +104,7 @@ struct stat FileBytes::status() const {
 std::string readFileBytes(const std::filesystem::path& path) {
     const FileBytes file(path);
     std::string bytes;
-    if (file.size() > bytes.max_size()) {
-        throw InputError(path.string(), "", "the file is too large for memory");
-    }
+    requireMemory(file.size(), path.string(), "");
     bytes = file.start(file.size());
     file.requireUnchanged();
     return bytes;
