@@ -3,8 +3,10 @@
 #include "core/Error.h"
 #include "core/io/MemoryLimit.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <fcntl.h>
+#include <fstream>
 #include <system_error>
 #include <unistd.h>
 
@@ -108,6 +110,21 @@ std::string readFileBytes(const std::filesystem::path& path) {
     bytes = file.start(file.size());
     file.requireUnchanged();
     return bytes;
+}
+
+void copyTo(const ByteSource& from, const std::filesystem::path& file) {
+    constexpr std::uint64_t kPiece = std::uint64_t{1} << 20U;
+    std::ofstream copy(file, std::ios::binary);
+    std::string piece;
+    for (std::uint64_t place = 0; place < from.size(); place += piece.size()) {
+        piece.resize(static_cast<std::size_t>(std::min(kPiece, from.size() - place)));
+        from.read(place, piece);
+        copy.write(piece.data(), static_cast<std::streamsize>(piece.size()));
+    }
+    copy.close();
+    if (!copy) {
+        throw Error(file.string() + ": the file cannot be copied here; is the disk full?");
+    }
 }
 
 }  // namespace asperity
