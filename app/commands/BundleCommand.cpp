@@ -48,7 +48,7 @@ std::filesystem::path checkedRun(const BundleOptions& options, const std::filesy
                                  const std::filesystem::path& scratch) {
     const RecordedRun run = readRun(folder);
     const LoadedScene loaded = loadSceneOnTerminal(folder / run_files::kScene, {});
-    requireSameScan(loaded, run.sha256);
+    requireSameScan(loaded, folder);
     requireReplay(options.run, loaded, run, scratch / "replay");
     if (!options.isPart && run.state == RunState::Complete) {
         return folder;

@@ -45,6 +45,20 @@ std::string recordedHash(const std::filesystem::path& folder) {
     return manifest ? manifest->sha256 : summarizedHash(folder);
 }
 
+std::optional<Vector2> recordedSize(const std::filesystem::path& folder) {
+    const nlohmann::json summary = readJson(folder / run_files::kSummary);
+    const auto length = [&summary](const char* key) -> std::optional<double> {
+        const nlohmann::json::json_pointer pointer(std::string("/input/") + key);
+        const bool isThere = summary.is_object() && summary.contains(pointer);
+        return isThere && summary[pointer].is_number()
+                   ? std::optional(summary[pointer].get<double>())
+                   : std::nullopt;
+    };
+    const std::optional<double> x = length("size_x_m");
+    const std::optional<double> y = length("size_y_m");
+    return x && y ? std::optional(Vector2(*x, *y)) : std::nullopt;
+}
+
 RunState stateOf(const std::filesystem::path& folder) {
     if (isGrowing(folder / run_files::kInput)) {
         return RunState::Recording;

@@ -1,7 +1,5 @@
 #include "tests/app/TracedProgram.h"
 
-#include "tests/support/Places.h"
-
 #include <algorithm>
 #include <array>
 #include <cerrno>
@@ -9,6 +7,7 @@
 #include <cstdlib>
 #include <fcntl.h>
 #include <filesystem>
+#include <fstream>
 #include <linux/ptrace.h>
 #include <stdexcept>
 #include <sys/ptrace.h>
@@ -63,6 +62,36 @@ std::uint64_t bytesOfParts(pid_t thread, const SystemCall& call) {
     return bytes;
 }
 
+/// The path that an argument leads to; empty where it cannot be read.
+std::string pathAt(pid_t thread, std::uint64_t address) {
+    std::ifstream memory("/proc/" + std::to_string(thread) + "/mem", std::ios::binary);
+    memory.seekg(static_cast<std::streamoff>(address));
+    std::string path;
+    std::getline(memory, path, '\0');
+    return path;
+}
+
+/// What a system call makes; empty: nothing with a name.
+std::string madeBy(pid_t thread, const SystemCall& call) {
+    switch (call.number) {
+    case SYS_openat:
+    case SYS_mkdirat:
+        return pathAt(thread, call.arguments[1]);
+#ifdef SYS_open  // not on ARM
+    case SYS_open:
+    case SYS_mkdir:
+        return pathAt(thread, call.arguments[0]);
+    case SYS_rename:
+        return pathAt(thread, call.arguments[1]);
+#endif
+    case SYS_renameat:
+    case SYS_renameat2:
+        return pathAt(thread, call.arguments[3]);
+    default:
+        return {};
+    }
+}
+
 /// What a system call would add.
 FileProgress effectOf(pid_t thread, const SystemCall& call) {
     switch (call.number) {
@@ -98,11 +127,15 @@ FileProgress effectOf(pid_t thread, const SystemCall& call) {
         const std::size_t name = setting.find('=');
         setenv(setting.substr(0, name).c_str(), setting.substr(name + 1).c_str(), 1);
     }
+    setenv("ASAN_OPTIONS", "detect_leaks=0", 1);  // what looks for them traces the program itself
     std::vector<char*> pointers;
     for (std::string& word : words) {
         pointers.push_back(word.data());
     }
     pointers.push_back(nullptr);
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+        std::signal(signal, SIG_DFL);
+    }
     const int nowhere = open("/dev/null", O_WRONLY | O_CLOEXEC);
     dup2(nowhere, STDOUT_FILENO);
     dup2(nowhere, STDERR_FILENO);
@@ -118,49 +151,74 @@ int signalOf(int status) {
     return signal == kSystemCall || signal == SIGSTOP || status >> 16 != 0 ? 0 : signal;
 }
 
+/// A program that stops at each of its system calls.
+class Tracee {
+public:
+    Tracee(const std::vector<std::string>& words, const std::vector<std::string>& environment,
+           const SignalPoint& point)
+        : point_(point), program_(fork()) {
+        if (program_ == 0) {
+            become(words, environment);
+        }
+        if (program_ < 0 || waitpid(program_, &status_, kAnyThread) != program_ ||
+            !WIFSTOPPED(status_) ||
+            ptrace(PTRACE_SETOPTIONS, program_, nullptr,
+                   PTRACE_O_TRACESYSGOOD | PTRACE_O_TRACECLONE | PTRACE_O_TRACEEXEC |
+                       PTRACE_O_EXITKILL) != 0) {
+            throw std::runtime_error("no program can be traced");
+        }
+    }
+
+    TracedEnd run() {
+        for (pid_t thread = program_;;) {
+            const int signal = WIFSTOPPED(status_) ? signalOf(status_) : 0;
+            ptrace(PTRACE_SYSCALL, thread, nullptr, signal);
+            thread = waitpid(-1, &status_, kAnyThread);
+            if (thread < 0 && errno != EINTR) {
+                throw std::runtime_error("the traced program is lost");
+            }
+            if (thread == program_ && (WIFEXITED(status_) || WIFSIGNALED(status_))) {
+                end_.exitCode = WIFEXITED(status_) ? WEXITSTATUS(status_) : -1;
+                return end_;
+            }
+            SystemCall call;
+            if (thread > 0 && WIFSTOPPED(status_) && WSTOPSIG(status_) == kSystemCall &&
+                isEntering(thread, call)) {
+                take(thread, call);
+            }
+        }
+    }
+
+private:
+    void take(pid_t thread, const SystemCall& call) {
+        const FileProgress effect = effectOf(thread, call);
+        if (!end_.wasSignaled && isThere(thread, call, effect)) {
+            end_.wasSignaled = true;
+            kill(program_, point_.signal);
+        }
+        end_.progress.bytes += effect.bytes;
+        end_.progress.steps += effect.steps;
+    }
+
+    [[nodiscard]] bool isThere(pid_t thread, const SystemCall& call,
+                               const FileProgress& effect) const {
+        return end_.progress.bytes + effect.bytes > point_.bytes ||
+               end_.progress.steps + effect.steps > point_.steps ||
+               (effect.steps > 0 && !point_.made.empty() &&
+                madeBy(thread, call).ends_with(point_.made));
+    }
+
+    const SignalPoint& point_;
+    pid_t program_;
+    int status_ = 0;
+    TracedEnd end_;
+};
+
 }  // namespace
 
-TracedEnd runTraced(const std::vector<std::string>& arguments,
-                    const std::vector<std::string>& environment, const KillPoint& point) {
-    std::vector<std::string> words{programOfBuild("asperity").string()};
-    words.insert(words.end(), arguments.begin(), arguments.end());
-    const pid_t program = fork();
-    if (program == 0) {
-        become(words, environment);
-    }
-    int status = 0;
-    if (program < 0 || waitpid(program, &status, kAnyThread) != program || !WIFSTOPPED(status) ||
-        ptrace(PTRACE_SETOPTIONS, program, nullptr,
-               PTRACE_O_TRACESYSGOOD | PTRACE_O_TRACECLONE | PTRACE_O_TRACEEXEC |
-                   PTRACE_O_EXITKILL) != 0) {
-        throw std::runtime_error("no program can be traced");
-    }
-    TracedEnd end;
-    for (pid_t thread = program;;) {
-        const int signal = WIFSTOPPED(status) ? signalOf(status) : 0;
-        ptrace(PTRACE_SYSCALL, thread, nullptr, signal);
-        thread = waitpid(-1, &status, kAnyThread);
-        if (thread < 0 && errno != EINTR) {
-            throw std::runtime_error("the traced program is lost");
-        }
-        if (thread == program && (WIFEXITED(status) || WIFSIGNALED(status))) {
-            end.exitCode = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-            return end;
-        }
-        SystemCall call;
-        if (thread > 0 && WIFSTOPPED(status) && WSTOPSIG(status) == kSystemCall &&
-            isEntering(thread, call)) {
-            const FileProgress effect = effectOf(thread, call);
-            if (end.progress.bytes + effect.bytes > point.bytes ||
-                end.progress.steps + effect.steps > point.steps) {
-                end.wasKilled = true;
-                kill(program, SIGKILL);
-                continue;
-            }
-            end.progress.bytes += effect.bytes;
-            end.progress.steps += effect.steps;
-        }
-    }
+TracedEnd runTraced(const std::vector<std::string>& words,
+                    const std::vector<std::string>& environment, const SignalPoint& point) {
+    return Tracee(words, environment, point).run();
 }
 
 }  // namespace asperity::test

@@ -9,7 +9,9 @@
 #include <filesystem>
 #include <iterator>
 #include <string>
+#include <sys/resource.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 namespace asperity {
 namespace {
@@ -145,6 +147,27 @@ TEST(TemporaryFile, TakesNamesAsLongAsTheFileSystem) {
         EXPECT_NE(std::string(error.what()).find("File name too long"), std::string::npos)
             << error.what();
     }
+}
+
+/// That the writer could not open it was told as a full disk.
+TEST(TemporaryFile, SaysThatTooManyFilesAreOpen) {
+    const test::ScratchFolder scratch;
+    rlimit before{};
+    getrlimit(RLIMIT_NOFILE, &before);
+    const int next = dup(STDERR_FILENO);
+    close(next);
+    const rlimit one{static_cast<rlim_t>(next) + 1, before.rlim_max};
+    setrlimit(RLIMIT_NOFILE, &one);
+    std::string said;
+    try {
+        const OutputFile file(scratch.file("out.txt"));
+    } catch (const FileError& error) {
+        said = error.what();
+    }
+    setrlimit(RLIMIT_NOFILE, &before);
+    EXPECT_NE(said.find("out.txt: cannot be written: Too many open files"), std::string::npos)
+        << said;
+    EXPECT_TRUE(fs::is_empty(scratch.path()));
 }
 
 TEST(TemporaryFile, SaysThatItsFolderIsMissing) {

@@ -88,7 +88,8 @@ private:
     zip_error_t error_{};
 };
 
-zip_int64_t answerOf(void* output, void* data, zip_uint64_t length, zip_source_cmd_t command) {
+zip_int64_t answerForOutput(void* output, void* data, zip_uint64_t length,
+                            zip_source_cmd_t command) {
     return static_cast<Output*>(output)->answer(data, length, command);
 }
 
@@ -99,7 +100,7 @@ public:
     explicit Archive(const std::filesystem::path& path) : output_(path) {
         zip_error_t error;
         zip_error_init(&error);
-        zip_source_t* const source = zip_source_function_create(answerOf, &output_, &error);
+        zip_source_t* const source = zip_source_function_create(answerForOutput, &output_, &error);
         archive_ = source == nullptr
                        ? nullptr
                        : zip_open_from_source(source, ZIP_CREATE | ZIP_TRUNCATE, &error);

@@ -2,6 +2,7 @@
 #include "tests/app/ProgramRun.h"
 #include "tests/app/TracedProgram.h"
 #include "tests/core/io/heightmap/BumpyMap.h"
+#include "tests/support/Places.h"
 #include "tests/support/ScratchFolder.h"
 #include "tests/support/ShippedScene.h"
 
@@ -30,6 +31,12 @@ protected:
         return {"TMPDIR=" + in("tmp"), "XDG_RUNTIME_DIR=" + in("tmp")};
     }
 
+    [[nodiscard]] TracedEnd run(std::vector<std::string> words,
+                                const SignalPoint& point = {}) const {
+        words.insert(words.begin(), programOfBuild("asperity").string());
+        return runTraced(words, environment(), point);
+    }
+
     [[nodiscard]] std::set<std::string> allFiles() const {
         std::set<std::string> files;
         for (const auto& entry : fs::recursive_directory_iterator(scratch_.path())) {
@@ -43,7 +50,7 @@ protected:
     void killAndRepeat(const std::vector<std::string>& command, const std::string& target,
                        int kills) {
         const std::set<std::string> before = allFiles();
-        const TracedEnd whole = runTraced(command, environment());
+        const TracedEnd whole = run(command);
         ASSERT_EQ(whole.exitCode, 0) << testing::PrintToString(command);
         const std::set<std::string> after = allFiles();
         std::set<std::string> wanted = before;
@@ -75,13 +82,13 @@ protected:
     }
 
 private:
-    void killOnce(const std::vector<std::string>& command, const KillPoint& point,
+    void killOnce(const std::vector<std::string>& command, const SignalPoint& point,
                   const std::set<std::string>& wanted) {
         const std::string where = testing::PrintToString(command) + " at byte " +
                                   std::to_string(point.bytes) + ", step " +
                                   std::to_string(point.steps);
-        EXPECT_TRUE(runTraced(command, environment(), point).wasKilled) << where;
-        EXPECT_EQ(runTraced(command, environment()).exitCode, 0) << where;
+        EXPECT_TRUE(run(command, point).wasSignaled) << where;
+        EXPECT_EQ(run(command).exitCode, 0) << where;
         EXPECT_EQ(allFiles(), wanted) << where;
     }
 
