@@ -8,7 +8,6 @@
 #include <fcntl.h>
 #include <filesystem>
 #include <fstream>
-#include <linux/ptrace.h>
 #include <stdexcept>
 #include <sys/ptrace.h>
 #include <sys/syscall.h>
@@ -30,9 +29,8 @@ struct SystemCall {
 
 /// @return whether the thread is at the start of a system call
 bool isEntering(pid_t thread, SystemCall& call) {
-    struct ptrace_syscall_info info {};
-    if (ptrace(static_cast<__ptrace_request>(PTRACE_GET_SYSCALL_INFO), thread, sizeof info,
-               &info) <= 0 ||
+    struct __ptrace_syscall_info info {};
+    if (ptrace(PTRACE_GET_SYSCALL_INFO, thread, sizeof info, &info) <= 0 ||
         info.op != PTRACE_SYSCALL_INFO_ENTRY) {
         return false;
     }

@@ -117,8 +117,8 @@ TEST(TemporaryFile, SweepsWhatAKilledProcessLeftForTheSameTarget) {
 TEST(TemporaryFile, SweepsWhatWasWrittenForItsTemporary) {
     const test::ScratchFolder scratch;
     const std::string first = temporaryName(temporaryPrefix("out.txt"));
-    scratch.write(first, "half");
-    scratch.write(temporaryName(temporaryPrefix(first)), "piece of it");
+    (void)scratch.write(first, "half");
+    (void)scratch.write(temporaryName(temporaryPrefix(first)), "piece of it");
     write(scratch.file("out.txt"), "text");
     EXPECT_EQ(filesIn(scratch.path()), 1);
 }
