@@ -173,6 +173,16 @@ TEST_F(Map, LeavesAFolderOfThePartsNameAlone) {
     EXPECT_TRUE(std::filesystem::is_directory(scratch.file("map.gwy.part")));
 }
 
+TEST_F(Map, ThatIsWholeHasNothingLeftToDo) {
+    ASSERT_EQ(run("map.gwy", "--grid 4x4").exitCode, 0);
+    const auto again = run("map.gwy", "--grid 4x4 --resume");
+    EXPECT_EQ(again.exitCode, 0) << again.output;
+    EXPECT_THAT(again.output, HasSubstr("map.gwy: the map is whole; nothing is left to do"));
+    const auto other = run("map.gwy", "--grid 4x4 --resume --setpoint 7nN");
+    EXPECT_EQ(other.exitCode, 1) << other.output;
+    EXPECT_THAT(other.output, HasSubstr("exists; --force replaces it"));
+}
+
 /// Ends a map by a signal when some rows are finished. @return its exit code
 int interrupted(std::vector<std::string> arguments) {
     constexpr std::uint64_t kSomeRows = 30000;  // [bytes]
