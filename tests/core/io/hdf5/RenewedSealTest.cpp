@@ -48,7 +48,7 @@ protected:
         sealHdf5(file);
         const std::string refusal = refusalOf([&] {
             const Hdf5Input input(file, {"log"});
-            Hdf5Rows rows(input, "log");
+            asperity::Hdf5Rows rows(input, "log");
             (void)input.attribute("format");
             (void)rows.comments();
             while (rows.next()) {
