@@ -243,4 +243,23 @@ const ScanChannel& heightChannel(const HeightMapFile& file, const std::filesyste
     return channel;
 }
 
+namespace {
+
+template <class Map>
+void requireAnyHeight(const Map& map, const std::filesystem::path& path) {
+    if (std::ranges::none_of(map.heights, [](auto height) { return isFiniteHeight(height); })) {
+        throw InputError(path.string(), "", "the height map holds no valid pixel");
+    }
+}
+
+}  // namespace
+
+void requireHeights(const HeightMap& map, const std::filesystem::path& path) {
+    requireAnyHeight(map, path);
+}
+
+void requireHeights(const ScanMap& map, const std::filesystem::path& path) {
+    requireAnyHeight(map, path);
+}
+
 }  // namespace asperity

@@ -84,4 +84,9 @@ channelNamed(const HeightMapFile& file, const std::filesystem::path& path, const
                                                const std::filesystem::path& path,
                                                const std::string& name);
 
+/// Refuses a map of a file where no pixel holds a height, before anything is computed of it.
+/// @throw InputError
+void requireHeights(const HeightMap& map, const std::filesystem::path& path);
+void requireHeights(const ScanMap& map, const std::filesystem::path& path);
+
 }  // namespace asperity

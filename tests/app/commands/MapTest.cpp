@@ -1,17 +1,16 @@
 #include "core/io/heightmap/HeightMapWriter.h"
 #include "core/io/heightmap/ScanFile.h"
-#include "tests/app/ChildProgram.h"
 #include "tests/app/ProgramRun.h"
+#include "tests/app/TracedProgram.h"
+#include "tests/support/Places.h"
 #include "tests/support/ScratchFolder.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <numbers>
-#include <thread>
 
 // `asperity map`
 
@@ -174,24 +173,31 @@ TEST_F(Map, LeavesAFolderOfThePartsNameAlone) {
     EXPECT_TRUE(std::filesystem::is_directory(scratch.file("map.gwy.part")));
 }
 
+TEST_F(Map, ThatIsWholeHasNothingLeftToDo) {
+    ASSERT_EQ(run("map.gwy", "--grid 4x4").exitCode, 0);
+    const auto again = run("map.gwy", "--grid 4x4 --resume");
+    EXPECT_EQ(again.exitCode, 0) << again.output;
+    EXPECT_THAT(again.output, HasSubstr("map.gwy: the map is whole; nothing is left to do"));
+    const auto other = run("map.gwy", "--grid 4x4 --resume --setpoint 7nN");
+    EXPECT_EQ(other.exitCode, 1) << other.output;
+    EXPECT_THAT(other.output, HasSubstr("exists; --force replaces it"));
+}
+
 /// Ends a map by a signal when some rows are finished. @return its exit code
-int interrupted(const std::vector<std::string>& arguments, const std::filesystem::path& part) {
-    test::ChildProgram child(arguments);
-    constexpr std::uintmax_t kSomeRows = 30000;  // [bytes]
-    std::error_code none;
-    while (!child.hasEnded() && !(std::filesystem::exists(part, none) &&
-                                  std::filesystem::file_size(part, none) > kSomeRows)) {
-        std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    }
-    child.send(SIGINT);
-    return child.wait().exitCode;
+int interrupted(std::vector<std::string> arguments) {
+    constexpr std::uint64_t kSomeRows = 30000;  // [bytes]
+    arguments.insert(arguments.begin(), test::programOfBuild("asperity").string());
+    const test::TracedEnd end =
+        test::runTraced(arguments, {}, {.bytes = kSomeRows, .signal = SIGINT});
+    EXPECT_TRUE(end.wasSignaled);
+    return end.exitCode;
 }
 
 TEST_F(Map, ThatIsCanceledIsValidAndGoesOn) {
     const std::string scan = scratch.file("hills.gwy").string();
     const std::vector<std::string> arguments{"map", scan, "--out", scratch.file("map.gwy").string(),
                                              "--no-pictures"};
-    ASSERT_EQ(interrupted(arguments, scratch.file("map.gwy.part")), 1);
+    ASSERT_EQ(interrupted(arguments), 1);
     const HeightMapFile partial = read("map.gwy");
     const ScanChannel& pull = channelOf(partial, "pull-off force");
     const auto missing = std::ranges::count(pull.map.invalid, true);

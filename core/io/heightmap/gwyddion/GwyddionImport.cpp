@@ -1,5 +1,6 @@
 #include "core/Error.h"
 #include "core/PrivateFolder.h"
+#include "core/ProgramRun.h"
 #include "core/io/FileBytes.h"
 #include "core/io/TextValue.h"
 #include "core/io/heightmap/GwyddionScan.h"
@@ -7,12 +8,10 @@
 #include "core/io/heightmap/ScanImage.h"
 #include "core/io/heightmap/UnreadFormats.h"
 #include "core/io/heightmap/gwyddion/Identification.h"
-#include "core/io/heightmap/gwyddion/ProgramRun.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <fstream>
 #include <memory>
 #include <system_error>
 #include <unistd.h>
@@ -23,7 +22,6 @@ namespace asperity {
 
 namespace {
 
-constexpr std::uint64_t kBlock = std::uint64_t{1} << 20U;
 constexpr std::size_t kMaxName = 100;
 constexpr std::size_t kMaxQuote = 300;
 
@@ -105,18 +103,7 @@ private:
     void copyContent() const {
         makeFolder(input_.parent_path());
         makeFolder(folder_.path() / ".gwyddion");  // else it complains
-        std::ofstream copy(input_, std::ios::binary);
-        std::string block;
-        for (std::uint64_t place = 0; place < bytes_.size(); place += block.size()) {
-            block.resize(static_cast<std::size_t>(std::min(kBlock, bytes_.size() - place)));
-            bytes_.read(place, block);
-            copy.write(block.data(), static_cast<std::streamsize>(block.size()));
-        }
-        copy.close();
-        if (!copy) {
-            throw Error(input_.string() +
-                        ": the file cannot be copied for Gwyddion; is the disk full?");
-        }
+        copyTo(bytes_, input_);
     }
 
     [[nodiscard]] Identification identify() const {

@@ -188,7 +188,8 @@ ReadRow rowsOf(const TiffDirectory& directory, const TiffImage& image, bool bott
     }
     return rowsOfDecoded(
         [directory, image] { return decodeTiff(directory, image); },
-        {.size = image.size, .type = image.type, .order = kTiffNative, .bottomFirst = bottomFirst});
+        {.size = image.size, .type = image.type, .order = kTiffNative, .bottomFirst = bottomFirst},
+        directory.bytes().name());
 }
 
 }  // namespace asperity
