@@ -19,7 +19,8 @@ struct ScanChannel {
     std::string direction;    ///< "forward", "backward", or empty when the file does not say
     HeightMap map;         ///< values in `unit` (meters only when unit is "m"); pitch 0: not given
     bool isMask = false;   ///< the values mark a part of the scan (core/io/heightmap/MaskValues.h)
-    double originX = 0.0;  ///< offset of the scan in the instrument's frame [m]
+    double originX = 0.0;  ///< lower left corner of the image in the instrument's frame [m];
+                           ///< core/io/heightmap/ScanOrigin.h
     double originY = 0.0;  ///< [m]
     std::map<std::string, std::string> metadata;
     std::vector<std::string> notes;  ///< what the reader had to decide about it, a sentence each

@@ -43,7 +43,7 @@ struct StoredScan {
 /// What a written file says about a height map besides its heights.
 struct HeightMapMeta {
     std::string title = "Height";  ///< UTF-8
-    double originX = 0.0;          ///< offset of the scan in the instrument's frame [m]
+    double originX = 0.0;          ///< lower left corner in the instrument's frame [m]
     double originY = 0.0;          ///< [m]
     std::string unit = "m";        ///< of the values; empty: they are numbers, no heights
     /// What is known besides, by its name; UTF-8.

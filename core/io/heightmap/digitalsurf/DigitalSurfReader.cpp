@@ -5,6 +5,7 @@
 #include "core/io/heightmap/PhysicalUnit.h"
 #include "core/io/heightmap/SampleRows.h"
 #include "core/io/heightmap/ScanImage.h"
+#include "core/io/heightmap/ScanOrigin.h"
 
 #include <array>
 #include <cmath>
@@ -122,8 +123,8 @@ private:
         channel.map =
             emptyMap(size, double{number<float>(kDigitalSurfSteps[0])} * x.factor * size.columns,
                      double{number<float>(kDigitalSurfSteps[1])} * y.factor * size.rows);
-        channel.originX = finiteOrZero(double{number<float>(kOffsets[0])} * x.factor);
-        channel.originY = finiteOrZero(double{number<float>(kOffsets[1])} * y.factor);
+        setOrigin(channel, double{number<float>(kOffsets[0])} * x.factor,
+                  double{number<float>(kOffsets[1])} * y.factor, GivenPoint::Corner);
     }
 
     void requireScale() const {

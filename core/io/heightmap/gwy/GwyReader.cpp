@@ -5,6 +5,7 @@
 #include "core/io/heightmap/PhysicalUnit.h"
 #include "core/io/heightmap/SampleRows.h"
 #include "core/io/heightmap/ScanImage.h"
+#include "core/io/heightmap/ScanOrigin.h"
 #include "core/io/heightmap/gwy/GwyObject.h"
 #include "core/io/heightmap/gwy/GwyWriter.h"
 
@@ -138,8 +139,8 @@ private:
         channel.unit = data.unit.base;
         channel.lateralUnit = data.lateralUnit.base;
         channel.direction = directionFromName(channel.name);
-        channel.originX = finiteOrZero(data.offsetX * data.lateralUnit.factor);
-        channel.originY = finiteOrZero(data.offsetY * data.lateralUnit.factor);
+        setOrigin(channel, data.offsetX * data.lateralUnit.factor,
+                  data.offsetY * data.lateralUnit.factor, GivenPoint::Corner);
         channel.map = emptyMap(data.size, data.sizeX * data.lateralUnit.factor,
                                data.sizeY * data.lateralUnit.factor);
         ReadRow rows = data.rows(bytes_);

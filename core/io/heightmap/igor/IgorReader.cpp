@@ -3,6 +3,8 @@
 #include "core/io/heightmap/HeightMapFormat.h"
 #include "core/io/heightmap/PhysicalUnit.h"
 #include "core/io/heightmap/ScanImage.h"
+#include "core/io/heightmap/ScanOrigin.h"
+#include "core/io/heightmap/WholeImages.h"
 #include "core/io/heightmap/igor/AsylumChannel.h"
 #include "core/io/heightmap/igor/IgorWave.h"
 
@@ -35,11 +37,16 @@ public:
             .bottomFirst = true};
         StoredScan result;
         result.usualDirection = isAsylum() ? "backward" : "";
+        WholeImages whole;
         for (int layer = 0; layer < layers(); ++layer) {
-            requireSamples(bytes_, samples, "layer " + std::to_string(layer));
-            result.channels.push_back(channelOf(layer, samples));
+            StoredChannel image = channelOf(layer, samples);
+            if (whole.holds(bytes_, samples, "layer " + std::to_string(layer),
+                            image.channel.name)) {
+                result.channels.push_back(std::move(image));
+            }
             samples.place += samples.bytes();
         }
+        whole.finish(result);
         addProvenance(result);
         return result;
     }
@@ -120,8 +127,11 @@ private:
         channel.lateralUnit = x.base == y.base ? x.base : std::string();
         channel.map = emptyMap(size, wave_.steps[0] * x.factor * size.columns,
                                wave_.steps[1] * y.factor * size.rows);
-        channel.originX = finiteOrZero(wave_.starts[0] * x.factor);
-        channel.originY = finiteOrZero(wave_.starts[1] * y.factor);
+        setOrigin(channel, wave_.starts[0] * x.factor, wave_.starts[1] * y.factor,
+                  GivenPoint::Corner);
+        if (const auto angle = note_.find("ScanAngle"); angle != note_.end()) {
+            noteRotation(channel, parseNumber(angle->second).value_or(0.0));
+        }
     }
 
     void addProvenance(StoredScan& scan) const {

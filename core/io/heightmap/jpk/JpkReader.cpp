@@ -2,6 +2,7 @@
 #include "core/io/TextValue.h"
 #include "core/io/heightmap/ImageScale.h"
 #include "core/io/heightmap/PhysicalUnit.h"
+#include "core/io/heightmap/ScanOrigin.h"
 #include "core/io/heightmap/jpk/JpkImage.h"
 #include "core/io/heightmap/jpk/JpkSlot.h"
 #include "core/io/heightmap/tiff/TiffImage.h"
@@ -104,8 +105,9 @@ private:
         channel.lateralUnit = "m";
         channel.map = emptyMap(size, scan_.number(kJpkSizeX).value_or(0.0),
                                scan_.number(kJpkSizeY).value_or(0.0));
-        channel.originX = finiteOrZero(scan_.number(kJpkOriginX).value_or(0.0));
-        channel.originY = finiteOrZero(scan_.number(kJpkOriginY).value_or(0.0));
+        setOrigin(channel, scan_.number(kJpkOriginX).value_or(0.0),
+                  scan_.number(kJpkOriginY).value_or(0.0), GivenPoint::Corner);
+        noteRotation(channel, scan_.number(kRotation).value_or(0.0) * 180.0 / std::numbers::pi);
         channel.metadata = metadata_;
         settleSize(channel, "tags 32834 and 32835");
         return channel;
@@ -161,12 +163,6 @@ private:
             {"orientation",
              isReflected_ ? "first stored row on top" : "first stored row at the bottom",
              "tag 32837 (Reflect)"});
-        const double rotation = scan_.number(kRotation).value_or(0.0);
-        if (rotation != 0.0) {
-            result_.notes.push_back("the scan was rotated by " +
-                                    exactText(rotation * 180.0 / std::numbers::pi) +
-                                    " degrees at the instrument; the image is as it was scanned");
-        }
     }
 
     const ByteSource& bytes_;

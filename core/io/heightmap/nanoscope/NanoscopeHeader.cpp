@@ -10,7 +10,8 @@ namespace asperity {
 namespace {
 
 constexpr std::string_view kLineEnd = "\r\n";
-constexpr std::string_view kNanoscopeHeaderEnd = "\\*File list end";
+/// Behind "\*", or "\*EC " of electrochemistry.
+constexpr std::string_view kNanoscopeHeaderEnd = "File list end";
 constexpr char kPadding = '\x1A';
 
 /// The header's text, without its end mark and padding.
@@ -99,7 +100,9 @@ std::optional<CiaoValue> parseCiaoValue(std::string_view value) {
 }
 
 std::size_t nanoscopeHeaderSize(std::string_view bytes) {
-    return std::min(bytes.find(kNanoscopeHeaderEnd), bytes.find(kPadding));
+    const std::size_t mark = bytes.find(kNanoscopeHeaderEnd);
+    const std::size_t line = mark == std::string_view::npos ? mark : bytes.rfind('\\', mark);
+    return std::min(line, bytes.find(kPadding));
 }
 
 std::vector<NanoscopeSection> readNanoscopeHeader(std::string_view bytes, const std::string& file) {

@@ -2,6 +2,7 @@
 #include "core/io/TextValue.h"
 #include "core/io/heightmap/SampleRows.h"
 #include "core/io/heightmap/ScanImage.h"
+#include "core/io/heightmap/ScanOrigin.h"
 #include "core/io/heightmap/text/TextRows.h"
 #include "core/io/heightmap/text/TextWriter.h"
 
@@ -177,8 +178,7 @@ private:
         channel.direction = directionFromName(channel.name);
         channel.map = emptyMap(size, byPixel ? header_.pitch * size.columns : header_.sizeX,
                                byPixel ? header_.pitch * size.rows : header_.sizeY);
-        channel.originX = finiteOrZero(header_.originX);
-        channel.originY = finiteOrZero(header_.originY);
+        setOrigin(channel, header_.originX, header_.originY, GivenPoint::Corner);
         channel.metadata = std::move(header_.metadata);
         channel.notes = std::move(header_.notes);
         settleSize(channel, header_.sizeSource);

@@ -3,6 +3,7 @@
 #include "core/io/heightmap/HeightMapFormat.h"
 #include "core/io/heightmap/SampleRows.h"
 #include "core/io/heightmap/ScanImage.h"
+#include "core/io/heightmap/ScanOrigin.h"
 #include "core/io/heightmap/text/PointGrid.h"
 #include "core/io/heightmap/text/TextRows.h"
 
@@ -94,8 +95,8 @@ private:
         channel.map = emptyMap(size, pitchX * size.columns, pitchY * size.rows);
         if (known) {
             channel.lateralUnit = xUnit.base;
-            channel.originX = finiteOrZero(x_.first * xUnit.factor - 0.5 * pitchX);
-            channel.originY = finiteOrZero(y_.first * yUnit.factor - 0.5 * pitchY);
+            setOrigin(channel, x_.first * xUnit.factor, y_.first * yUnit.factor,
+                      GivenPoint::FirstPixel);
         } else {
             channel.notes.push_back("x and y have no unit; their steps are " + exactText(x_.pitch) +
                                     " and " + exactText(y_.pitch));
