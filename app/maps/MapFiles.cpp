@@ -37,8 +37,10 @@ enum class Naming : std::uint8_t { ByKey, ByName };
 class MapImages {
 public:
     MapImages(const LoadedScene& loaded, const MapPlan& plan)
-        : plan_(plan), originX_(loaded.originX + plan.region.left),
-          originY_(loaded.originY + plan.region.bottom), metadata_(metadataOf(loaded, plan)) {}
+        : plan_(plan)
+        , originX_(loaded.originX + plan.region.left)
+        , originY_(loaded.originY + plan.region.bottom)
+        , metadata_(metadataOf(loaded, plan)) {}
 
     /// @param remark on the channel; empty: none
     void add(const std::string& title, const char* unit, RowReader readRow,

@@ -105,22 +105,25 @@ std::size_t nanoscopeHeaderSize(std::string_view bytes) {
     return std::min(line, bytes.find(kPadding));
 }
 
+void takeNanoscopeLine(std::string_view line, std::vector<NanoscopeSection>& sections) {
+    if (line.starts_with('*')) {
+        sections.push_back({toUtf8(trimmed(line.substr(1))), {}});
+    } else if (const auto entry = parseEntry(line); entry && !sections.empty()) {
+        sections.back().entries.insert_or_assign(lowerCase(entry->key), *entry);
+    }
+}
+
 std::vector<NanoscopeSection> readNanoscopeHeader(std::string_view bytes, const std::string& file) {
     std::string_view text = headerText(bytes, file);
     std::vector<NanoscopeSection> sections;
     while (!text.empty()) {
         const std::size_t end = std::min(text.find(kLineEnd), text.size());
-        std::string_view line = text.substr(0, end);
+        const std::string_view line = text.substr(0, end);
         text.remove_prefix(std::min(end + kLineEnd.size(), text.size()));
         if (!line.starts_with('\\')) {
             continue;
         }
-        line.remove_prefix(1);
-        if (line.starts_with('*')) {
-            sections.push_back({toUtf8(trimmed(line.substr(1))), {}});
-        } else if (const auto entry = parseEntry(line); entry && !sections.empty()) {
-            sections.back().entries.insert_or_assign(lowerCase(entry->key), *entry);
-        }
+        takeNanoscopeLine(line.substr(1), sections);
     }
     return sections;
 }

@@ -87,9 +87,7 @@ bool isNamed(const NanoscopeSection& section, std::span<const std::string_view> 
 
 }  // namespace
 
-bool isNanoscopeImageList(const NanoscopeSection& section) {
-    return isNamed(section, kImageLists);
-}
+bool isNanoscopeImageList(const NanoscopeSection& section) { return isNamed(section, kImageLists); }
 
 NanoscopeImage::NanoscopeImage(const std::vector<NanoscopeSection>& sections,
                                const NanoscopeSection& image, std::string file, std::string place)
@@ -131,7 +129,30 @@ NanoscopeLayout NanoscopeImage::layout() const {
     const ScanGrid grid = scanGrid();
     NanoscopeLayout layout;
     layout.sampleBytes = storedSampleBytes();
-    fitSize(layout, own, grid);
+    const long long offset = integer("Data offset");
+    const long long length = integer("Data length");
+    if (offset <= 0 || length <= 0 || !fitSize(layout, own, grid, length)) {
+        fail("'Data offset' " + std::to_string(offset) + " and 'Data length' " +
+             std::to_string(length) + " do not fit " + std::to_string(own.columns) + " x " +
+             std::to_string(own.rows) + " samples of " + std::to_string(layout.sampleBytes) +
+             " bytes");
+    }
+    layout.offset = static_cast<std::uint64_t>(offset);
+    readScanSize(layout, own, grid);
+    return layout;
+}
+
+NanoscopeLayout NanoscopeImage::layoutOf(std::uint64_t values) const {
+    const ImageSize own = ownSize();
+    const ScanGrid grid = scanGrid();
+    NanoscopeLayout layout;
+    layout.sampleBytes = 1;
+    if (!fitSize(layout, own, grid, static_cast<long long>(values)) ||
+        layout.size.pixels() != values) {
+        fail("it promises " + std::to_string(own.columns) + " x " + std::to_string(own.rows) +
+             " values, and there are " + std::to_string(values) +
+             "; the file is truncated or damaged");
+    }
     readScanSize(layout, own, grid);
     return layout;
 }
@@ -155,9 +176,8 @@ NanoscopeImage::ScanGrid NanoscopeImage::scanGrid() const {
 
 /// As Gwyddion does it: the size that is exactly as long as the data; else the larger one of those
 /// that are shorter. Else the scan was stopped, and the data are its first lines.
-void NanoscopeImage::fitSize(NanoscopeLayout& layout, ImageSize own, const ScanGrid& grid) const {
-    const long long offset = integer("Data offset");
-    const long long length = integer("Data length");
+bool NanoscopeImage::fitSize(NanoscopeLayout& layout, ImageSize own, const ScanGrid& grid,
+                             long long length) {
     const long long rowBytes = static_cast<long long>(own.columns) * layout.sampleBytes;
     const long long ownBytes = rowBytes * own.rows;
     const long long columns = grid.columns > 0 ? grid.columns : own.columns;
@@ -166,20 +186,14 @@ void NanoscopeImage::fitSize(NanoscopeLayout& layout, ImageSize own, const ScanG
     const bool isExact = length == ownBytes || length == scanBytes;
     layout.isOfScan = isExact ? length != ownBytes
                               : scanBytes < length && (scanBytes > ownBytes || ownBytes > length);
-    layout.size = layout.isOfScan ? ImageSize{static_cast<int>(columns), static_cast<int>(rows)}
-                                  : own;
+    layout.size =
+        layout.isOfScan ? ImageSize{static_cast<int>(columns), static_cast<int>(rows)} : own;
     layout.plannedRows = layout.size.rows;
-    const bool isStopped = !layout.isOfScan && length < ownBytes;
-    if (offset <= 0 || length <= 0 || (isStopped && length % rowBytes != 0)) {
-        fail("'Data offset' " + std::to_string(offset) + " and 'Data length' " +
-             std::to_string(length) + " do not fit " + std::to_string(own.columns) + " x " +
-             std::to_string(own.rows) + " samples of " + std::to_string(layout.sampleBytes) +
-             " bytes");
+    if (layout.isOfScan || length >= ownBytes) {
+        return true;
     }
-    layout.offset = static_cast<std::uint64_t>(offset);
-    if (isStopped) {
-        layout.size.rows = static_cast<int>(length / rowBytes);
-    }
+    layout.size.rows = static_cast<int>(length / rowBytes);
+    return length > 0 && length % rowBytes == 0;
 }
 
 /// As Gwyddion does it, docs/formats.md 3.
@@ -208,8 +222,7 @@ void NanoscopeImage::readScanSize(NanoscopeLayout& layout, ImageSize own,
 
 NanoscopeScale NanoscopeImage::oldScale() const {
     const std::optional<OldScale> scale = oldNanoscopeScale(
-        *image_,
-        [this](NanoscopeList list, const std::string& key) { return findIn(list, key); });
+        *image_, [this](NanoscopeList list, const std::string& key) { return findIn(list, key); });
     if (!scale) {
         fail("it has no '@2:Z scale', nor what NanoScope before version 4.3 has in its place");
     }

@@ -52,6 +52,9 @@ public:
     [[nodiscard]] std::string direction() const;
     /// @throw InputError when sizes are missing, wrong, or do not fit together
     [[nodiscard]] NanoscopeLayout layout() const;
+    /// The same of an image whose samples stand as text: their number takes the place of the length
+    /// of the data. @throw InputError likewise
+    [[nodiscard]] NanoscopeLayout layoutOf(std::uint64_t values) const;
     /// @throw InputError when the scale or its sensitivity cannot be read
     [[nodiscard]] NanoscopeScale scale() const;
     /// A parameter of the header's file list; empty: it has none.
@@ -76,7 +79,9 @@ private:
     [[nodiscard]] ImageSize ownSize() const;
     [[nodiscard]] ScanGrid scanGrid() const;
     /// Decides between the image's own size and that of the scan list by the length of the data.
-    void fitSize(NanoscopeLayout& layout, ImageSize own, const ScanGrid& grid) const;
+    /// @return whether one of them fits it
+    [[nodiscard]] static bool fitSize(NanoscopeLayout& layout, ImageSize own, const ScanGrid& grid,
+                                      long long length);
     [[nodiscard]] const std::string* findIn(std::span<const std::string_view> sections,
                                             const std::string& key) const;
     [[nodiscard]] const std::string* findIn(NanoscopeList list, const std::string& key) const;

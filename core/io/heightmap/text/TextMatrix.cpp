@@ -62,6 +62,7 @@ public:
         requireNoProfile();
         readNumbers();
         dropNumbering();
+        takeMask();
         requirePromisedSize();
         markNoData();
         StoredScan scan;
@@ -138,6 +139,20 @@ private:
         numbers_ = std::move(heights);
         --count_;
         --columns_;
+    }
+
+    /// SPIP's lines of 1 and 0 behind the numbers, one for each: 0 is a pixel without data.
+    void takeMask() {
+        if (!header_.hasMask || count_ != 2 * header_.rows) {
+            return;
+        }
+        const auto half = static_cast<std::ptrdiff_t>(numbers_.size() / 2);
+        std::transform(numbers_.begin(), numbers_.begin() + half, numbers_.begin() + half,
+                       numbers_.begin(), [](double number, double valid) {
+                           return valid == 0.0 ? std::numeric_limits<double>::quiet_NaN() : number;
+                       });
+        numbers_.resize(static_cast<std::size_t>(half));
+        count_ /= 2;
     }
 
     void requirePromisedSize() const {

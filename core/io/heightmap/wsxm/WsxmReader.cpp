@@ -21,6 +21,7 @@ namespace {
 constexpr std::string_view kWsxmMagic = "WSxM file copyright";
 constexpr std::string_view kImageLine = "SxM Image file";
 constexpr std::string_view kPointsLine = "WSxM ASCII XYZ file";
+constexpr std::string_view kMatrixLine = "WSxM ASCII Matrix file";
 constexpr std::string_view kWsxmHeaderEnd = "[Header end]";
 
 constexpr std::array<std::pair<std::string_view, SampleType>, 4> kTypes{
@@ -36,9 +37,13 @@ std::string secondLine(const ByteSource& bytes) {
     return lines.size() > 1 ? std::string(lines[1]) : std::string();
 }
 
-/// Points as text have a reader of their own.
+/// Those as text have readers of their own.
 bool recognizesWsxm(const ByteSource& bytes) {
-    return bytes.startsWith(kWsxmMagic) && !secondLine(bytes).starts_with(kPointsLine);
+    if (!bytes.startsWith(kWsxmMagic)) {
+        return false;
+    }
+    const std::string kind = secondLine(bytes);
+    return !kind.starts_with(kPointsLine) && !kind.starts_with(kMatrixLine);
 }
 
 class WsxmReader {

@@ -148,8 +148,8 @@ TEST(NanoscopeReader, AnotherAspectScalesTheHeightByLinesOverSamples) {
     text.scanSize = "30 30 nm";
     for (const char* const aspect : {"3:2", "0.516184", "2:1"}) {
         text.aspectRatio = aspect;
-        text.scanGrid = "\\Samps/line: 3\r\n\\Lines: 2\r\n\\Aspect Ratio: " +
-                        std::string(aspect) + "\r\n";
+        text.scanGrid =
+            "\\Samps/line: 3\r\n\\Lines: 2\r\n\\Aspect Ratio: " + std::string(aspect) + "\r\n";
         EXPECT_DOUBLE_EQ(nanoscopeChannel(text).map.sizeY(), 20e-9) << aspect;
     }
 }
@@ -283,7 +283,8 @@ TEST(NanoscopeReader, TruncatedFileThatLostPartOfItsHeaderIsRefused) {
 
 TEST(NanoscopeReader, ProfilesOfTrenchesAreRefusedInWords) {
     std::string bytes = nanoscopeFile({});
-    bytes.replace(bytes.find("\\Data length: 1200"), 18, "\\Start context: LVAR\r\n\\Data length: 1200");
+    bytes.replace(bytes.find("\\Data length: 1200"), 18,
+                  "\\Start context: LVAR\r\n\\Data length: 1200");
     bytes.erase(bytes.find('\x1A'), 22);
     EXPECT_THAT(refusalOf([&] { (void)readHeightMapBytes(bytes, "trench.spm"); }),
                 HasSubstr("profiles of different lengths"));
