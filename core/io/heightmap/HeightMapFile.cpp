@@ -91,7 +91,8 @@ ScanChannel essentialsOf(const ScanChannel& channel) {
     return {.name = channel.name,
             .unit = channel.unit,
             .lateralUnit = channel.lateralUnit,
-            .map = channel.map};
+            .map = channel.map,
+            .isSurface = channel.isSurface};
 }
 
 /// What is given of a scale does not change which channel is taken.

@@ -138,7 +138,7 @@ private:
     /// streams.
     void findStreams() {
         constexpr std::uint32_t kMostStreams = 65536;
-        const auto count = numberIn<std::uint32_t>(bytes_, {samples_.place, sizeof(count)});
+        const auto count = numberIn<std::uint32_t>(bytes_, {samples_.place, sizeof(std::uint32_t)});
         if (count < 1 || count > kMostStreams) {
             fail("byte " + std::to_string(samples_.place),
                  "expected 1 to " + std::to_string(kMostStreams) + " compressed streams, found " +

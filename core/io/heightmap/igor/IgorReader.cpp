@@ -27,7 +27,7 @@ public:
 
     StoredScan read() {
         refuseCurves();
-        requireFooter();
+        refuseCut();
         note_ = parseAsylumNote(wave_.note);
         SampleLayout samples{
             .size = checkedImageSize(wave_.counts[0], wave_.counts[1], bytes_.name(), "dimensions"),
@@ -47,6 +47,7 @@ public:
             samples.place += samples.bytes();
         }
         whole.finish(result);
+        noteCut(result);
         addProvenance(result);
         return result;
     }
@@ -79,11 +80,22 @@ private:
                std::ranges::any_of(wave_.labels[2], isAsylumLabel);
     }
 
+    /// Without labels nobody can tell a single image from force curves; several are no curves.
+    void refuseCut() const {
+        if (wave_.cut && wave_.counts[2] == 0) {
+            throw InputError(*wave_.cut);
+        }
+    }
+
     /// Asylum's program ends a file with previews and their list.
-    void requireFooter() const {
-        if (isAsylum() && !wave_.footer.empty() && !wave_.footer.ends_with(kImageFooter)) {
-            throw InputError(bytes_.name(), "byte " + std::to_string(bytes_.size()),
-                             "expected 'MFP3D' at the end; the file is truncated");
+    void noteCut(StoredScan& scan) const {
+        const bool lostFooter =
+            isAsylum() && !wave_.footer.empty() && !wave_.footer.ends_with(kImageFooter);
+        if (wave_.cut) {
+            scan.notes.emplace_back(
+                "the file is truncated: it lost names and units of its channels");
+        } else if (lostFooter) {
+            scan.notes.emplace_back("the file is truncated: it does not end with 'MFP3D'");
         }
     }
 

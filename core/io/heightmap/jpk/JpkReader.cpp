@@ -3,6 +3,7 @@
 #include "core/io/heightmap/ImageScale.h"
 #include "core/io/heightmap/PhysicalUnit.h"
 #include "core/io/heightmap/ScanOrigin.h"
+#include "core/io/heightmap/WholeImages.h"
 #include "core/io/heightmap/jpk/JpkImage.h"
 #include "core/io/heightmap/jpk/JpkSlot.h"
 #include "core/io/heightmap/tiff/TiffImage.h"
@@ -47,22 +48,28 @@ constexpr std::size_t kJpkMaxText = 4096;
 class JpkReader {
 public:
     explicit JpkReader(const ByteSource& bytes)
-        : bytes_(bytes), directories_(readTiffDirectories(bytes)), scan_(directories_.front()) {}
+        : bytes_(bytes)
+        , directories_(readTiffDirectories(bytes, &images_))
+        , scan_(directories_.front()) {}
 
     StoredScan read() {
         requireImages(directories_.size(), bytes_.name(), "directories");
-        requireBlocks(directories_);
+        // The first one is a picture; it stays where it is.
+        std::vector<TiffDirectory> channels(directories_.begin() + 1, directories_.end());
+        leaveOutCut(channels, images_, nameOf);
+        requireBlocks(channels);
         isReflected_ = scan_.integer(kReflect).value_or(0) != 0;
         for (const auto& [key, tag] : kTexts) {
             if (const std::string text(trimmed(scan_.text(tag))); !text.empty()) {
                 metadata_.emplace(key, text.substr(0, kJpkMaxText));
             }
         }
-        for (std::size_t i = 1; i < directories_.size(); ++i) {
-            if (directories_[i].has(kChannel)) {
-                addChannel(directories_[i]);
+        for (const TiffDirectory& directory : channels) {
+            if (directory.has(kChannel)) {
+                addChannel(directory);
             }
         }
+        images_.finish(result_);
         if (result_.channels.empty()) {
             throw InputError(bytes_.name(), "", "this JPK file holds a picture, but no channel");
         }
@@ -166,6 +173,7 @@ private:
     }
 
     const ByteSource& bytes_;
+    WholeImages images_;
     std::vector<TiffDirectory> directories_;
     const TiffDirectory& scan_;
     bool isReflected_ = false;

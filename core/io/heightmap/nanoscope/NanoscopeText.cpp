@@ -11,6 +11,7 @@
 #include "core/io/heightmap/nanoscope/NanoscopeImage.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <deque>
 #include <optional>
@@ -81,6 +82,20 @@ std::vector<ColumnTitle> titlesIn(std::string_view line) {
 bool arePoints(const std::vector<ColumnTitle>& titles) {
     return titles.size() == 3 && lowerCase(titles[0].name) == "x" &&
            lowerCase(titles[1].name) == "y";
+}
+
+/// Of curves as text, the first column is what the others are measured over.
+bool areCurves(const std::vector<ColumnTitle>& titles) {
+    constexpr std::array<std::string_view, 9> kAbscissas{"z",
+                                                         "time",
+                                                         "ramp",
+                                                         "distance",
+                                                         "separation",
+                                                         "extension",
+                                                         "tip-sample separation",
+                                                         "sample bias",
+                                                         "x"};
+    return titles.size() > 1 && std::ranges::count(kAbscissas, lowerCase(titles[0].name)) > 0;
 }
 
 /// How numbers stand below a line of titles: it says what separates them.
@@ -224,6 +239,11 @@ private:
         const std::size_t values = numbers_.front().size();
         if (!images_.empty()) {
             return imageOf(0).layoutOf(values);
+        }
+        if (areCurves(titles_)) {
+            throw InputError(file_, "",
+                             "this text holds curves over '" + titles_[0].name +
+                                 "', such as force curves, and no image");
         }
         const auto side = static_cast<long long>(std::llround(std::sqrt(values)));
         if (values == 0 || static_cast<std::size_t>(side * side) != values) {

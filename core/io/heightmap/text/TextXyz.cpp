@@ -8,6 +8,7 @@
 #include "core/io/heightmap/text/TextRows.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <limits>
 #include <utility>
@@ -64,7 +65,31 @@ private:
         }
     }
 
+    /// Whether the first column rises or falls in equal steps from line to line: of points on a
+    /// grid it repeats.
+    [[nodiscard]] bool isCurve() const {
+        constexpr std::size_t kFewest = 10;
+        const std::size_t count = points_.size();
+        if (count < kFewest) {
+            return false;
+        }
+        const auto first = [this](std::size_t line) { return points_.numbers[3 * line]; };
+        const double step = (first(count - 1) - first(0)) / static_cast<double>(count - 1);
+        for (std::size_t i = 1; i < count; ++i) {
+            if (!(std::abs(first(i) - first(i - 1) - step) < 0.1 * std::abs(step))) {
+                return false;
+            }
+        }
+        return true;
+    }
+
     void findGrid() {
+        if (isCurve()) {
+            throw InputError(file_, "",
+                             "three columns of numbers, the first in equal steps, are a curve and "
+                             "no height map: NT-MDT exports force curves so, approach beside "
+                             "retract");
+        }
         const std::optional<GridAxis> x = gridAxis(points_, 0);
         const std::optional<GridAxis> y = gridAxis(points_, 1);
         const std::size_t count = points_.size();

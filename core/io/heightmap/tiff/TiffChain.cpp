@@ -1,4 +1,5 @@
 #include "core/Error.h"
+#include "core/io/heightmap/WholeImages.h"
 #include "core/io/heightmap/tiff/TiffDirectory.h"
 #include "core/io/heightmap/tiff/TiffValue.h"
 
@@ -179,7 +180,7 @@ bool isTiffWithTag(const ByteSource& bytes, std::uint16_t tag) {
     }
 }
 
-std::vector<TiffDirectory> readTiffDirectories(const ByteSource& bytes) {
+std::vector<TiffDirectory> readTiffDirectories(const ByteSource& bytes, WholeImages* images) {
     const std::optional<ChainHeader> header = headerOf(bytes);
     if (!header) {
         throw InputError(bytes.name(), "", "this is no TIFF");
@@ -187,7 +188,15 @@ std::vector<TiffDirectory> readTiffDirectories(const ByteSource& bytes) {
     Chain chain(bytes, *header);
     std::vector<TiffDirectory> directories;
     while (!chain.atEnd()) {
-        directories.push_back(chain.take());
+        try {
+            directories.push_back(chain.take());
+        } catch (const InputError& error) {
+            if (images == nullptr || directories.empty()) {
+                throw;
+            }
+            images->leaveOut("directory " + std::to_string(directories.size() + 1), error);
+            break;
+        }
     }
     if (directories.empty()) {
         throw InputError(bytes.name(), "header", "expected the place of a first directory");

@@ -30,7 +30,7 @@ TEST(PicoviewReader, FirstStoredRowIsTheBottomOfTheImage) {
     EXPECT_EQ(channel.direction, "forward");
     EXPECT_DOUBLE_EQ(channel.map.sizeX(), 30e-9);
     EXPECT_DOUBLE_EQ(channel.map.sizeY(), 20e-9);
-    EXPECT_DOUBLE_EQ(channel.originX, 1e-9);
+    EXPECT_DOUBLE_EQ(channel.originX, 1e-9 - 15e-9);  // the offset is that of the center
     EXPECT_DOUBLE_EQ(channel.map.at(0, 0), 4 * 2e-6 / 2147483648.0);
     EXPECT_DOUBLE_EQ(channel.map.at(1, 2), 3 * 2e-6 / 2147483648.0);
     EXPECT_EQ(channel.metadata.at("version"), "PicoView 0x10c04");
