@@ -92,7 +92,9 @@ ScanChannel essentialsOf(const ScanChannel& channel) {
             .unit = channel.unit,
             .lateralUnit = channel.lateralUnit,
             .map = channel.map,
-            .isSurface = channel.isSurface};
+            .isSurface = channel.isSurface,
+            .originX = channel.originX,
+            .originY = channel.originY};
 }
 
 /// What is given of a scale does not change which channel is taken.

@@ -118,10 +118,21 @@ private:
             if (images_.areAll()) {
                 throw;
             }
-            if (const std::string name = toUtf8(components.name()); !name.empty()) {
-                images_.leaveOut(name, error);
-            }
+            leaveOutCut(components.name(), error);
         }
+    }
+
+    /// What the file's end cuts. An image whose mask is cut is not whole: masks hold pixels without
+    /// data, which importers fill.
+    void leaveOutCut(const std::string& name, const InputError& error) {
+        if (!name.empty()) {
+            images_.leaveOut(toUtf8(name), error);
+        }
+        if (const std::optional<ImageKey> key = parseKey(name); key && key->rest == "mask") {
+            parts_.erase(key->image);
+        }
+        result_.notes.emplace_back(
+            "a mask of pixels without data may be lost with the end of the file");
     }
 
     /// The container, or what is there of it in a truncated file.

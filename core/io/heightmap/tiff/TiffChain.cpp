@@ -50,6 +50,11 @@ std::optional<ChainHeader> headerOf(const ByteSource& bytes) {
     return std::nullopt;
 }
 
+/// Of a directory that is not all within the file.
+class CutDirectory : public InputError {
+    using InputError::InputError;
+};
+
 /// Walks from directory to directory.
 class Chain {
 public:
@@ -142,15 +147,18 @@ private:
 
     [[nodiscard]] std::string read(const ByteSpan& span, const std::string& name) const {
         if (span.place > bytes_.size() || span.count > bytes_.size() - span.place) {
-            fail(name, "it is at byte " + std::to_string(span.place) + ", but the file has " +
-                           std::to_string(bytes_.size()) + "; it is truncated or damaged");
+            throw CutDirectory(bytes_.name(), name,
+                               "it is at byte " + std::to_string(span.place) +
+                                   ", but the file has " + std::to_string(bytes_.size()) +
+                                   "; it is truncated or damaged");
         }
         return bytesOf(bytes_, span);
     }
 
     [[noreturn]] void failBeyond(std::uint16_t tag, const std::string& name) const {
-        fail(name, "the values of tag " + std::to_string(tag) +
-                       " are beyond the end of the file; it is truncated or damaged");
+        throw CutDirectory(bytes_.name(), name,
+                           "the values of tag " + std::to_string(tag) +
+                               " are beyond the end of the file; it is truncated or damaged");
     }
     [[noreturn]] void fail(const std::string& place, const std::string& what) const {
         throw InputError(bytes_.name(), place, what);
@@ -190,7 +198,7 @@ std::vector<TiffDirectory> readTiffDirectories(const ByteSource& bytes, WholeIma
     while (!chain.atEnd()) {
         try {
             directories.push_back(chain.take());
-        } catch (const InputError& error) {
+        } catch (const CutDirectory& error) {
             if (images == nullptr || directories.empty()) {
                 throw;
             }

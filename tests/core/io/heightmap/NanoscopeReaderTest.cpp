@@ -134,7 +134,7 @@ TEST(NanoscopeReader, SizeOfASquareAspectStandsAsItIsWritten) {
     const ScanChannel channel = nanoscopeChannel(text);
     EXPECT_DOUBLE_EQ(channel.map.sizeX(), 30e-9);
     EXPECT_DOUBLE_EQ(channel.map.sizeY(), 30e-9);
-    EXPECT_THAT(channel.notes, testing::Contains(HasSubstr("10.0 nm x 15.0 nm")));
+    EXPECT_THAT(channel.notes, testing::Contains(HasSubstr("10 nm x 15 nm")));
     text.scanSize = "30 nm";
     EXPECT_DOUBLE_EQ(nanoscopeChannel(text).map.sizeY(), 30e-9);
     text.scanSize = "30 15 nm";
@@ -294,7 +294,8 @@ TEST(NanoscopeReader, StoppedScanShowsItsStoredLinesOnlyAndSaysSo) {
     NanoscopeText text;
     text.lines = "8";
     text.scanSize = "30 80 nm";
-    text.aspectRatio = "3:8";
+    text.aspectRatio = "1:1";
+    text.scanGrid = "\\Lines: 8\r\n";
     const HeightMapFile file = readHeightMapBytes(nanoscopeFile(text), "scan");
     EXPECT_EQ(file.channels.at(0).map.rows, 2);
     EXPECT_DOUBLE_EQ(file.channels.at(0).map.sizeY(), 20e-9);

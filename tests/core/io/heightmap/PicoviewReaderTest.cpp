@@ -97,7 +97,13 @@ TEST(PicoviewReader, RefusesWhatDoesNotFit) {
     EXPECT_THAT(refusalOfPicoview(text), HasSubstr("lists no image"));
     text = {};
     text.image += "bufferLabel   Friction\n";
-    EXPECT_THAT(refusalOfPicoview(text), HasSubstr("image 'Friction': its data end at byte"));
+    const std::string cut = picoviewFile(text, SampleType::Int32);
+    const HeightMapFile file = readHeightMapBytes(cut, "cut.mi");
+    EXPECT_EQ(file.channels.size(), 1U);
+    EXPECT_THAT(file.notes, testing::Contains(HasSubstr("not hold all of 'Friction'")));
+    EXPECT_THAT(
+        refusalOf([&] { (void)readHeightMapBytes(cut.substr(0, cut.size() - 1), "cut.mi"); }),
+        HasSubstr("image 'Topography': its data end at byte"));
 }
 
 }  // namespace asperity::test
