@@ -49,6 +49,13 @@ TEST(HeightMapFile, DefaultChannelFollowsTheUsualDirectionOfTheVendor) {
     EXPECT_EQ(suggestDefaultChannel(channels), 0U);
 }
 
+TEST(HeightMapFile, CurrentIsNoTopographyButMayBeKeptConstantForOne) {
+    EXPECT_EQ(defaultOf({channel("Current", "m"), channel("Image", "m")}), "Image");
+    EXPECT_EQ(defaultOf({channel("Tunnel current", "m"), channel("z", "m")}), "z");
+    EXPECT_EQ(defaultOf({channel("Constant current topography", "m"), channel("Other", "m")}),
+              "Constant current topography");
+}
+
 TEST(HeightMapFile, SaysWhyAPathCannotBeRead) {
     const ScratchFolder folder;
     EXPECT_THAT(refusalOfPath(folder.file("none.gwy")),
