@@ -92,7 +92,7 @@ TEST_F(Map, OriginIsTheCornerOfItsRegionInTheFrameOfTheInstrument) {
                          .heights = std::vector<double>(256, 0.0)};
     writeHeightMap(scratch.file("hills.gwy"), flat,
                    {.title = "Height", .originX = 1e-6, .originY = -2e-6});
-    const auto ran = run("map.gwy", "--grid 2x2 --region 8nm,4nm,24nm,20nm");
+    const auto ran = run("map.gwy", "--grid 2x2 --region 8e-9,4e-9,24e-9,20e-9");
     ASSERT_EQ(ran.exitCode, 0) << ran.output;
     const HeightMapFile gwy = read("map.gwy");
     const ScanChannel& pull = channelOf(gwy, "pull-off force");

@@ -4,9 +4,8 @@
 #include "core/SiFormat.h"
 #include "core/io/TextValue.h"
 #include "core/io/heightmap/PhysicalUnit.h"
+#include "core/io/heightmap/nanoscope/NanoscopeLists.h"
 
-#include <algorithm>
-#include <array>
 #include <charconv>
 #include <cmath>
 #include <utility>
@@ -68,26 +67,7 @@ long long leadingCount(const std::string* text) {
     return good ? static_cast<long long>(number->value) : 0;
 }
 
-// NanoScope E and others have other names for the same lists; in lower case.
-constexpr std::array<std::string_view, 3> kFileLists{"file list", "ec file list",
-                                                     "force file list"};
-constexpr std::array<std::string_view, 2> kScannerLists{"scanner list", "microscope list"};
-constexpr std::array<std::string_view, 4> kScanLists{"ciao scan list", "afm list", "stm list",
-                                                     "nc afm list"};
-/// Those that give the grid of the scan.
-constexpr std::array<std::string_view, 5> kGridLists{"ciao scan list", "afm list", "stm list",
-                                                     "nc afm list", "ciao force list"};
-constexpr std::array<std::string_view, 1> kControllerLists{"controller list"};
-constexpr std::array<std::string_view, 5> kImageLists{
-    "ciao image list", "afm image list", "stm image list", "ncafm image list", "image list"};
-
-bool isNamed(const NanoscopeSection& section, std::span<const std::string_view> names) {
-    return std::ranges::count(names, lowerCase(section.name)) > 0;
-}
-
 }  // namespace
-
-bool isNanoscopeImageList(const NanoscopeSection& section) { return isNamed(section, kImageLists); }
 
 NanoscopeImage::NanoscopeImage(const std::vector<NanoscopeSection>& sections,
                                const NanoscopeSection& image, std::string file, std::string place)
@@ -163,7 +143,7 @@ NanoscopeImage::ScanGrid NanoscopeImage::scanGrid() const {
         if (&section == image_) {
             break;
         }
-        if (isNamed(section, kGridLists)) {
+        if (isNamed(section, kNanoscopeGridLists)) {
             const long long columns = leadingCount(section.find("Samps/line"));
             const long long rows = leadingCount(section.find("Lines"));
             grid.columns = columns > 0 ? columns : grid.columns;
@@ -201,7 +181,7 @@ void NanoscopeImage::readScanSize(NanoscopeLayout& layout, ImageSize own,
                                   const ScanGrid& grid) const {
     const std::string* text = image_->find("Scan size");
     if (text == nullptr) {
-        text = findIn(kScanLists, "Scan size");
+        text = findIn(kNanoscopeScanLists, "Scan size");
     }
     const std::optional<ScanSize> size = text ? parseScanSize(*text) : std::nullopt;
     if (!size) {
@@ -265,9 +245,9 @@ NanoscopeScale NanoscopeImage::sensitivity(const std::string& softScale,
     if (softScale.empty()) {
         return {1.0, hardUnit, ""};
     }
-    const std::string* entry = findIn(kScannerLists, "@" + softScale);
+    const std::string* entry = findIn(kNanoscopeScannerLists, "@" + softScale);
     if (entry == nullptr) {
-        entry = findIn(kScanLists, "@" + softScale);
+        entry = findIn(kNanoscopeScanLists, "@" + softScale);
     }
     if (entry == nullptr) {
         return {1.0, hardUnit, ""};
@@ -313,7 +293,7 @@ int NanoscopeImage::bytesPerPixel() const {
 }
 
 std::string NanoscopeImage::ofFile(const std::string& key) const {
-    const std::string* const text = findIn(kFileLists, key);
+    const std::string* const text = findIn(kNanoscopeFileLists, key);
     return text == nullptr ? std::string() : *text;
 }
 
@@ -327,7 +307,7 @@ int NanoscopeImage::storedSampleBytes() const {
 }
 
 std::optional<double> NanoscopeImage::scanLength(const std::string& key) const {
-    const std::string* text = findIn(kScanLists, key);
+    const std::string* text = findIn(kNanoscopeScanLists, key);
     const std::optional<LeadingNumber> number =
         text ? parseLeadingNumber(*text) : std::optional<LeadingNumber>();
     if (!number) {
@@ -347,7 +327,7 @@ std::optional<NanoscopePlace> NanoscopeImage::center() const {
 }
 
 double NanoscopeImage::rotation() const {
-    const std::string* const text = findIn(kScanLists, "Rotate Ang.");
+    const std::string* const text = findIn(kNanoscopeScanLists, "Rotate Ang.");
     const std::optional<LeadingNumber> angle =
         text ? parseLeadingNumber(*text) : std::optional<LeadingNumber>();
     return angle ? angle->value : 0.0;
@@ -386,11 +366,11 @@ const std::string* NanoscopeImage::findIn(std::span<const std::string_view> sect
 const std::string* NanoscopeImage::findIn(NanoscopeList list, const std::string& key) const {
     switch (list) {
     case NanoscopeList::Scanner:
-        return findIn(kScannerLists, key);
+        return findIn(kNanoscopeScannerLists, key);
     case NanoscopeList::Scan:
-        return findIn(kScanLists, key);
+        return findIn(kNanoscopeScanLists, key);
     case NanoscopeList::Controller:
-        return findIn(kControllerLists, key);
+        return findIn(kNanoscopeControllerLists, key);
     }
     return nullptr;
 }

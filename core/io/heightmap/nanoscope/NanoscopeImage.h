@@ -36,9 +36,6 @@ struct NanoscopePlace {
     double y = 0.0;
 };
 
-/// Whether a section lists an image; other versions call it otherwise than "Ciao image list".
-[[nodiscard]] bool isNanoscopeImageList(const NanoscopeSection& section);
-
 /// What the sections of a NanoScope header say about one image.
 class NanoscopeImage {
 public:

@@ -7,6 +7,7 @@
 #include "core/io/heightmap/WholeImages.h"
 #include "core/io/heightmap/nanoscope/NanoscopeHeader.h"
 #include "core/io/heightmap/nanoscope/NanoscopeImage.h"
+#include "core/io/heightmap/nanoscope/NanoscopeLists.h"
 
 #include <algorithm>
 #include <utility>

@@ -9,6 +9,7 @@
 #include "core/io/heightmap/ScanOrigin.h"
 #include "core/io/heightmap/nanoscope/NanoscopeHeader.h"
 #include "core/io/heightmap/nanoscope/NanoscopeImage.h"
+#include "core/io/heightmap/nanoscope/NanoscopeLists.h"
 
 #include <algorithm>
 #include <array>
