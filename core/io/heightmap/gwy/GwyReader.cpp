@@ -131,8 +131,6 @@ private:
         if (const std::optional<ImageKey> key = parseKey(name); key && key->rest == "mask") {
             parts_.erase(key->image);
         }
-        result_.notes.emplace_back(
-            "a mask of pixels without data may be lost with the end of the file");
     }
 
     /// The container, or what is there of it in a truncated file.
@@ -146,6 +144,8 @@ private:
         const std::uint64_t there = std::min<std::uint64_t>(size, reader.remaining());
         container.components = reader.take(there, "an object");
         if (there < size) {
+            result_.notes.emplace_back(
+                "a mask of pixels without data may be lost with the end of the file");
             images_.leaveOut("what follows byte " + std::to_string(bytes_.size()),
                              InputError(file_, "byte " + std::to_string(bytes_.size()),
                                         "expected " + std::to_string(size - there) +
