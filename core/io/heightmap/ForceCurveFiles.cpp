@@ -46,8 +46,8 @@ bool isCurveTable(std::string_view start) {
     const bool titled = contains(start, "force") &&
                         (contains(start, "tip position") || contains(start, "height (measured)") ||
                          contains(start, "height (piezo)"));
-    return start.starts_with('#') && (contains(start, "\"imaging mode\": \"force-") ||
-                                      (titled && contains(start, "segment")));
+    return start.starts_with('#') &&
+           (contains(start, "\"imaging mode\":") || (titled && contains(start, "segment")));
 }
 
 bool isParkPinPoint(std::string_view start) { return start.starts_with("PS-PPT/"); }
