@@ -17,6 +17,7 @@ real_files() {
     gwy) echo "gwy/* derived/*.gwy" ;;
     jpk) echo "jpk/*-image jpk/*.jpk" ;;
     jpkarchive) echo "jpk/*-data" ;;
+    nanoscopetext) echo "cases/nanoscope_analysis*" ;;
     nanosurf) echo "nid/*" ;;
     picoview) echo "mi/*" ;;
     png) echo "derived/*.png" ;;

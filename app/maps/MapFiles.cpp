@@ -43,7 +43,10 @@ enum class Naming : std::uint8_t { ByKey, ByName };
 class MapImages {
 public:
     MapImages(const LoadedScene& loaded, const MapPlan& plan)
-        : plan_(plan), metadata_(metadataOf(loaded, plan)) {}
+        : plan_(plan)
+        , originX_(loaded.originX + plan.region.left)
+        , originY_(loaded.originY + plan.region.bottom)
+        , metadata_(metadataOf(loaded, plan)) {}
 
     /// @param remark on the channel; empty: none
     void add(const std::string& title, const char* unit, RowReader readRow,
@@ -54,8 +57,8 @@ public:
                                     .pitchY = plan_.pitchY(),
                                     .readRow = std::move(readRow)},
                            .meta = {.title = title,
-                                    .originX = plan_.region.left,
-                                    .originY = plan_.region.bottom,
+                                    .originX = originX_,
+                                    .originY = originY_,
                                     .unit = unit,
                                     .metadata = metadata_}});
         if (!remark.empty()) {
@@ -66,6 +69,8 @@ public:
 
 private:
     const MapPlan& plan_;
+    double originX_;  ///< of the region in the instrument's frame [m]
+    double originY_;  ///< likewise [m]
     std::map<std::string, std::string> metadata_;
     std::vector<WrittenImage> images_;
 };

@@ -91,7 +91,10 @@ ScanChannel essentialsOf(const ScanChannel& channel) {
     return {.name = channel.name,
             .unit = channel.unit,
             .lateralUnit = channel.lateralUnit,
-            .map = channel.map};
+            .map = channel.map,
+            .isSurface = channel.isSurface,
+            .originX = channel.originX,
+            .originY = channel.originY};
 }
 
 /// What is given of a scale does not change which channel is taken.

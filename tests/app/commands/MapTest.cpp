@@ -82,6 +82,23 @@ TEST_F(Map, WritesEveryQuantityWithItsUnit) {
     EXPECT_FALSE(isThere("map.gwy.part"));
 }
 
+/// It was that of the region in the scan alone.
+TEST_F(Map, OriginIsTheCornerOfItsRegionInTheFrameOfTheInstrument) {
+    const HeightMap flat{.columns = 16,
+                         .rows = 16,
+                         .pitchX = 2e-9,
+                         .pitchY = 2e-9,
+                         .heights = std::vector<double>(256, 0.0)};
+    writeHeightMap(scratch.file("hills.gwy"), flat,
+                   {.title = "Height", .originX = 1e-6, .originY = -2e-6});
+    const auto ran = run("map.gwy", "--grid 2x2 --region 8e-9,4e-9,24e-9,20e-9");
+    ASSERT_EQ(ran.exitCode, 0) << ran.output;
+    const HeightMapFile gwy = read("map.gwy");
+    const ScanChannel& pull = channelOf(gwy, "pull-off force");
+    EXPECT_NEAR(pull.originX, 1.008e-6, 1e-15);
+    EXPECT_NEAR(pull.originY, -1.996e-6, 1e-15);
+}
+
 /// A blank in a map of deviations was taken for 0.
 TEST_F(Map, SaysHowManyStandardDeviationsAreUnknown) {
     HeightMap ridges{.columns = 64, .rows = 8, .pitchX = 2e-9, .pitchY = 2e-9};

@@ -1,6 +1,7 @@
 #include "core/io/heightmap/HeightMapFormat.h"
 #include "core/io/heightmap/PhysicalUnit.h"
 #include "core/io/heightmap/ScanImage.h"
+#include "core/io/heightmap/ScanOrigin.h"
 #include "core/io/heightmap/vti/VtiHead.h"
 #include "core/io/heightmap/vti/VtiWriter.h"
 
@@ -56,8 +57,7 @@ private:
             emptyMap(head_.size, head_.pitchX * head_.size.columns, head_.pitchY * head_.size.rows);
         if (const auto origin = head_.numbers.find(kVtiOrigin);
             origin != head_.numbers.end() && origin->second.size() == 2) {
-            channel.originX = origin->second[0];
-            channel.originY = origin->second[1];
+            setOrigin(channel, origin->second[0], origin->second[1], GivenPoint::Corner);
         }
         if (affordsCopies(head_.texts, head_.arrays.size())) {
             channel.metadata = metadata();
