@@ -85,6 +85,7 @@ RULES = {
     "core/io/heightmap/nanonis": READERS,
     "core/io/heightmap/nanoscope": READERS,
     "core/io/heightmap/nanosurf": READERS,
+    "core/io/heightmap/nexus": f"{READERS} core/io/hdf5",
     "core/io/heightmap/park": f"{READERS} core/io/heightmap/tiff",
     "core/io/heightmap/picoview": READERS,
     "core/io/heightmap/png": READERS,

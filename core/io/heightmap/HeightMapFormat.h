@@ -113,17 +113,19 @@ extern const HeightMapFormat kPngFormat;
 /// are no heights; pixels without data are 0 in an array "valid" as well.
 extern const HeightMapFormat kVtiFormat;
 extern const HeightMapFormat kNanoscopeTextFormat;
+extern const HeightMapFormat kNexusFormat;
 extern const HeightMapFormat kXyzFormat;
 extern const HeightMapFormat kTextFormat;  ///< doubles
 
 /// The most telling beginnings first. Images of instruments that are TIFFs or zips go before those
 /// of any kind, force curves before pictures and texts.
 inline constexpr std::array kHeightMapFormats{
-    &kGwyFormat,           &kNanoscopeFormat, &kGsfFormat,  &kParkFormat,       &kJpkFormat,
-    &kNanonisFormat,       &kNanosurfFormat,  &kWsxmFormat, &kPicoviewFormat,   &kDigitalSurfFormat,
-    &kSdfFormat,           &kBcrFormat,       &kIgorFormat, &kJpkArchiveFormat, &kX3pFormat,
-    &kForceCurveFormat,    &kExrFormat,       &kTiffFormat, &kPngFormat,        &kVtiFormat,
-    &kNanoscopeTextFormat, &kXyzFormat,       &kTextFormat};
+    &kGwyFormat,      &kNanoscopeFormat,     &kGsfFormat,      &kParkFormat,
+    &kJpkFormat,      &kNanonisFormat,       &kNanosurfFormat, &kWsxmFormat,
+    &kPicoviewFormat, &kDigitalSurfFormat,   &kSdfFormat,      &kBcrFormat,
+    &kIgorFormat,     &kJpkArchiveFormat,    &kX3pFormat,      &kForceCurveFormat,
+    &kExrFormat,      &kTiffFormat,          &kPngFormat,      &kVtiFormat,
+    &kNexusFormat,    &kNanoscopeTextFormat, &kXyzFormat,      &kTextFormat};
 
 using HeightMapFormats = std::span<const HeightMapFormat* const>;
 

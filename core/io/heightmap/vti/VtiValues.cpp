@@ -1,15 +1,14 @@
 #include "core/io/heightmap/vti/VtiValues.h"
 
 #include "core/Error.h"
+#include "core/io/Base64.h"
 #include "core/io/TextValue.h"
 
 #include <algorithm>
 #include <limits>
 #include <lz4.h>
 #include <lzma.h>
-#include <openssl/evp.h>
 #include <string_view>
-#include <vector>
 #include <zlib.h>
 
 // The values of VTK's XML files: the number of their bytes and the bytes; compressed, the number of
@@ -70,28 +69,10 @@ private:
             }
         }
         const std::size_t whole = letters_.size() - letters_.size() % 4;
-        for (std::size_t begin = 0; begin < whole;) {
-            // Padding ends a part; what follows it begins a new one.
-            const std::size_t padding = std::min(letters_.find('=', begin), whole - 1);
-            const std::size_t end = padding - padding % 4 + 4;
-            decodePart(begin, end);
-            begin = end;
-        }
-        letters_.erase(0, whole);
-    }
-
-    void decodePart(std::size_t begin, std::size_t end) {
-        std::vector<unsigned char> part(3 * (end - begin) / 4);
-        const int size = EVP_DecodeBlock(
-            part.data(), reinterpret_cast<const unsigned char*>(letters_.data() + begin),
-            static_cast<int>(end - begin));
-        if (size < 0) {
+        if (!appendBase64(decoded_, std::string_view(letters_).substr(0, whole))) {
             throw InputError(bytes_.name(), values_.place, "its values are no base64");
         }
-        const auto padding = static_cast<std::size_t>(
-            std::count(letters_.begin() + static_cast<std::ptrdiff_t>(end - 2),
-                       letters_.begin() + static_cast<std::ptrdiff_t>(end), '='));
-        decoded_.append(part.begin(), part.end() - static_cast<std::ptrdiff_t>(padding));
+        letters_.erase(0, whole);
     }
 
     const ByteSource& bytes_;
