@@ -14,6 +14,13 @@ constexpr std::size_t kGroupBytes = 3;  // that they stand for
 
 /// Of letters without padding but at their end.
 bool appendPart(std::string& bytes, std::string_view letters) {
+    // The library counts padding as bytes, wherever it stands.
+    constexpr std::size_t kMostPadding = 2;
+    const std::size_t digits = letters.find_last_not_of('=') + 1;
+    const std::size_t padding = letters.size() - digits;
+    if (padding > kMostPadding || letters.substr(0, digits).find('=') != std::string_view::npos) {
+        return false;
+    }
     std::vector<unsigned char> part(kGroupBytes * letters.size() / kGroup);
     const int count =
         EVP_DecodeBlock(part.data(), reinterpret_cast<const unsigned char*>(letters.data()),
@@ -21,9 +28,7 @@ bool appendPart(std::string& bytes, std::string_view letters) {
     if (count < 0) {
         return false;
     }
-    // The library counts padding as bytes.
-    const std::string_view last = letters.substr(letters.size() - kGroup);
-    bytes.append(part.begin(), part.end() - std::ranges::count(last, '='));
+    bytes.append(part.begin(), part.end() - static_cast<std::ptrdiff_t>(padding));
     return true;
 }
 
@@ -36,10 +41,10 @@ bool appendBase64(std::string& bytes, std::string_view letters) {
     }
     while (!letters.empty()) {
         const std::size_t padding = letters.find('=');
-        const std::size_t end = std::min({padding == std::string_view::npos
-                                              ? letters.size()
-                                              : padding - padding % kGroup + kGroup,
-                                          kMostLetters});
+        const std::size_t end =
+            std::min({padding == std::string_view::npos ? letters.size()
+                                                        : padding - padding % kGroup + kGroup,
+                      kMostLetters});
         if (!appendPart(bytes, letters.substr(0, end))) {
             return false;
         }

@@ -201,7 +201,7 @@ private:
                 }
                 return samples;
             },
-            layout);
+            layout, bytes_.name());
     }
 
     void setSize(ScanChannel& channel, ImageSize size) const {

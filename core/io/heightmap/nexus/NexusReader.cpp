@@ -128,6 +128,12 @@ private:
                 groups.push_back(item.path);
             }
         }
+        // HDF5 has them in the order of their names, "backward" first.
+        const std::string shown = entry_ + "/" + textOf(entry_, "default");
+        std::ranges::stable_sort(groups, {}, [&](const std::string& group) {
+            const bool isBackward = directionFromName(nameOf(group)) == "backward";
+            return group == shown ? 0 : (isBackward ? 2 : 1);
+        });
         return groups;
     }
 
@@ -281,7 +287,7 @@ private:
                 content.read(*item, 0, numbers);
                 return samplesOf(numbers, size, isTurned);
             },
-            layout);
+            layout, bytes_.name());
     }
 
     /// @param isTurned column after column

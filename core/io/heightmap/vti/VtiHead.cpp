@@ -510,7 +510,7 @@ ReadRow rowsOf(const ByteSource& bytes, const VtiArray& array, int rows) {
     for (const VtiPiece& piece : array.pieces) {
         const int bottom = rows - piece.firstRow;
         parts.push_back({piece.firstColumn, bottom - piece.layout.size.rows, bottom,
-                         piece.decode ? rowsOfDecoded(piece.decode, piece.layout)
+                         piece.decode ? rowsOfDecoded(piece.decode, piece.layout, bytes.name())
                                       : rowsOf(bytes, piece.layout)});
     }
     return [parts = std::move(parts)](int row, RowRoom& room, double* numbers) {

@@ -49,12 +49,12 @@ private:
     std::uint64_t items_ = 0;
 };
 
-Hdf5Content contentOf(const std::string& text) {
+Hdf5Content handedOver(const std::string& text) {
     return {std::make_shared<OwnedBytes>(text, "content"), "a.h5"};
 }
 
 std::string refusal(const std::string& text) {
-    return refusalOf([&] { (void)contentOf(text); });
+    return refusalOf([&] { (void)handedOver(text); });
 }
 
 std::string smallContent() {
@@ -72,7 +72,7 @@ std::string smallContent() {
 }
 
 TEST(Hdf5Content, HasWhatWasHandedOver) {
-    const Hdf5Content content = contentOf(smallContent());
+    const Hdf5Content content = handedOver(smallContent());
     ASSERT_EQ(content.items().size(), 4U);
     EXPECT_EQ(content.text(Kind::Attribute, "/@name"), "a");
     EXPECT_EQ(content.text(Kind::Dataset, "/z"), "") << "these are numbers";
@@ -88,7 +88,7 @@ TEST(Hdf5Content, HasWhatWasHandedOver) {
 }
 
 TEST(Hdf5Content, RefusesValuesThatAreNotThere) {
-    const Hdf5Content content = contentOf(smallContent());
+    const Hdf5Content content = handedOver(smallContent());
     std::array<double, 4> numbers{};
     const auto reading = [&](const char* path, std::uint64_t first) {
         return refusalOf([&] { content.read(*content.find(Kind::Dataset, path), first, numbers); });
