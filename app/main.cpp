@@ -25,6 +25,7 @@
 #include "core/Error.h"
 #include "core/PrintableText.h"
 #include "core/Version.h"
+#include "vtkplugins/pictures/VtkMessages.h"
 
 #include <CLI/CLI.hpp>
 #include <csignal>
@@ -77,6 +78,7 @@ int run(int argc, char** argv) {
 
 int main(int argc, char** argv) {
     asperity::openClosedStandardStreams();
+    asperity::silenceVtk();
     // A file beyond the limit of the shell (ulimit -f) is then a full disk, not the end.
     (void)std::signal(SIGXFSZ, SIG_IGN);
     try {

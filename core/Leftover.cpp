@@ -10,6 +10,7 @@ namespace asperity {
 
 namespace {
 
+constexpr std::string_view kStart = ".asperity-";
 constexpr std::string_view kSuffix = ".part";
 constexpr int kSuffixDigits = 16;
 
@@ -30,9 +31,11 @@ std::uint64_t hashOf(std::string_view text) {
     return hash;
 }
 
-bool isTemporaryName(const std::string& name, const std::string& prefix) {
-    return name.size() == prefix.size() + kSuffixDigits + kSuffix.size() &&
-           name.starts_with(prefix) && name.ends_with(kSuffix);
+constexpr std::size_t kEndBytes = kSuffixDigits + kSuffix.size();  // of a name, after its prefix
+
+bool isTemporaryName(std::string_view name, std::string_view prefix) {
+    return name.size() == prefix.size() + kEndBytes && name.starts_with(prefix) &&
+           name.ends_with(kSuffix);
 }
 
 /// The lock says that nobody writes it any more; then it is looked at again, since whoever made it
@@ -54,7 +57,14 @@ void sweep(const std::filesystem::path& path) {
 }  // namespace
 
 std::string temporaryPrefix(std::string_view purpose) {
-    return ".asperity-" + hexadecimal(hashOf(purpose)) + "-";
+    constexpr std::size_t kPrefixBytes = kStart.size() + kSuffixDigits + 1;
+    if (purpose.size() == kPrefixBytes + kEndBytes) {
+        const std::string_view prefix = purpose.substr(0, kPrefixBytes);
+        if (prefix.starts_with(kStart) && isTemporaryName(purpose, prefix)) {
+            return std::string(prefix);
+        }
+    }
+    return std::string(kStart) + hexadecimal(hashOf(purpose)) + "-";
 }
 
 std::string temporaryName(const std::string& prefix) {

@@ -13,7 +13,8 @@ namespace asperity {
 /// its lock; one without a holder is a leftover of a process that was killed.
 
 /// Start of the names of what is written for this file name, however long that is (the name of a
-/// temporary file must not exceed NAME_MAX either).
+/// temporary file must not exceed NAME_MAX either). What is written for a file that has a
+/// temporary name itself shares that one's start, so that both are swept for the same target.
 [[nodiscard]] std::string temporaryPrefix(std::string_view purpose);
 /// A new random name.
 [[nodiscard]] std::string temporaryName(const std::string& prefix);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <filesystem>
+#include "core/TemporaryFolder.h"
 
 namespace asperity {
 
@@ -8,16 +8,13 @@ namespace asperity {
 /// it.
 class PrivateFolder {
 public:
-    /// @throw Error when it cannot be made
+    /// @throw FileError when it cannot be made
     PrivateFolder();
-    PrivateFolder(const PrivateFolder&) = delete;
-    PrivateFolder& operator=(const PrivateFolder&) = delete;
-    ~PrivateFolder();
 
-    [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+    [[nodiscard]] const std::filesystem::path& path() const { return folder_.path(); }
 
 private:
-    std::filesystem::path path_;
+    TemporaryFolder folder_;
 };
 
 }  // namespace asperity

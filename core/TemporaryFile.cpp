@@ -33,6 +33,11 @@ std::filesystem::path placeOf(const std::filesystem::path& target) {
     return std::filesystem::canonical(target);
 }
 
+/// Whoever writes the file opens it once more, and would take the refusal for a full disk.
+bool canOpenAnother(const FileDescriptor& file) {
+    return FileDescriptor(fcntl(file.get(), F_DUPFD_CLOEXEC, 0)).isOpen();
+}
+
 }  // namespace
 
 TemporaryFile::TemporaryFile(std::filesystem::path target)
@@ -48,6 +53,11 @@ FileDescriptor TemporaryFile::created() {
         path_ = place_.parent_path() / temporaryName(prefix);
         FileDescriptor file(open(
             path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, kAsUmaskSays));
+        if (file.isOpen() && !canOpenAnother(file)) {
+            std::error_code ignored;
+            std::filesystem::remove(path_, ignored);
+            throw FileError(target_.string(), "cannot be written: " + reasonOf(EMFILE));
+        }
         if (file.isOpen() && holdTemporary(file, path_)) {
             return file;
         }

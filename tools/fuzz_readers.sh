@@ -17,6 +17,7 @@ real_files() {
     gwy) echo "gwy/* derived/*.gwy" ;;
     jpk) echo "jpk/*-image jpk/*.jpk" ;;
     jpkarchive) echo "jpk/*-data" ;;
+    nanoscopetext) echo "cases/nanoscope_analysis*" ;;
     nanosurf) echo "nid/*" ;;
     picoview) echo "mi/*" ;;
     png) echo "derived/*.png" ;;
@@ -35,7 +36,7 @@ fuzz() {
         cp --no-preserve=mode "$data"/$pattern "$folder/seeds"
     done
     nice -n 15 "$programs/asperity_fuzz_$format" -max_total_time="$seconds" -timeout=20 \
-        -rss_limit_mb=2048 -print_final_stats=1 -artifact_prefix="$folder/" "$folder/found" \
+        -rss_limit_mb=1024 -print_final_stats=1 -artifact_prefix="$folder/" "$folder/found" \
         "$folder/seeds" "$top/tests/fuzz/corpus/$format" >"$folder/log" 2>&1 || true
     printf '%-12s %6s s %10s executions  %s\n' "$format" \
         "$(sed -n 's/^Done .* in \(.*\) second.*/\1/p' "$folder/log")" \

@@ -5,11 +5,11 @@
 #include "app/program/JsonText.h"
 #include "core/Error.h"
 #include "core/FormattedText.h"
+#include "core/PrivateFolder.h"
 #include "core/TemporaryFile.h"
 #include "core/Version.h"
 
 #include <QProcess>
-#include <QTemporaryDir>
 
 #include <CLI/CLI.hpp>
 #include <filesystem>
@@ -76,9 +76,10 @@ std::vector<Measurement> wantedOf(const BenchRequest& options) {
     return wanted;
 }
 
-nlohmann::ordered_json measured(const Measurement& measurement, const QString& file, bool quick) {
+nlohmann::ordered_json measured(const Measurement& measurement, const std::filesystem::path& file,
+                                bool quick) {
     std::cerr << "measuring: " << measurement.name << '\n';
-    QStringList arguments{QStringLiteral("--rows"), file};
+    QStringList arguments{QStringLiteral("--rows"), QString::fromStdString(file.string())};
     if (quick) {
         arguments << QStringLiteral("--quick");
     }
@@ -88,7 +89,7 @@ nlohmann::ordered_json measured(const Measurement& measurement, const QString& f
     process.start(QString::fromStdString(programOf(measurement).string()), arguments);
     constexpr int kForever = -1;
     const bool hasEnded = process.waitForFinished(kForever);
-    std::ifstream stream(file.toStdString());
+    std::ifstream stream(file);
     auto rows = nlohmann::ordered_json::parse(stream, nullptr, false);
     if (!hasEnded || process.exitStatus() != QProcess::NormalExit || process.exitCode() != 0 ||
         !rows.is_array()) {
@@ -131,10 +132,10 @@ void bench(const BenchRequest& options) {
         requireWritable(options.json);
     }
     const VirtualDisplay display;
-    const QTemporaryDir folder;
+    const PrivateFolder folder;
     nlohmann::ordered_json rows = nlohmann::ordered_json::array();
     for (const Measurement& measurement : wanted) {
-        const auto more = measured(measurement, folder.filePath(measurement.name), options.quick);
+        const auto more = measured(measurement, folder.path() / measurement.name, options.quick);
         rows.insert(rows.end(), more.begin(), more.end());
     }
     print(rows);

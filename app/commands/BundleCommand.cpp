@@ -48,7 +48,7 @@ std::filesystem::path checkedRun(const BundleOptions& options, const std::filesy
                                  const std::filesystem::path& scratch) {
     const RecordedRun run = readRun(folder);
     const LoadedScene loaded = loadSceneOnTerminal(folder / run_files::kScene, {});
-    requireSameScan(loaded, run.sha256);
+    requireSameScan(loaded, folder);
     requireReplay(options.run, loaded, run, scratch / "replay");
     if (!options.isPart && run.state == RunState::Complete) {
         return folder;
@@ -70,10 +70,10 @@ void bundle(const BundleOptions& options) {
         throw Error(
             formatted("--from %g s is after --to %g s", options.span.from, options.span.to));
     }
+    const PrivateFolder scratch;  // sweeps what a killed one left, also where this one is refused
     requireOutside(options.run, options.out);
     requireFree(options.out, options.force);
     const RunPlace input(options.run);
-    const PrivateFolder scratch;
     const std::filesystem::path run = checkedRun(options, input.folder(), scratch.path());
     const std::filesystem::path picture = scratch.path() / "picture.png";
     draw(run, picture);

@@ -61,7 +61,14 @@ void writeTable(const std::string& out, const TableWriting& write) {
     }
     ProgressLine line("writing");  // before the file: a signal in between would leave it
     OutputFile file(out);
-    write(file.stream(), &line);
+    try {
+        write(file.stream(), &line);
+    } catch (const Error&) {
+        if (!file.stream()) {
+            file.commit();  // which says of which file not all could be written
+        }
+        throw;
+    }
     file.commit();
 }
 

@@ -2,6 +2,7 @@
 
 #include "app/commands/ConvertTargets.h"
 #include "app/commands/ProgressLine.h"
+#include "app/exports/SurfaceFile.h"
 #include "core/SiFormat.h"
 #include "core/io/TextValue.h"
 #include "core/io/heightmap/ScanFile.h"
@@ -148,6 +149,7 @@ Converted convertFiltered(const ConvertOptions& options, const ConvertedFile& fi
         meta = metaOf(heightChannel(file.contents(), files.input, options.channel));
         return file.readHeightScan(options.channel, &line);
     }();
+    requireHeights(scan.map, files.input);
     scan.map = leveledAsAsked(options, std::move(scan.map), scan.notes);
     scan.map = options.residual ? residual(options, std::move(scan.map))
                                 : withoutTip(options, std::move(scan.map), meta, scan.notes);
@@ -157,6 +159,14 @@ Converted convertFiltered(const ConvertOptions& options, const ConvertedFile& fi
     return {summaryOf(scan.channel, rows, scan.map.invalid), std::move(scan.notes)};
 }
 
+/// Whether a file is written as a surface, of which nothing is left without heights.
+bool isShape(const std::string& file) {
+    const std::string extension = lowerCase(std::filesystem::path(file).extension().string());
+    return std::ranges::any_of(surfaceFormats(), [&](const HeightMapFormat* format) {
+        return format->isShape && std::ranges::count(format->extensions, extension) > 0;
+    });
+}
+
 /// Heights as the file gives them, but for leveling.
 Converted convertPlainly(const ConvertOptions& options, const ConvertedFile& files) {
     HeightChannel file = [&] {
@@ -164,6 +174,9 @@ Converted convertPlainly(const ConvertOptions& options, const ConvertedFile& fil
         return ScanFile(files.input, options.scale).readHeightChannel(options.channel, &line);
     }();
     ScanChannel& channel = file.channel;
+    if (!options.leveling.empty() || isShape(files.output)) {
+        requireHeights(channel.map, files.input);
+    }
     const HeightMap map = leveledAsAsked(options, std::move(channel.map), file.notes);
     const HeightRows rows = rowsOf(map);
     writeTarget(options, files.output, rows, metaOf(channel));

@@ -47,7 +47,7 @@ void requireWhole(const std::filesystem::path& run) {
 void writeText(const std::filesystem::path& folder, const std::filesystem::path& out) {
     const RecordedRun run = readRun(folder);
     const LoadedScene loaded = loadSceneOnTerminal(folder / run_files::kScene, {});
-    requireSameScan(loaded, run.sha256);
+    requireSameScan(loaded, folder);
     unpackRun(folder, loaded.scene, run, out);
 }
 

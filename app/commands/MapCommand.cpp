@@ -194,6 +194,13 @@ void lead(const MapOptions& options, const MpiJob& job) {
     const MapFiles files(options.out);
     const MapInput input = loadedInput(options);
     const auto& [loaded, plan] = input;
+    std::error_code none;
+    if (options.resume && job.isAlone() && !std::filesystem::exists(files.part(), none) &&
+        holdsMap(files, loaded, plan)) {
+        std::cout << printable(files.gwy().string())
+                  << ": the map is whole; nothing is left to do\n";
+        return;
+    }
     requireTargets(options, files, plan, loaded.scene.description);
     MeasuredFile measured = measuredInput(options, input);
     std::optional<VirtualDisplay> display;  // before long work is done

@@ -66,6 +66,7 @@ LeveledChannel load(const MeasureOptions& options) {
         ProgressLine line("loading");
         return ScanFile(sample.file, sample.scale).readHeightChannel(sample.channel, &line);
     }();
+    requireHeights(read.channel.map, sample.file);
     LeveledMap<HeightMap> level = [&] {
         ProgressLine line("leveling");
         return leveledInSteps(std::move(read.channel.map), sample.leveling, sample.levelPoints,

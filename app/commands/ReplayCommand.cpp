@@ -44,14 +44,22 @@ void runReplay(const ReplayOptions& options) {
     }
     const RecordedRun run = readRun(folder);
     const LoadedScene loaded = loadSceneOnTerminal(folder / run_files::kScene, {});
-    requireSameScan(loaded, run.sha256);
+    requireSameScan(loaded, folder);
     OutputFolder out(target, replayedLogs(), options.force);
     std::optional<CsvTable> replayed;
     out.collect([&](const std::filesystem::path& collected) {
         replayed.emplace(replay(loaded.scene, run, collected));
     });
     out.commit();
-    requireSameLog(run, *replayed);
+    try {
+        requireSameLog(run, *replayed);
+    } catch (const FileError&) {
+        throw;
+    } catch (const Error& difference) {
+        const std::string correction = knownCorrection(loaded, folder);
+        throw Error(correction.empty() ? difference.what()
+                                       : correction + " (" + difference.what() + ")");
+    }
     tellOutcome(run);
 }
 

@@ -123,7 +123,7 @@ Written writeRun(const Task& task, const std::filesystem::path& folder, Progress
     const RecordedRun recorded = readSomeTicks(input.folder());
     ProgressPart loading(progress, 0.0, 0.4);
     const LoadedScene loaded = loadScene(input.folder() / run_files::kScene, {}, &loading);
-    requireSameScan(loaded, recorded.sha256);
+    requireSameScan(loaded, input.folder());
     ReportedRun run{.name = task.page,
                     .folder = task.folder,
                     .scan = {},

@@ -1,6 +1,7 @@
 #include "app/commands/VirtualDisplay.h"
 
 #include "core/Error.h"
+#include "vtkplugins/pictures/Display.h"
 
 #include <array>
 #include <csignal>
@@ -16,7 +17,7 @@ namespace asperity {
 namespace {
 
 constexpr const char* kMissing =
-    "no display: DISPLAY is not set and Xvfb could not be started (Debian package xvfb)";
+    "no display: none answers at DISPLAY and Xvfb could not be started (Debian package xvfb)";
 
 /// Runs Xvfb in place of this (forked) process; it writes its display number to `reply` and ends
 /// with the program, however that ends.
@@ -54,7 +55,8 @@ std::string readDisplayNumber(int from) {
 
 VirtualDisplay::VirtualDisplay() {
     const char* display = std::getenv("DISPLAY");  // NOLINT(concurrency-mt-unsafe): at start
-    if (display != nullptr && *display != '\0') {
+    before_ = display == nullptr ? "" : display;
+    if (!before_.empty() && haveDisplay()) {
         return;
     }
     std::array<int, 2> ends{};
@@ -84,7 +86,8 @@ VirtualDisplay::~VirtualDisplay() {
     }
     kill(server_, SIGTERM);
     waitpid(server_, nullptr, 0);
-    unsetenv("DISPLAY");  // NOLINT(concurrency-mt-unsafe): at the end
+    before_.empty() ? unsetenv("DISPLAY")                     // NOLINT(concurrency-mt-unsafe)
+                    : setenv("DISPLAY", before_.c_str(), 1);  // NOLINT(concurrency-mt-unsafe)
 }
 
 }  // namespace asperity

@@ -1,10 +1,11 @@
 #pragma once
 
+#include <string>
 #include <sys/types.h>
 
 namespace asperity {
 
-/// A display to draw pictures on. Where DISPLAY is set that one is used; else Xvfb is started for
+/// A display to draw pictures on. Where one answers at DISPLAY it is used; else Xvfb is started for
 /// as long as this object lives.
 class VirtualDisplay {
 public:
@@ -15,6 +16,7 @@ public:
     VirtualDisplay& operator=(const VirtualDisplay&) = delete;
 
 private:
+    std::string before_;  ///< DISPLAY
     pid_t server_ = 0;
 };
 

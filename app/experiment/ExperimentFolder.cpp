@@ -44,9 +44,18 @@ ExperimentFolder::ExperimentFolder(std::filesystem::path folder, const Study& st
     take(use);
     std::filesystem::create_directories(path() / kTrials);
     claim_.keep();
-    for (const auto& entry : std::filesystem::directory_iterator(path() / kTrials)) {
-        if (entry.path().filename().string().starts_with('.')) {  // of a program that was killed
-            std::filesystem::remove_all(entry.path());
+    removeHalfTrials();  // of a program that was killed
+}
+
+ExperimentFolder::~ExperimentFolder() { removeHalfTrials(); }
+
+void ExperimentFolder::removeHalfTrials() const noexcept {
+    std::error_code failure;
+    std::filesystem::directory_iterator entry(path() / kTrials, failure);
+    for (; !failure && entry != std::filesystem::directory_iterator(); entry.increment(failure)) {
+        if (entry->path().filename().native().starts_with('.')) {
+            std::error_code ignored;
+            std::filesystem::remove_all(entry->path(), ignored);
         }
     }
 }

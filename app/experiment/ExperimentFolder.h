@@ -22,6 +22,10 @@ public:
     /// @throw Error where a study is in the folder and none goes on or gives way, or the one that
     /// is there is another study; FileError
     ExperimentFolder(std::filesystem::path folder, const Study& study, FolderUse use);
+    /// Trials that began and were not kept leave nothing.
+    ~ExperimentFolder();
+    ExperimentFolder(const ExperimentFolder&) = delete;
+    ExperimentFolder& operator=(const ExperimentFolder&) = delete;
 
     [[nodiscard]] const std::filesystem::path& path() const noexcept { return claim_.path(); }
     [[nodiscard]] const Study& study() const noexcept { return study_; }
@@ -45,6 +49,7 @@ public:
 
 private:
     void take(FolderUse use);
+    void removeHalfTrials() const noexcept;
     void requireSameStudy() const;
     void writeTable(std::vector<TrialRecord> trials);
     [[nodiscard]] std::filesystem::path placeOf(const PlannedTrial& trial) const;

@@ -11,7 +11,7 @@ namespace asperity {
 RunWithScene readRunWithScene(const std::filesystem::path& folder, Progress* progress) {
     RunOnDisk run = readRunInputs(folder);
     LoadedScene loaded = loadScene(folder / run_files::kScene, {}, progress);
-    requireSameScan(loaded, run.sha256);
+    requireSameScan(loaded, folder);
     return {.loaded = std::move(loaded), .run = std::move(run)};
 }
 

@@ -77,7 +77,9 @@ LoadedScene mapScene(SceneDescription description, const SceneOverrides& overrid
             .needs = {},
             .images = imagesBeside(file.contents(), scan.channel),
             .channels = heightChannels(file.contents()),
-            .filledPixels = holes};
+            .filledPixels = holes,
+            .originX = scan.originX,
+            .originY = scan.originY};
 }
 
 /// @param name that an error says

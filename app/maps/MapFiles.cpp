@@ -1,14 +1,17 @@
 #include "app/maps/MapFiles.h"
 
+#include "app/maps/MapKey.h"
 #include "app/maps/UnknownDeviations.h"
 #include "core/Error.h"
 #include "core/SiFormat.h"
 #include "core/TemporaryFile.h"
 #include "core/Version.h"
+#include "core/io/heightmap/ScanFile.h"
 #include "core/io/heightmap/exr/ExrWriter.h"
 #include "core/io/heightmap/gwy/GwyWriter.h"
 #include "core/io/heightmap/vti/VtiWriter.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <exception>
 #include <limits>
@@ -19,11 +22,14 @@ namespace asperity {
 
 namespace {
 
+constexpr const char* kMapKey = "key of the map";
+
 std::map<std::string, std::string> metadataOf(const LoadedScene& loaded, const MapPlan& plan) {
     std::map<std::string, std::string> texts{{"program", std::string("Asperity ") + kVersion},
                                              {"mode", std::string(keyOf(plan.mode))},
                                              {"setpoint", formatSi(plan.setpoint, "N")},
-                                             {"instrument", plan.truth ? "true" : "believed"}};
+                                             {"instrument", plan.truth ? "true" : "believed"},
+                                             {kMapKey, mapKey(loaded, plan)}};
     if (!loaded.sha256.empty()) {
         texts["sha256 of the scan"] = loaded.sha256;
     }
@@ -37,7 +43,10 @@ enum class Naming : std::uint8_t { ByKey, ByName };
 class MapImages {
 public:
     MapImages(const LoadedScene& loaded, const MapPlan& plan)
-        : plan_(plan), metadata_(metadataOf(loaded, plan)) {}
+        : plan_(plan)
+        , originX_(loaded.originX + plan.region.left)
+        , originY_(loaded.originY + plan.region.bottom)
+        , metadata_(metadataOf(loaded, plan)) {}
 
     /// @param remark on the channel; empty: none
     void add(const std::string& title, const char* unit, RowReader readRow,
@@ -48,8 +57,8 @@ public:
                                     .pitchY = plan_.pitchY(),
                                     .readRow = std::move(readRow)},
                            .meta = {.title = title,
-                                    .originX = plan_.region.left,
-                                    .originY = plan_.region.bottom,
+                                    .originX = originX_,
+                                    .originY = originY_,
                                     .unit = unit,
                                     .metadata = metadata_}});
         if (!remark.empty()) {
@@ -60,6 +69,8 @@ public:
 
 private:
     const MapPlan& plan_;
+    double originX_;  ///< of the region in the instrument's frame [m]
+    double originY_;  ///< likewise [m]
     std::map<std::string, std::string> metadata_;
     std::vector<WrittenImage> images_;
 };
@@ -113,6 +124,18 @@ void requireMapFits(const MapPlan& plan, std::size_t compared) {
     if (!mapFits(plan, compared)) {
         throw Error("a .gwy file holds at most 4 GiB, and these channels with their masks may need "
                     "more: ask for fewer --quantities, a coarser --grid or a --region");
+    }
+}
+
+bool holdsMap(const MapFiles& files, const LoadedScene& loaded, const MapPlan& plan) {
+    try {
+        const ScanFile file(files.gwy());
+        return std::ranges::any_of(file.contents().channels, [&](const ScanChannel& channel) {
+            const auto found = channel.metadata.find(kMapKey);
+            return found != channel.metadata.end() && found->second == mapKey(loaded, plan);
+        });
+    } catch (const Error&) {
+        return false;
     }
 }
 

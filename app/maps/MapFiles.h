@@ -49,6 +49,9 @@ private:
 /// @param compared as in mapFits() @throw Error unless it does
 void requireMapFits(const MapPlan& plan, std::size_t compared = 0);
 
+/// Whether the .gwy that is there is of this map, by its key. What cannot be read is no map.
+[[nodiscard]] bool holdsMap(const MapFiles& files, const LoadedScene& loaded, const MapPlan& plan);
+
 /// Writes every quantity as a channel with its unit to .gwy, .vti and .exr, one row after the other
 /// from the part, and difference and residual of each comparison; each file whole or not at all,
 /// the .gwy last. Rows that the part lacks hold no data.

@@ -3,6 +3,8 @@
 #include "core/FormattedText.h"
 #include "core/PrintableText.h"
 #include "core/Utf8.h"
+#include "core/io/FileBytes.h"
+#include "core/io/NestedText.h"
 
 #include <string_view>
 
@@ -35,5 +37,17 @@ std::string textOf(const Json& json) {
 
 std::string jsonText(const nlohmann::json& json) { return textOf(json); }
 std::string jsonText(const nlohmann::ordered_json& json) { return textOf(json); }
+
+nlohmann::json parsedJson(std::string_view text, const std::string& file) {
+    requireParsable(text, NestedSyntax::Json, file);
+    return nlohmann::json::parse(text, nullptr, false);
+}
+
+nlohmann::json readJson(const std::filesystem::path& file) {
+    std::error_code unknown;
+    const std::uintmax_t size = std::filesystem::file_size(file, unknown);
+    return unknown || size == 0 ? nlohmann::json(nlohmann::json::value_t::discarded)
+                                : parsedJson(readFileBytes(file), file.string());
+}
 
 }  // namespace asperity

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <string_view>
 
 namespace asperity {
 
@@ -9,5 +11,12 @@ namespace asperity {
 /// character that a terminal obeys: those stand as \u001b, bytes that are no UTF-8 as U+FFFD.
 [[nodiscard]] std::string jsonText(const nlohmann::json& json);
 [[nodiscard]] std::string jsonText(const nlohmann::ordered_json& json);
+
+/// The values of a text; discarded where it is no JSON.
+/// @param file for messages
+/// @throw InputError where there is far more in it than in any of Asperity's own
+[[nodiscard]] nlohmann::json parsedJson(std::string_view text, const std::string& file);
+/// The same of a file; discarded where there is none, too. @throw InputError
+[[nodiscard]] nlohmann::json readJson(const std::filesystem::path& file);
 
 }  // namespace asperity

@@ -151,13 +151,31 @@ void requireOwnNames(const std::vector<ListedFile>& files, const std::string& bu
     }
 }
 
+/// Recordings of a tip at rest shrink to a fortieth. @throw InputError where a bundle promises far
+/// more than it can hold
+void requirePlausibleSize(const std::vector<ListedFile>& files, const ByteSource& bundle) {
+    constexpr std::uint64_t kMaxExpansion = 200;
+    constexpr std::uint64_t kAlwaysAllowed = std::uint64_t{1} << 29U;  // a flat scan shrinks more
+    const std::uint64_t most = std::max(bundle.size() * kMaxExpansion, kAlwaysAllowed);
+    std::uint64_t left = most;
+    for (const ListedFile& one : files) {
+        if (one.bytes > left) {
+            throw InputError(bundle.name(), one.name,
+                             "the files up to this one have more than " + std::to_string(most) +
+                                 " bytes; a bundle of " + std::to_string(bundle.size()) +
+                                 " bytes is not expected to hold as many");
+        }
+        left -= one.bytes;
+    }
+}
+
 std::vector<ListedFile> listed(const ZipArchive& archive, const std::string& file) {
     const ZipEntry* const entry = archive.find(kDirectory);
     if (entry == nullptr) {
         throw InputError(file, "", "expected a bundle: there is no bundle.json in it");
     }
-    const auto json =
-        nlohmann::json::parse(archive.decoded(*entry, kMostDirectory), nullptr, false);
+    const nlohmann::json json =
+        parsedJson(archive.decoded(*entry, kMostDirectory), file + ": " + kDirectory);
     std::vector<ListedFile> files;
     try {
         if (json.at("format") != kBundleFormat || json.at("format_version") != kBundleVersion) {
@@ -245,6 +263,7 @@ void unpackBundle(const std::filesystem::path& bundle, const std::filesystem::pa
     }
     const ZipArchive archive(bytes);
     const std::vector<ListedFile> files = listed(archive, bundle.string());
+    requirePlausibleSize(files, bytes);
     double done = 0.0;
     for (const ListedFile& file : files) {
         reportTo(progress, done / static_cast<double>(files.size()));

@@ -1,5 +1,6 @@
 #include "app/recording/RecordedRun.h"
 
+#include "app/program/JsonText.h"
 #include "app/runs/RunFolder.h"
 #include "core/Error.h"
 #include "core/GrowingFile.h"
@@ -10,7 +11,6 @@
 #include "core/words/SceneWords.h"
 
 #include <algorithm>
-#include <fstream>
 #include <nlohmann/json.hpp>
 
 namespace asperity {
@@ -25,8 +25,7 @@ std::string summarizedHash(const std::filesystem::path& folder) {
         throw InputError(folder.string(), "",
                          "holds no run: there is neither recording.json nor summary.json");
     }
-    std::ifstream file(path);
-    const nlohmann::json summary = nlohmann::json::parse(file, nullptr, false);
+    const nlohmann::json summary = readJson(path);
     const nlohmann::json::json_pointer pointer("/input/sha256");
     if (summary.is_discarded() || !summary.contains(pointer) || !summary[pointer].is_string()) {
         throw InputError(path.string(), "input.sha256", "expected the hash of the scan");
@@ -44,6 +43,20 @@ TickMemory startMemory(const std::filesystem::path& folder) {
 std::string recordedHash(const std::filesystem::path& folder) {
     const std::optional<RecordingManifest> manifest = readManifest(folder);
     return manifest ? manifest->sha256 : summarizedHash(folder);
+}
+
+std::optional<Vector2> recordedSize(const std::filesystem::path& folder) {
+    const nlohmann::json summary = readJson(folder / run_files::kSummary);
+    const auto length = [&summary](const char* key) -> std::optional<double> {
+        const nlohmann::json::json_pointer pointer(std::string("/input/") + key);
+        const bool isThere = summary.is_object() && summary.contains(pointer);
+        return isThere && summary[pointer].is_number()
+                   ? std::optional(summary[pointer].get<double>())
+                   : std::nullopt;
+    };
+    const std::optional<double> x = length("size_x_m");
+    const std::optional<double> y = length("size_y_m");
+    return x && y ? std::optional(Vector2(*x, *y)) : std::nullopt;
 }
 
 RunState stateOf(const std::filesystem::path& folder) {

@@ -1,11 +1,11 @@
 #include "app/recording/RecordingManifest.h"
 
+#include "app/program/JsonText.h"
 #include "app/runs/RunFolder.h"
 #include "core/Error.h"
 #include "core/TemporaryFile.h"
 #include "core/Version.h"
 
-#include <fstream>
 #include <nlohmann/json.hpp>
 
 namespace asperity {
@@ -37,8 +37,7 @@ std::optional<RecordingManifest> readManifest(const std::filesystem::path& folde
     if (!std::filesystem::exists(path, unknown)) {
         return std::nullopt;
     }
-    std::ifstream file(path);
-    const auto json = nlohmann::json::parse(file, nullptr, false);
+    const nlohmann::json json = readJson(path);
     try {
         if (json.at("format") == kRecordingFormat &&
             json.at("format_version") == kRecordingVersion) {

@@ -2,6 +2,7 @@
 
 #include "app/runs/RunFolder.h"
 #include "core/Error.h"
+#include "core/SiFormat.h"
 #include "core/io/TextValue.h"
 #include "core/io/recording/RowChecks.h"
 
@@ -21,7 +22,7 @@ namespace {
 constexpr const char* kFlags = "flags";
 
 /// Whether two numbers are the same in single precision.
-bool isSameSingle(const std::string& before, const std::string& now) {
+bool isSameSingle(std::string_view before, std::string_view now) {
     const std::optional<double> one = parseNumber(before);
     const std::optional<double> other = parseNumber(now);
     return one && other &&
@@ -45,7 +46,7 @@ void requireSameChecks(const RecordedRun& run, const CsvTable& replayed) {
     RowChecks checks;
     for (std::size_t row = 0; row < run.log.rows(); ++row) {
         for (const std::string& column : run.log.columns()) {
-            checks.add((column == kFlags ? run.log : replayed).text(row, column));
+            checks.add((column == kFlags ? run.log : replayed).view(row, column));
         }
         checks.endRow();
     }
@@ -77,11 +78,51 @@ void requireSameSettings(const Scene& scene, const TickInput& first, double shor
             first.settings.correctionBandwidth);
 }
 
-void requireSameScan(const LoadedScene& loaded, const std::string& sha256) {
-    if (loaded.sha256 != sha256) {
-        throw InputError(loaded.scene.description.sample.file, "",
+namespace {
+
+Vector2 sizeOf(const LoadedScene& loaded) {
+    return {loaded.scene.surface.sizeX(), loaded.scene.surface.sizeY()};
+}
+
+std::string sizeText(const Vector2& size) {
+    return formatSi(size.x(), "m") + " x " + formatSi(size.y(), "m");
+}
+
+/// But for the last digits of a sum.
+bool isSameSize(const Vector2& one, const Vector2& other) {
+    constexpr double kRounding = 1e-12;
+    return ((one - other).cwiseAbs().array() <= kRounding * one.cwiseAbs().array()).all();
+}
+
+}  // namespace
+
+void requireSameScan(const LoadedScene& loaded, const std::filesystem::path& folder) {
+    const std::string& file = loaded.scene.description.sample.file;
+    if (loaded.sha256 != recordedHash(folder)) {
+        throw InputError(file, "",
                          "the scan has changed since the run was recorded (its hash differs)");
     }
+    const std::optional<Vector2> before = recordedSize(folder);
+    const Vector2 now = sizeOf(loaded);
+    if (!loaded.sha256.empty() && before && !isSameSize(*before, now)) {
+        throw InputError(file, "",
+                         "it was read as " + sizeText(*before) + " when the run was recorded, " +
+                             "and is now, after a correction of the reader, as " + sizeText(now) +
+                             ": the run does not replay; record it again");
+    }
+}
+
+std::string knownCorrection(const LoadedScene& loaded, const std::filesystem::path& folder) {
+    constexpr std::string_view kCorrected = "NanoScope";
+    const Vector2 size = sizeOf(loaded);
+    const bool isSquare = isSameSize(size, {size.x(), size.x()});
+    if (loaded.format.find(kCorrected) == std::string::npos || isSquare || recordedSize(folder)) {
+        return {};
+    }
+    return loaded.scene.description.sample.file +
+           ": the size along y of NanoScope scans that are not square has been corrected; the scan "
+           "is now read as " +
+           sizeText(size) + ", and a run recorded before that does not replay";
 }
 
 void replayTicks(const Scene& scene, const RecordedRun& run, const TickSink& sink) {
@@ -119,14 +160,15 @@ void requireSameLog(const RecordedRun& run, const CsvTable& replayed) {
     std::string otherFlags;
     for (std::size_t row = 0; row < common; ++row) {
         for (const std::string& column : recorded.columns()) {
-            const std::string& before = recorded.text(row, column);
-            const std::string& now = replayed.text(row, column);
+            const std::string_view before = recorded.view(row, column);
+            const std::string_view now = replayed.view(row, column);
             if (before == now || (!isExact && isSameSingle(before, now))) {
                 continue;
             }
             const std::string difference = "first differing tick: " + std::to_string(row) +
                                            " (time " + replayed.text(row, "time_s") +
-                                           " s): " + column + " was " + before + ", is now " + now;
+                                           " s): " + column + " was " + std::string(before) +
+                                           ", is now " + std::string(now);
             if (column != kFlags) {
                 throw Error(difference);
             }

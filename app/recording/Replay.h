@@ -17,8 +17,15 @@ struct Scene;
 /// @param shortestStep of all its inputs [s]
 void requireSameSettings(const Scene& scene, const TickInput& first, double shortestStep);
 
-/// @param sha256 of the scan that a run was made on @throw InputError where it is not the scene's
-void requireSameScan(const LoadedScene& loaded, const std::string& sha256);
+/// Refuses a scene whose scan is not the one that a run was made on, or is read with another size
+/// now: where a reader was wrong and has been corrected, no tick would be the same.
+/// @param folder of the run @throw InputError
+void requireSameScan(const LoadedScene& loaded, const std::filesystem::path& folder);
+
+/// Returns the correction that may be why a run does not replay, where the run does not say with
+/// which size its scan was read; empty: none is known.
+[[nodiscard]] std::string knownCorrection(const LoadedScene& loaded,
+                                          const std::filesystem::path& folder);
 
 /// Runs the recorded inputs through the tick again: `sink` gets each sample with its output.
 /// @throw Error where the scene's settings are not those that the run began with, naming the key

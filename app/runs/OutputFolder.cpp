@@ -3,12 +3,9 @@
 #include "app/runs/RunFolder.h"
 #include "core/Error.h"
 #include "core/GrowingFile.h"
-#include "core/Leftover.h"
 #include "core/PrintableText.h"
 
 #include <algorithm>
-#include <cerrno>
-#include <fcntl.h>
 #include <system_error>
 #include <utility>
 
@@ -20,12 +17,7 @@ OutputFolder::OutputFolder(std::filesystem::path folder, FolderContent content, 
     , content_(std::move(content))
     , force_(force) {
     requireAllowed();
-    makeStaging();
-}
-
-OutputFolder::~OutputFolder() {
-    std::error_code ignored;
-    std::filesystem::remove_all(staging_, ignored);
+    staging_.emplace(folder_, "results");
 }
 
 void OutputFolder::requireNoFolder(const std::string& name) const {
@@ -61,25 +53,6 @@ void OutputFolder::requireAllowed() const {
     }
 }
 
-void OutputFolder::makeStaging() {
-    const std::string prefix = temporaryPrefix("results");
-    sweepLeftovers(folder_, prefix);
-    constexpr int kTries = 100;
-    for (int i = 0; i < kTries; ++i) {
-        staging_ = folder_ / temporaryName(prefix);
-        if (mkdir(staging_.c_str(), 0777) != 0 && errno != EEXIST) {
-            break;
-        }
-        lock_ =
-            FileDescriptor(open(staging_.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC));
-        if (lock_.isOpen() && holdTemporary(lock_, staging_)) {
-            return;
-        }
-    }
-    throw FileError(folder_.string(),
-                    "cannot be written: " + std::generic_category().message(errno));
-}
-
 void OutputFolder::remove(const std::filesystem::path& name) const {
     std::error_code failure;
     std::filesystem::remove(folder_ / name, failure);
@@ -91,7 +64,7 @@ void OutputFolder::remove(const std::filesystem::path& name) const {
 
 void OutputFolder::moveOut(const std::filesystem::path& name) const {
     std::error_code failure;
-    std::filesystem::rename(staging_ / name, folder_ / name, failure);
+    std::filesystem::rename(staging_->path() / name, folder_ / name, failure);
     if (failure) {
         throw Error((folder_ / name).string() + ": cannot be put in place: " + failure.message());
     }
@@ -100,9 +73,9 @@ void OutputFolder::moveOut(const std::filesystem::path& name) const {
 void OutputFolder::collect(
     const std::function<void(const std::filesystem::path& folder)>& write) const {
     try {
-        write(staging_);
+        write(staging_->path());
     } catch (const Error& error) {
-        const std::string hidden = printable(staging_.string());
+        const std::string hidden = printable(staging_->path().string());
         std::string message = error.what();
         const std::size_t at = message.find(hidden);
         if (at == std::string::npos) {
@@ -117,19 +90,19 @@ void OutputFolder::commit() {
     std::ranges::for_each(content_.marks, [this](const std::string& name) { remove(name); });
     for (const auto* names : {&content_.own, &content_.guarded}) {
         for (const std::string& name : *names) {
-            if (!isThere(staging_ / name)) {
+            if (!isThere(staging_->path() / name)) {
                 remove(name);
             }
         }
     }
-    for (const auto& file : std::filesystem::directory_iterator(staging_)) {
+    for (const auto& file : std::filesystem::directory_iterator(staging_->path())) {
         const std::filesystem::path name = file.path().filename();
         if (std::ranges::find(content_.marks, name.string()) == content_.marks.end()) {
             moveOut(name);
         }
     }
     for (const std::string& name : content_.marks) {
-        if (isThere(staging_ / name)) {
+        if (isThere(staging_->path() / name)) {
             moveOut(name);
         }
     }

@@ -1,10 +1,11 @@
 #pragma once
 
 #include "app/runs/ClaimedFolder.h"
-#include "core/FileDescriptor.h"
+#include "core/TemporaryFolder.h"
 
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -32,7 +33,7 @@ public:
     /// @throw Error where there are guarded files, FileError where the folder cannot be written
     OutputFolder(std::filesystem::path folder, FolderContent content, bool force = false);
     /// Without commit() all is as before.
-    ~OutputFolder();
+    ~OutputFolder() = default;
     OutputFolder(const OutputFolder&) = delete;
     OutputFolder& operator=(const OutputFolder&) = delete;
 
@@ -45,7 +46,6 @@ public:
 private:
     void requireNoFolder(const std::string& name) const;
     void requireAllowed() const;
-    void makeStaging();
     void remove(const std::filesystem::path& name) const;
     void moveOut(const std::filesystem::path& name) const;
 
@@ -53,8 +53,7 @@ private:
     const std::filesystem::path& folder_;
     FolderContent content_;
     bool force_;
-    std::filesystem::path staging_;
-    FileDescriptor lock_{-1};
+    std::optional<TemporaryFolder> staging_;
 };
 
 /// Refuses what an OutputFolder refuses, before long work is done for it, and leaves nothing.

@@ -1,9 +1,11 @@
 #include "app/runs/RecordedSummary.h"
 
+#include "app/program/JsonText.h"
 #include "app/runs/RunFolder.h"
 #include "core/Error.h"
+#include "core/io/FileBytes.h"
+#include "core/io/NestedText.h"
 
-#include <fstream>
 #include <nlohmann/json.hpp>
 
 namespace asperity {
@@ -43,8 +45,7 @@ RecordedSummary summaryFrom(const Json& summary) {
 
 std::optional<RecordedProgram> programOf(const std::filesystem::path& folder) {
     for (const char* const name : {run_files::kSummary, run_files::kManifest}) {
-        std::ifstream file(folder / name);
-        const Json json = Json::parse(file, nullptr, false);
+        const Json json = readJson(folder / name);
         const std::string version = textAt(json, "/versions/asperity");
         if (!version.empty()) {
             return RecordedProgram{version, textAt(json, "/versions/compiler")};
@@ -58,9 +59,10 @@ std::optional<RecordedSummary> readSummary(const std::filesystem::path& folder) 
     if (!isThere(path)) {
         return std::nullopt;
     }
-    std::ifstream file(path);
+    const std::string text = readFileBytes(path);
+    requireParsable(text, NestedSyntax::Json, path.string());
     try {
-        return summaryFrom(Json::parse(file));
+        return summaryFrom(Json::parse(text));
     } catch (const Json::exception& damage) {
         throw InputError(path.string(), "", std::string("is damaged: ") + damage.what());
     }

@@ -1,15 +1,14 @@
 #include "app/session/WindowSection.h"
 
 #include "core/Error.h"
+#include "core/io/scene/TomlFile.h"
 
 #include <QByteArray>
 #include <QStringList>
 #include <QVariantList>
 
 #include <cmath>
-#include <fstream>
 #include <sstream>
-#include <toml++/toml.h>
 
 namespace asperity {
 
@@ -105,14 +104,13 @@ QVariantMap windowSectionOf(const std::filesystem::path& file) {
     }
     QVariantMap kept;
     try {
-        std::ifstream stream(file);
-        const toml::table whole = toml::parse(stream);
+        const toml::table whole = readToml(file);
         if (const toml::table* const section = whole[kSection].as_table()) {
             for (const auto& [key, node] : *section) {
                 kept.insert(QString::fromStdString(std::string(key.str())), valueOf(node));
             }
         }
-    } catch (const toml::parse_error&) {  // who reads the scene says what is wrong
+    } catch (const InputError&) {  // who reads the scene says what is wrong
     }
     return kept;
 }

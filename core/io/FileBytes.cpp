@@ -1,9 +1,12 @@
 #include "core/io/FileBytes.h"
 
 #include "core/Error.h"
+#include "core/io/MemoryLimit.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <fcntl.h>
+#include <fstream>
 #include <system_error>
 #include <unistd.h>
 
@@ -103,12 +106,25 @@ struct stat FileBytes::status() const {
 std::string readFileBytes(const std::filesystem::path& path) {
     const FileBytes file(path);
     std::string bytes;
-    if (file.size() > bytes.max_size()) {
-        throw InputError(path.string(), "", "the file is too large for memory");
-    }
+    requireMemory(file.size(), path.string(), "");
     bytes = file.start(file.size());
     file.requireUnchanged();
     return bytes;
+}
+
+void copyTo(const ByteSource& from, const std::filesystem::path& file) {
+    constexpr std::uint64_t kPiece = std::uint64_t{1} << 20U;
+    std::ofstream copy(file, std::ios::binary);
+    std::string piece;
+    for (std::uint64_t place = 0; place < from.size(); place += piece.size()) {
+        piece.resize(static_cast<std::size_t>(std::min(kPiece, from.size() - place)));
+        from.read(place, piece);
+        copy.write(piece.data(), static_cast<std::streamsize>(piece.size()));
+    }
+    copy.close();
+    if (!copy) {
+        throw Error(file.string() + ": the file cannot be copied here; is the disk full?");
+    }
 }
 
 }  // namespace asperity

@@ -13,6 +13,10 @@ namespace asperity {
 ///        shorter meanwhile
 [[nodiscard]] std::string readFileBytes(const std::filesystem::path& path);
 
+/// Copies a whole content into a file, piece by piece. @throw Error when it cannot be written; as
+/// ByteSource::read()
+void copyTo(const ByteSource& from, const std::filesystem::path& file);
+
 /// A file descriptor for reading that is closed at the end of its scope.
 class OpenFile {
 public:

@@ -9,7 +9,9 @@
 #include <filesystem>
 #include <iterator>
 #include <string>
+#include <sys/resource.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 namespace asperity {
 namespace {
@@ -112,6 +114,15 @@ TEST(TemporaryFile, SweepsWhatAKilledProcessLeftForTheSameTarget) {
     EXPECT_EQ(filesIn(scratch.path()), 4);
 }
 
+TEST(TemporaryFile, SweepsWhatWasWrittenForItsTemporary) {
+    const test::ScratchFolder scratch;
+    const std::string first = temporaryName(temporaryPrefix("out.txt"));
+    (void)scratch.write(first, "half");
+    (void)scratch.write(temporaryName(temporaryPrefix(first)), "piece of it");
+    write(scratch.file("out.txt"), "text");
+    EXPECT_EQ(filesIn(scratch.path()), 1);
+}
+
 TEST(TemporaryFile, IsNotSweptWhileItIsWritten) {
     const test::ScratchFolder scratch;
     OutputFile slow(scratch.file("out.txt"));
@@ -136,6 +147,27 @@ TEST(TemporaryFile, TakesNamesAsLongAsTheFileSystem) {
         EXPECT_NE(std::string(error.what()).find("File name too long"), std::string::npos)
             << error.what();
     }
+}
+
+/// That the writer could not open it was told as a full disk.
+TEST(TemporaryFile, SaysThatTooManyFilesAreOpen) {
+    const test::ScratchFolder scratch;
+    rlimit before{};
+    getrlimit(RLIMIT_NOFILE, &before);
+    const int next = dup(STDERR_FILENO);
+    close(next);
+    const rlimit one{static_cast<rlim_t>(next) + 1, before.rlim_max};
+    setrlimit(RLIMIT_NOFILE, &one);
+    std::string said;
+    try {
+        const OutputFile file(scratch.file("out.txt"));
+    } catch (const FileError& error) {
+        said = error.what();
+    }
+    setrlimit(RLIMIT_NOFILE, &before);
+    EXPECT_NE(said.find("out.txt: cannot be written: Too many open files"), std::string::npos)
+        << said;
+    EXPECT_TRUE(fs::is_empty(scratch.path()));
 }
 
 TEST(TemporaryFile, SaysThatItsFolderIsMissing) {

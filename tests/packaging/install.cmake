@@ -9,6 +9,7 @@ foreach(
   file
   bin/asperity
   lib/udev/rules.d/70-asperity-hid.rules
+  libexec/asperity/asperity_hdf5_reader
   share/applications/asperity.desktop
   share/asperity/data/scenes/granular_film.toml
   share/asperity/data/studies/positioning.toml
@@ -37,6 +38,17 @@ execute_process(COMMAND ${program} loop --duration 1 WORKING_DIRECTORY /
                 COMMAND_ERROR_IS_FATAL ANY OUTPUT_VARIABLE output)
 if(NOT output MATCHES "ticks")
   message(FATAL_ERROR "the installed program finds no scene of its own: ${output}")
+endif()
+
+# A compact recording is read by a program that is installed beside it.
+set(run ${prefix}/run)
+execute_process(COMMAND ${program} explore ${prefix}/share/asperity/data/scenes/polystyrene.toml --duration 0.1
+                        --format h5 --out ${run}
+                WORKING_DIRECTORY / COMMAND_ERROR_IS_FATAL ANY OUTPUT_QUIET ERROR_QUIET)
+execute_process(COMMAND ${program} replay ${run} --out ${prefix}/again WORKING_DIRECTORY /
+                COMMAND_ERROR_IS_FATAL ANY OUTPUT_VARIABLE output)
+if(NOT output MATCHES "bit-identical")
+  message(FATAL_ERROR "the installed program reads no compact recording: ${output}")
 endif()
 
 # What it completes are its own subcommands.

@@ -18,7 +18,6 @@
 #include <vtkStringArray.h>
 #include <vtkStructuredGrid.h>
 #include <vtkXMLImageDataReader.h>
-#include <vtkXMLImageDataWriter.h>
 #include <vtkXMLPolyDataReader.h>
 #include <vtkXMLStructuredGridReader.h>
 
@@ -156,33 +155,6 @@ TEST_F(VtkFormats, ImageNamesTitleUnitAndOriginInItsFieldData) {
 }
 
 /// What ParaView saves as raw, appended and uncompressed.
-TEST_F(VtkFormats, ImagesThatVtkWritesAreRead) {
-    const vtkNew<vtkImageData> image;
-    image->SetDimensions(3, 2, 1);
-    image->SetSpacing(2.0, 3.0, 1.0);
-    image->AllocateScalars(VTK_FLOAT, 1);
-    image->GetPointData()->GetScalars()->SetName("z");
-    for (vtkIdType id = 0; id < 6; ++id) {
-        image->GetPointData()->GetScalars()->SetTuple1(id, static_cast<double>(id + 1));
-    }
-    for (const auto header : {vtkXMLWriter::UInt32, vtkXMLWriter::UInt64}) {
-        const vtkNew<vtkXMLImageDataWriter> writer;
-        writer->SetInputData(image);
-        writer->SetFileName(file("vtk.vti").c_str());
-        writer->SetHeaderType(header);
-        writer->SetDataModeToAppended();
-        writer->EncodeAppendedDataOff();
-        writer->SetCompressor(nullptr);
-        ASSERT_EQ(writer->Write(), 1);
-        const ScanChannel channel = readHeightMapFile(file("vtk.vti"), {}).channels.at(0);
-        EXPECT_EQ(channel.name, "z");
-        EXPECT_EQ(channel.map.heights, (std::vector<double>{4, 5, 6, 1, 2, 3}));
-        writer->SetCompressorTypeToZLib();
-        ASSERT_EQ(writer->Write(), 1);
-        EXPECT_THROW((void)readHeightMapFile(file("vtk.vti"), {}), InputError);
-    }
-}
-
 TEST_F(VtkFormats, MeshRunsThroughThePixelCenters) {
     write("map.vtp", smallMap());
     vtkNew<vtkXMLPolyDataReader> reader;

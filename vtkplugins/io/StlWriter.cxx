@@ -33,7 +33,7 @@ HeightRows stripOf(const HeightRows& map, int rowsBelow) {
 class JoinedStl {
 public:
     explicit JoinedStl(const std::filesystem::path& target)
-        : stream_(target, std::ios::binary), strip_(target.string() + ".strip") {
+        : stream_(target, std::ios::binary), strip_(target) {
         writer_->SetFileTypeToBinary();
         writer_->SetHeader("Asperity height map; one unit is one meter");
         writer_->SetFileName(strip_.path().c_str());

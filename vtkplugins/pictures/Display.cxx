@@ -3,6 +3,9 @@
 #include <X11/Xlib.h>
 #include <chrono>
 #include <cstdlib>
+#include <mutex>
+#include <optional>
+#include <string>
 #include <thread>
 
 namespace asperity {
@@ -26,11 +29,19 @@ Display* openDisplay() {
 }  // namespace
 
 bool haveDisplay() {
-    // NOLINTNEXTLINE(concurrency-mt-unsafe): nothing changes the environment after the start
-    if (std::getenv("DISPLAY") == nullptr) {
+    // NOLINTNEXTLINE(concurrency-mt-unsafe): changed at the start and at the end only
+    const char* const name = std::getenv("DISPLAY");
+    if (name == nullptr) {
         return false;
     }
-    static Display* const display = openDisplay();
+    static std::mutex mutex;
+    static std::optional<std::string> tried;
+    static Display* display = nullptr;
+    const std::scoped_lock lock(mutex);
+    if (tried != name) {
+        display = openDisplay();
+        tried = name;
+    }
     return display != nullptr;
 }
 

@@ -4,7 +4,6 @@
 #include "app/runs/RunFolder.h"
 
 #include <algorithm>
-#include <fstream>
 #include <nlohmann/json.hpp>
 
 namespace asperity {
@@ -31,8 +30,7 @@ bool isPage(const std::string& name) {
 
 /// Files of the report that is there; none where there is no list, or one that cannot be read.
 std::vector<std::string> earlierFiles(const std::filesystem::path& folder) {
-    std::ifstream file(folder / kReportList);
-    const nlohmann::json list = nlohmann::json::parse(file, nullptr, false);
+    const nlohmann::json list = readJson(folder / kReportList);
     std::vector<std::string> files;
     if (!list.is_object() || !list.contains(kFiles) || !list[kFiles].is_array()) {
         return files;

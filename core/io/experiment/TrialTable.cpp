@@ -171,9 +171,7 @@ private:
         return value ? *value : throw refusal(column);
     }
 
-    [[nodiscard]] const std::string& text(const char* column) const {
-        return table_.text(row_, column);
-    }
+    [[nodiscard]] std::string text(const char* column) const { return table_.text(row_, column); }
     [[nodiscard]] double number(const char* column) const { return table_.number(row_, column); }
 
     [[nodiscard]] InputError refusal(const char* column) const {

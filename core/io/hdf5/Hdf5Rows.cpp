@@ -1,122 +1,71 @@
 #include "core/io/hdf5/Hdf5Rows.h"
 
-#include "core/Error.h"
-
 #include <algorithm>
-#include <cstring>
 #include <optional>
+#include <utility>
 
 namespace asperity {
 
 namespace {
 
-constexpr long long kBlock = 8192;                        // rows, as they are stored together
-constexpr std::size_t kMaxWidth = std::size_t{1} << 12U;  // of a text's cells [byte]
+constexpr std::uint64_t kBlock = 8192;                        // rows, as they are stored together
+constexpr std::uint32_t kMaxWidth = std::uint32_t{1} << 12U;  // of a text's cells [byte]
 
 /// What a column's dataset holds; nothing where Asperity writes no such one.
-std::optional<Hdf5Column> columnOf(hid_t dataset) {
-    const Hdf5Object type(H5Dget_type(dataset), H5Tclose);
-    const Hdf5Object properties(H5Dget_create_plist(dataset), H5Pclose);
-    if (!type.isOpen() || !properties.isOpen() || H5Pget_external_count(properties.id()) != 0) {
-        return std::nullopt;
-    }
+std::optional<Hdf5Column> columnOf(const Hdf5Item& dataset) {
     Hdf5Column column;
-    const std::size_t size = H5Tget_size(type.id());
-    if (H5Tget_class(type.id()) == H5T_STRING && H5Tis_variable_str(type.id()) == 0 && size > 0 &&
-        size <= kMaxWidth) {
+    if (dataset.type == Hdf5Type::Text && dataset.bytes <= kMaxWidth) {
         column.type = Hdf5Column::Type::Text;
-        column.width = size;
+        column.width = dataset.bytes;
         return column;
     }
-    if (H5Tget_class(type.id()) != H5T_FLOAT || size > sizeof(double)) {
+    if (dataset.type != Hdf5Type::Real) {
         return std::nullopt;
     }
-    column.type = size == sizeof(double) ? Hdf5Column::Type::Double : Hdf5Column::Type::Single;
+    column.type =
+        dataset.bytes == sizeof(double) ? Hdf5Column::Type::Double : Hdf5Column::Type::Single;
     return column;
-}
-
-/// Rows of a column's dataset; negative: it is no column.
-long long lengthOf(hid_t dataset) {
-    const Hdf5Object space(H5Dget_space(dataset), H5Sclose);
-    const bool isColumn = space.isOpen() && H5Sget_simple_extent_ndims(space.id()) == 1;
-    return isColumn ? H5Sget_simple_extent_npoints(space.id()) : -1;
-}
-
-Hdf5Object readType(const Hdf5Column& column) {
-    return column.type == Hdf5Column::Type::Text ? textType(column.width)
-                                                 : Hdf5Object(H5Tcopy(H5T_NATIVE_DOUBLE), H5Tclose);
-}
-
-std::size_t cellBytes(const Hdf5Column& column) {
-    return column.type == Hdf5Column::Type::Text ? column.width : sizeof(double);
-}
-
-/// Of a cell in the file.
-std::size_t storedBytes(const Hdf5Column& column) {
-    return column.type == Hdf5Column::Type::Single ? sizeof(float) : cellBytes(column);
-}
-
-std::vector<std::string> linksOf(hid_t group) {
-    std::vector<std::string> names;
-    const auto take = [](hid_t /*group*/, const char* name, const H5L_info_t* /*info*/,
-                         void* taken) -> herr_t {
-        static_cast<std::vector<std::string>*>(taken)->emplace_back(name);
-        return 0;
-    };
-    if (H5Literate(group, H5_INDEX_CRT_ORDER, H5_ITER_INC, nullptr, take, &names) < 0) {
-        names.clear();
-        H5Literate(group, H5_INDEX_NAME, H5_ITER_INC, nullptr, take, &names);
-    }
-    return names;
 }
 
 }  // namespace
 
-Hdf5Rows::Hdf5Rows(const Hdf5Input& file, std::string name)
-    : file_(file)
-    , name_(std::move(name))
-    , group_(file.has(name_) ? H5Gopen2(file.id(), name_.c_str(), H5P_DEFAULT) : -1, H5Gclose) {
-    if (!group_.isOpen()) {
+Hdf5Rows::Hdf5Rows(const Hdf5Input& file, std::string name) : file_(file), name_(std::move(name)) {
+    const std::string folder = "/" + name_ + "/";
+    if (file.content().find(Hdf5Item::Kind::Group, "/" + name_) == nullptr) {
         file_.fail(name_, "there is no such table");
     }
-    for (const std::string& column : linksOf(group_.id())) {
-        addColumn(column);
+    for (const Hdf5Item& item : file.content().items()) {
+        if (item.kind != Hdf5Item::Kind::Attribute && item.path.starts_with(folder)) {
+            addColumn(item, item.path.substr(folder.size()));
+        }
     }
     if (columns_.empty()) {
         file_.fail(name_, "the table has no column");
     }
-    std::uint64_t bytesOfRow = 1;
-    for (const Hdf5Column& column : columns_) {
-        bytesOfRow += storedBytes(column);
-    }
-    if (static_cast<std::uint64_t>(rows_) > file_.mostBytes() / bytesOfRow) {
-        file_.fail(name_, "it promises more rows than its file can hold");
-    }
-    block_.resize(columns_.size());
+    blocks_.resize(columns_.size());
 }
 
-void Hdf5Rows::addColumn(const std::string& name) {
-    Hdf5Object dataset(H5Dopen2(group_.id(), name.c_str(), H5P_DEFAULT), H5Dclose);
-    std::optional<Hdf5Column> column =
-        dataset.isOpen() ? columnOf(dataset.id()) : std::optional<Hdf5Column>();
-    const long long length = column ? lengthOf(dataset.id()) : -1;
+void Hdf5Rows::addColumn(const Hdf5Item& dataset, const std::string& name) {
     const std::string place = name_ + "/" + name;
-    if (length < 0) {
+    std::optional<Hdf5Column> column =
+        dataset.shape.size() == 1 && dataset.place ? columnOf(dataset) : std::nullopt;
+    if (!column) {
         file_.fail(place, "expected a column of numbers or words");
     }
-    if (!columns_.empty() && length != rows_) {
+    if (!columns_.empty() && dataset.count != rows_) {
         file_.fail(place, "expected " + std::to_string(rows_) +
-                              " rows as in the columns before, found " + std::to_string(length));
+                              " rows as in the columns before, found " +
+                              std::to_string(dataset.count));
     }
-    rows_ = length;
+    rows_ = dataset.count;
     column->name = name;
     columns_.push_back(std::move(*column));
-    datasets_.push_back(std::move(dataset));
+    datasets_.push_back(&dataset);
 }
 
 std::vector<std::string> Hdf5Rows::comments() const {
     std::vector<std::string> lines;
-    std::string text = textOf(group_.id(), "comments");
+    std::string text = file_.content().text(Hdf5Item::Kind::Attribute, "/" + name_ + "@comments");
     for (std::size_t end = 0; (end = text.find('\n')) != std::string::npos;
          text.erase(0, end + 1)) {
         lines.push_back(text.substr(0, end));
@@ -137,34 +86,27 @@ bool Hdf5Rows::next() {
 
 void Hdf5Rows::read() {
     begin_ = read_;
-    const auto begin = static_cast<hsize_t>(begin_);
-    const auto count = static_cast<hsize_t>(std::min(kBlock, rows_ - begin_));
-    const Hdf5Object memory(H5Screate_simple(1, &count, nullptr), H5Sclose);
+    const auto count = static_cast<std::size_t>(std::min(kBlock, rows_ - begin_));
     for (std::size_t c = 0; c < columns_.size(); ++c) {
-        block_[c].resize(count * cellBytes(columns_[c]));
-        const Hdf5Object place(H5Dget_space(datasets_[c].id()), H5Sclose);
-        H5Sselect_hyperslab(place.id(), H5S_SELECT_SET, &begin, nullptr, &count, nullptr);
-        if (H5Dread(datasets_[c].id(), readType(columns_[c]).id(), memory.id(), place.id(),
-                    H5P_DEFAULT, block_[c].data()) < 0) {
-            file_.fail(name_ + "/" + columns_[c].name, "its cells cannot be read");
+        if (columns_[c].type == Hdf5Column::Type::Text) {
+            blocks_[c].texts.resize(count * columns_[c].width);
+            file_.content().read(*datasets_[c], begin_, std::span(blocks_[c].texts));
+        } else {
+            blocks_[c].numbers.resize(count);
+            file_.content().read(*datasets_[c], begin_, std::span(blocks_[c].numbers));
         }
     }
-    read_ = begin_ + static_cast<long long>(count);
-}
-
-const char* Hdf5Rows::cell(std::size_t column) const {
-    return block_[column].data() +
-           static_cast<std::size_t>(next_ - 1 - begin_) * cellBytes(columns_[column]);
+    read_ = begin_ + count;
 }
 
 double Hdf5Rows::number(std::size_t column) const {
-    double number = 0.0;
-    std::memcpy(&number, cell(column), sizeof(number));
-    return number;
+    return blocks_[column].numbers[next_ - 1 - begin_];
 }
 
 std::string_view Hdf5Rows::text(std::size_t column) const {
-    const std::string_view whole(cell(column), columns_[column].width);
+    const std::size_t width = columns_[column].width;
+    const std::string_view whole(blocks_[column].texts.data() + (next_ - 1 - begin_) * width,
+                                 width);
     return whole.substr(0, whole.find('\0'));
 }
 

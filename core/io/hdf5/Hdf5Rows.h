@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/io/hdf5/Hdf5Column.h"
-#include "core/io/hdf5/Hdf5File.h"
+#include "core/io/hdf5/Hdf5Input.h"
 
 #include <string>
 #include <string_view>
@@ -12,7 +12,7 @@ namespace asperity {
 /// The rows of a table that Hdf5TableWriter wrote, one after the other.
 class Hdf5Rows {
 public:
-    /// @param file outlives it
+    /// @param file outlives it, and was asked for the table
     /// @throw InputError where there is no such table, or one of its columns is none
     Hdf5Rows(const Hdf5Input& file, std::string name);
 
@@ -27,20 +27,24 @@ public:
     [[nodiscard]] std::string_view text(std::size_t column) const;
 
 private:
-    void addColumn(const std::string& name);
+    /// Of a column; the one that its type does not need is empty.
+    struct Block {
+        std::vector<double> numbers;
+        std::vector<char> texts;
+    };
+
+    void addColumn(const Hdf5Item& dataset, const std::string& name);
     void read();
-    [[nodiscard]] const char* cell(std::size_t column) const;
 
     const Hdf5Input& file_;
     std::string name_;
-    Hdf5Object group_;
     std::vector<Hdf5Column> columns_;
-    std::vector<Hdf5Object> datasets_;
-    std::vector<std::vector<char>> block_;  ///< of each column
-    long long rows_ = 0;
-    long long read_ = 0;   ///< rows up to the block's end
-    long long begin_ = 0;  ///< of the block
-    long long next_ = 0;   ///< row
+    std::vector<const Hdf5Item*> datasets_;
+    std::vector<Block> blocks_;
+    std::uint64_t rows_ = 0;
+    std::uint64_t read_ = 0;   ///< rows up to the block's end
+    std::uint64_t begin_ = 0;  ///< of the block
+    std::uint64_t next_ = 0;   ///< row
 };
 
 }  // namespace asperity

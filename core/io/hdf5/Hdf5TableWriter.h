@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/io/hdf5/Hdf5Column.h"
-#include "core/io/hdf5/Hdf5File.h"
+#include "core/io/hdf5/Hdf5Output.h"
 
 #include <string>
 #include <string_view>

@@ -18,16 +18,23 @@ bool containsAny(std::string_view text, std::initializer_list<std::string_view> 
     });
 }
 
-/// Some instruments give these as lengths, too.
+/// Some instruments and programs give these as lengths, too. The feedback of an STM may keep a
+/// current constant while it measures a topography.
 bool namesOtherThanHeight(const ScanChannel& channel) {
-    return containsAny(lowerCase(channel.name), {"deflection", "amplitude", "phase", "error",
-                                                 "friction", "deformation", "indentation"});
+    if (channel.isSurface) {
+        return false;
+    }
+    const std::string name = lowerCase(channel.name);
+    const bool isCurrent =
+        containsAny(name, {"current"}) && !containsAny(name, {"height", "topograph"});
+    return isCurrent || containsAny(name, {"deflection", "amplitude", "phase", "error", "friction",
+                                           "deformation", "indentation"});
 }
 
 /// Smaller is better.
 int rankOfName(const ScanChannel& channel) {
     const std::string name = lowerCase(channel.name);
-    if (containsAny(name, {"sensor", "measured"})) {
+    if (channel.isSurface || containsAny(name, {"sensor", "measured"})) {
         return 0;
     }
     const bool piezo =

@@ -1,4 +1,6 @@
 #include "core/Error.h"
+#include "core/io/ByteReader.h"
+#include "core/io/TextValue.h"
 #include "core/io/heightmap/HeightMapFormat.h"
 
 #include <algorithm>
@@ -34,6 +36,20 @@ bool isNanonisSpectroscopy(std::string_view start) {
     return start.starts_with("Experiment\t") && contains(start, "\n[DATA]");
 }
 
+bool isAfmWorkshop(std::string_view start) {
+    return trimmed(firstLine(start)).starts_with("Force-Distance Curve") ||
+           (contains(start, "Extend Z-Sense(") && contains(start, "Retract Z-Sense("));
+}
+
+/// The tables that the package afmformats exports: metadata as comments, and titles of columns.
+bool isCurveTable(std::string_view start) {
+    const bool titled = contains(start, "force") &&
+                        (contains(start, "tip position") || contains(start, "height (measured)") ||
+                         contains(start, "height (piezo)"));
+    return start.starts_with('#') &&
+           (contains(start, "\"imaging mode\":") || (titled && contains(start, "segment")));
+}
+
 bool isParkPinPoint(std::string_view start) { return start.starts_with("PS-PPT/"); }
 
 struct ForceCurveMark {
@@ -41,15 +57,49 @@ struct ForceCurveMark {
     bool (*isOn)(std::string_view start);
 };
 
-constexpr std::array<ForceCurveMark, 4> kMarks = {{
+constexpr std::array<ForceCurveMark, 6> kMarks = {{
     {"JPK, exported as text", isJpkText},
     {"NanoScope, exported as text", isNanoscopeText},
     {"Nanonis spectroscopy, .dat", isNanonisSpectroscopy},
     {"Park PinPoint, .ps-ppt", isParkPinPoint},
+    {"AFM Workshop", isAfmWorkshop},
+    {"a table of afmformats, .tab", isCurveTable},
 }};
+
+/// Frames of an NT-MDT file follow each other, each with its length and its type.
+bool holdsNtMdtCurvesAlone(const ByteSource& bytes) {
+    constexpr std::string_view kMdtMagic = "\x01\xB0\x93\xFF";
+    constexpr std::uint64_t kLastFrame = 12;
+    constexpr std::uint64_t kFirstFrame = 33;
+    constexpr std::uint64_t kFrameStart = 6;
+    constexpr std::array<std::uint16_t, 3> kCurves{1, 190, 201};
+    if (!bytes.startsWith(kMdtMagic) || bytes.size() < kFirstFrame) {
+        return false;
+    }
+    const auto frames = numberIn<std::uint16_t>(bytes, {kLastFrame, sizeof(std::uint16_t)});
+    std::uint64_t place = kFirstFrame;
+    for (int frame = 0; frame <= frames; ++frame) {
+        if (place + kFrameStart > bytes.size()) {
+            return false;
+        }
+        const std::string start = bytesOf(bytes, {place, kFrameStart});
+        const auto length = littleEndian<std::uint32_t>(start.data());
+        const auto type = littleEndian<std::uint16_t>(start.data() + sizeof(length));
+        if (length < kFrameStart || std::ranges::count(kCurves, type) == 0) {
+            return false;
+        }
+        place += length;
+    }
+    return true;
+}
+
+constexpr ForceCurveMark kNtMdt{"NT-MDT .mdt", nullptr};
 
 /// Null when there is none.
 const ForceCurveMark* markOn(const ByteSource& bytes) {
+    if (holdsNtMdtCurvesAlone(bytes)) {
+        return &kNtMdt;
+    }
     const std::string start = bytes.start(kLooked);
     const auto* const mark = std::ranges::find_if(
         kMarks, [&start](const ForceCurveMark& each) { return each.isOn(start); });

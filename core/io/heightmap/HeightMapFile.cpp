@@ -91,7 +91,10 @@ ScanChannel essentialsOf(const ScanChannel& channel) {
     return {.name = channel.name,
             .unit = channel.unit,
             .lateralUnit = channel.lateralUnit,
-            .map = channel.map};
+            .map = channel.map,
+            .isSurface = channel.isSurface,
+            .originX = channel.originX,
+            .originY = channel.originY};
 }
 
 /// What is given of a scale does not change which channel is taken.
@@ -241,6 +244,25 @@ const ScanChannel& heightChannel(const HeightMapFile& file, const std::filesyste
     }
     requireScale(channel, path);
     return channel;
+}
+
+namespace {
+
+template <class Map>
+void requireAnyHeight(const Map& map, const std::filesystem::path& path) {
+    if (std::ranges::none_of(map.heights, [](auto height) { return isFiniteHeight(height); })) {
+        throw InputError(path.string(), "", "the height map holds no valid pixel");
+    }
+}
+
+}  // namespace
+
+void requireHeights(const HeightMap& map, const std::filesystem::path& path) {
+    requireAnyHeight(map, path);
+}
+
+void requireHeights(const ScanMap& map, const std::filesystem::path& path) {
+    requireAnyHeight(map, path);
 }
 
 }  // namespace asperity

@@ -17,9 +17,11 @@ struct ScanChannel {
     std::string unit;         ///< of the values ("m", "V", "mV", "deg"); empty: none given
     std::string lateralUnit;  ///< SI base unit of the size, "m" for a scan; empty: none given
     std::string direction;    ///< "forward", "backward", or empty when the file does not say
-    HeightMap map;         ///< values in `unit` (meters only when unit is "m"); pitch 0: not given
+    HeightMap map;  ///< values in `unit` (meters only when unit is "m"); pitch 0: not given
+    bool isSurface = false;  ///< it shows the heights of the sample, whatever it is called
     bool isMask = false;   ///< the values mark a part of the scan (core/io/heightmap/MaskValues.h)
-    double originX = 0.0;  ///< offset of the scan in the instrument's frame [m]
+    double originX = 0.0;  ///< lower left corner of the image in the instrument's frame [m];
+                           ///< core/io/heightmap/ScanOrigin.h
     double originY = 0.0;  ///< [m]
     std::map<std::string, std::string> metadata;
     std::vector<std::string> notes;  ///< what the reader had to decide about it, a sentence each
@@ -83,5 +85,10 @@ channelNamed(const HeightMapFile& file, const std::filesystem::path& path, const
 [[nodiscard]] const ScanChannel& heightChannel(const HeightMapFile& file,
                                                const std::filesystem::path& path,
                                                const std::string& name);
+
+/// Refuses a map of a file where no pixel holds a height, before anything is computed of it.
+/// @throw InputError
+void requireHeights(const HeightMap& map, const std::filesystem::path& path);
+void requireHeights(const ScanMap& map, const std::filesystem::path& path);
 
 }  // namespace asperity

@@ -43,7 +43,7 @@ struct StoredScan {
 /// What a written file says about a height map besides its heights.
 struct HeightMapMeta {
     std::string title = "Height";  ///< UTF-8
-    double originX = 0.0;          ///< offset of the scan in the instrument's frame [m]
+    double originX = 0.0;          ///< lower left corner in the instrument's frame [m]
     double originY = 0.0;          ///< [m]
     std::string unit = "m";        ///< of the values; empty: they are numbers, no heights
     /// What is known besides, by its name; UTF-8.
@@ -112,17 +112,20 @@ extern const HeightMapFormat kPngFormat;
 /// Doubles at the pixel centers, bottom row first, called "height" [m], or by the title where they
 /// are no heights; pixels without data are 0 in an array "valid" as well.
 extern const HeightMapFormat kVtiFormat;
+extern const HeightMapFormat kNanoscopeTextFormat;
+extern const HeightMapFormat kNexusFormat;
 extern const HeightMapFormat kXyzFormat;
 extern const HeightMapFormat kTextFormat;  ///< doubles
 
 /// The most telling beginnings first. Images of instruments that are TIFFs or zips go before those
 /// of any kind, force curves before pictures and texts.
 inline constexpr std::array kHeightMapFormats{
-    &kGwyFormat,        &kNanoscopeFormat, &kGsfFormat,  &kParkFormat,       &kJpkFormat,
-    &kNanonisFormat,    &kNanosurfFormat,  &kWsxmFormat, &kPicoviewFormat,   &kDigitalSurfFormat,
-    &kSdfFormat,        &kBcrFormat,       &kIgorFormat, &kJpkArchiveFormat, &kX3pFormat,
-    &kForceCurveFormat, &kExrFormat,       &kTiffFormat, &kPngFormat,        &kVtiFormat,
-    &kXyzFormat,        &kTextFormat};
+    &kGwyFormat,      &kNanoscopeFormat,     &kGsfFormat,      &kParkFormat,
+    &kJpkFormat,      &kNanonisFormat,       &kNanosurfFormat, &kWsxmFormat,
+    &kPicoviewFormat, &kDigitalSurfFormat,   &kSdfFormat,      &kBcrFormat,
+    &kIgorFormat,     &kJpkArchiveFormat,    &kX3pFormat,      &kForceCurveFormat,
+    &kExrFormat,      &kTiffFormat,          &kPngFormat,      &kVtiFormat,
+    &kNexusFormat,    &kNanoscopeTextFormat, &kXyzFormat,      &kTextFormat};
 
 using HeightMapFormats = std::span<const HeightMapFormat* const>;
 

@@ -4,6 +4,7 @@
 #include "core/io/TextValue.h"
 #include "core/io/heightmap/HeightCounts.h"
 #include "core/io/heightmap/PhysicalUnit.h"
+#include "core/io/heightmap/ScanOrigin.h"
 
 #include <cmath>
 #include <limits>
@@ -171,8 +172,7 @@ StoredChannel scaledChannel(const ImageScale& scale, ImageSize size, ReadRow row
     channel.lateralUnit = scale.lateralUnit;
     channel.direction = directionFromName(channel.name);
     channel.map = emptyMap(size, scale.sizeX, scale.sizeY);
-    channel.originX = finiteOrZero(scale.originX);
-    channel.originY = finiteOrZero(scale.originY);
+    setOrigin(channel, scale.originX, scale.originY, GivenPoint::Corner);
     channel.notes = scale.notes;
     channel.provenance = scale.provenance;
     if (channel.unit.empty()) {

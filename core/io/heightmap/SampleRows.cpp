@@ -2,6 +2,7 @@
 
 #include "core/Error.h"
 #include "core/io/ByteReader.h"
+#include "core/io/MemoryLimit.h"
 
 #include <algorithm>
 #include <limits>
@@ -112,7 +113,9 @@ ReadRow rowsOf(const ByteSource& bytes, const SampleLayout& layout) {
     };
 }
 
-ReadRow rowsOfDecoded(std::function<std::string()> decode, const SampleLayout& layout) {
+ReadRow rowsOfDecoded(std::function<std::string()> decode, const SampleLayout& layout,
+                      const std::string& file) {
+    requireMemory(layout.place + layout.bytes(), file, "");
     return [samples = std::make_shared<DecodedSamples>(std::move(decode)),
             layout](int row, RowRoom& room, double* numbers) {
         readSamples(samples->bytes(), layout, row, room, numbers);

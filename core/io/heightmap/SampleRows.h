@@ -59,8 +59,10 @@ using ReadRow = decltype(StoredChannel::readRow);
 /// for.
 /// @param decode gives the samples of the layout, which begins at its byte 0 or later; it is called
 ///        again only where it threw
-[[nodiscard]] ReadRow rowsOfDecoded(std::function<std::string()> decode,
-                                    const SampleLayout& layout);
+/// @param file for messages
+/// @throw InputError when they take more memory than an input may
+[[nodiscard]] ReadRow rowsOfDecoded(std::function<std::string()> decode, const SampleLayout& layout,
+                                    const std::string& file);
 
 /// Reads rows of numbers that are in memory, one row after the other from the top.
 [[nodiscard]] ReadRow rowsOfNumbers(std::deque<double> numbers, int columns);

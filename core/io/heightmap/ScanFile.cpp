@@ -15,20 +15,29 @@ ScanFile::ScanFile(const std::filesystem::path& path, const GivenScale& given,
 
 /// @param read (StoredChannel) -> Map
 template <class Map, class Read>
-BasicHeightScan<Map> ScanFile::readScan(const std::string& name, const Read& read) const {
+BasicHeightScan<Map> ScanFile::readScan(const std::string& name,
+                                        const std::optional<PixelRectangle>& part,
+                                        const Read& read) const {
     const ScanChannel& channel = heightChannel(contents(), bytes_.name(), name);
+    const StoredChannel& whole = storedOf(channel);
+    std::optional<StoredChannel> cropped;
+    if (part) {
+        cropped = croppedChannel(whole, *part, bytes_.name());
+    }
+    const StoredChannel& stored = cropped ? *cropped : whole;
     return {.format = contents().format,
             .channel = channel.name,
-            .map = read(storedOf(channel)),
-            .originX = channel.originX,
-            .originY = channel.originY,
+            .map = read(stored),
+            .originX = stored.channel.originX,
+            .originY = stored.channel.originY,
             .notes = notesOn(contents(), channel),
             .provenance = provenanceOf(contents(), channel)};
 }
 
 HeightScan ScanFile::readHeightScan(const std::string& name, Progress* progress) const {
-    return readScan<ScanMap>(
-        name, [&](const StoredChannel& stored) { return readScanMap(stored, bytes_, progress); });
+    return readScan<ScanMap>(name, std::nullopt, [&](const StoredChannel& stored) {
+        return readScanMap(stored, bytes_, progress);
+    });
 }
 
 SceneScan ScanFile::readSceneScan(const std::string& name, Progress* progress) const {
@@ -46,9 +55,7 @@ SceneScan ScanFile::readSceneScan(const std::string& name,
         }
         return readHeightMap(stored, bytes_, progress);
     };
-    return readScan<Map>(name, [&](const StoredChannel& whole) {
-        return part ? read(croppedChannel(whole, *part, bytes_.name())) : read(whole);
-    });
+    return readScan<Map>(name, part, read);
 }
 
 HeightChannel ScanFile::readHeightChannel(const std::string& name, Progress* progress) const {

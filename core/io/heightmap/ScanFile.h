@@ -24,7 +24,7 @@ struct BasicHeightScan {
     std::string format;   ///< for people
     std::string channel;  ///< its name
     Map map;
-    double originX = 0.0;            ///< offset of the scan in the instrument's frame [m]
+    double originX = 0.0;            ///< lower left corner in the instrument's frame [m]
     double originY = 0.0;            ///< [m]
     std::vector<std::string> notes;  ///< on the file and this channel
     std::vector<Provenance> provenance;
@@ -63,7 +63,7 @@ public:
     /// As readHeightScan(), in the precision that a scene of it is built in.
     [[nodiscard]] SceneScan readSceneScan(const std::string& name,
                                           Progress* progress = nullptr) const;
-    /// The same of a part of the channel, or of all of it. The origin stays that of the whole.
+    /// The same of a part of the channel, or of all of it. The origin is that of the part.
     /// @throw InputError when the part is not wholly in the image, too
     [[nodiscard]] SceneScan readSceneScan(const std::string& name,
                                           const std::optional<PixelRectangle>& part,
@@ -87,7 +87,9 @@ public:
 
 private:
     template <class Map, class Read>
-    [[nodiscard]] BasicHeightScan<Map> readScan(const std::string& name, const Read& read) const;
+    [[nodiscard]] BasicHeightScan<Map> readScan(const std::string& name,
+                                                const std::optional<PixelRectangle>& part,
+                                                const Read& read) const;
     [[nodiscard]] const StoredChannel& storedOf(const ScanChannel& channel) const;
 
     BufferedFile bytes_;

@@ -1,6 +1,7 @@
 #include "core/io/heightmap/StoredRows.h"
 
 #include "core/FreshMemory.h"
+#include "core/io/MemoryLimit.h"
 #include "core/io/heightmap/ChannelRows.h"
 #include "core/io/heightmap/ScanImage.h"
 
@@ -130,6 +131,7 @@ void readRows(SharedRows& rows, const ScanMap& map, Progress* progress) {
 
 HeightMap readHeightMap(const StoredChannel& stored, const ByteSource& bytes, Progress* progress) {
     HeightMap map = stored.channel.map;
+    requireMemory(map.index(map.rows, 0) * sizeof(double), bytes.name(), "");
     const auto append = [&map](int row, const std::vector<double>& values) {
         if (row == 0) {  // what cannot be decoded is refused before there is room for its pixels
             map.heights.reserve(map.index(map.rows, 0));
@@ -145,6 +147,8 @@ HeightMap readHeightMap(const StoredChannel& stored, const ByteSource& bytes, Pr
 
 ScanMap readScanMap(const StoredChannel& stored, const ByteSource& bytes, Progress* progress) {
     const HeightMap& empty = stored.channel.map;
+    // Twice as much again is needed for a surface that is fitted to them: docs/performance.md.
+    requireMemory(empty.index(empty.rows, 0) * 3 * sizeof(float), bytes.name(), "");
     ScanMap map;
     map.columns = empty.columns;
     map.rows = empty.rows;

@@ -176,8 +176,8 @@ CsvTable readTable(const Hdf5Input& file, const char* name) {
     return {text.view(), file.name() + ": " + name};
 }
 
-Hdf5Input opened(const std::filesystem::path& packed) {
-    Hdf5Input file(packed);
+Hdf5Input opened(const std::filesystem::path& packed, const std::vector<std::string>& wanted) {
+    Hdf5Input file(packed, wanted);
     if (file.attribute("format") != kFormat || file.attribute("format_version") != kFormatVersion) {
         throw InputError(packed.string(), "",
                          "expected the tables of a recording, format version 1");
@@ -207,11 +207,11 @@ void packTables(const TextTables& tables, const std::filesystem::path& packed) {
 }
 
 CsvTable readPackedInput(const std::filesystem::path& packed) {
-    return readTable(opened(packed), kInput);
+    return readTable(opened(packed, {kInput}), kInput);
 }
 
 PackedLog readPackedLog(const std::filesystem::path& packed) {
-    const Hdf5Input file = opened(packed);
+    const Hdf5Input file = opened(packed, {kLog, kChecks});
     PackedLog log{.rows = readTable(file, kLog), .checks = file.list(kChecks)};
     if (log.checks.size() != (log.rows.rows() + RowChecks::kRows - 1) / RowChecks::kRows) {
         file.fail(kChecks, "expected a check of each " + std::to_string(RowChecks::kRows) +
@@ -221,7 +221,7 @@ PackedLog readPackedLog(const std::filesystem::path& packed) {
 }
 
 void unpackTables(const std::filesystem::path& packed, const TextTables& tables) {
-    const Hdf5Input file = opened(packed);
+    const Hdf5Input file = opened(packed, {kInput, kEnergy});
     const auto unpack = [&file](const char* name, const std::filesystem::path& path) {
         OutputFile text(path);
         unpackTable(file, name, text.stream());

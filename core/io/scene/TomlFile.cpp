@@ -2,6 +2,8 @@
 
 #include "core/Error.h"
 #include "core/PathText.h"
+#include "core/io/FileBytes.h"
+#include "core/io/NestedText.h"
 
 #include <fstream>
 #include <optional>
@@ -16,14 +18,22 @@ std::string lineOf(const toml::source_region& source) {
     return "line " + std::to_string(source.begin.line);
 }
 
+/// A file without a byte is a text, too.
+std::string textOf(const std::filesystem::path& path) {
+    std::error_code unknown;
+    return std::filesystem::is_empty(path, unknown) ? std::string() : readFileBytes(path);
+}
+
 }  // namespace
 
 toml::table readToml(const std::filesystem::path& path) {
     if (!std::filesystem::is_regular_file(path)) {
         throw InputError(path.string(), "", "no such file");
     }
+    const std::string text = textOf(path);
+    requireParsable(text, NestedSyntax::Toml, path.string());
     try {
-        return toml::parse_file(path.string());
+        return toml::parse(text, path.string());
     } catch (const toml::parse_error& error) {
         throw InputError(path.string(), lineOf(error.source()), std::string(error.description()));
     }

@@ -40,7 +40,7 @@ void writeCases(std::ostream& out, const CsvTable& cases, const CaseAnswers& ans
             reportTo(progress, static_cast<double>(row) / static_cast<double>(cases.rows()));
         }
         for (const std::string& column : cases.columns()) {
-            csv.add(cases.text(row, column));
+            csv.add(cases.view(row, column));
         }
         answers.add(csv, row);
         csv.endRow();

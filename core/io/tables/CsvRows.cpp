@@ -3,13 +3,21 @@
 #include "core/Error.h"
 #include "core/io/TextValue.h"
 
-#include <optional>
+#include <algorithm>
 
 namespace asperity {
 
-std::vector<std::string> csvCells(std::string_view line) {
-    std::vector<std::string> cells;
+std::size_t splitCells(std::string_view line, std::size_t most, std::vector<std::string>& cells) {
+    std::size_t count = 0;
     std::string cell;
+    const auto end = [&] {
+        if (count < most) {
+            cells.resize(std::max(cells.size(), count + 1));
+            cells[count].assign(trimmed(cell));
+        }
+        ++count;
+        cell.clear();
+    };
     bool quoted = false;
     for (std::size_t i = 0; i < line.size(); ++i) {
         const bool doubled = quoted && line[i] == '"' && line.substr(i + 1).starts_with('"');
@@ -18,26 +26,29 @@ std::vector<std::string> csvCells(std::string_view line) {
         } else if (line[i] == '"') {
             quoted = !quoted;
         } else if (line[i] == ',' && !quoted) {
-            cells.emplace_back(trimmed(cell));
-            cell.clear();
+            end();
         } else {
             cell += line[i];
         }
     }
     if (quoted) {
-        return {};
+        return 0;
     }
-    cells.emplace_back(trimmed(cell));
-    return cells;
+    end();
+    cells.resize(std::min(count, most));
+    return count;
 }
 
 CsvRows::CsvRows(const std::filesystem::path& path) : bytes_(path), lines_(bytes_) {
-    if (!nextCells(columns_)) {
+    const std::optional<std::string_view> line = nextLine();
+    if (!line) {
         throw InputError(path.string(), "", "expected a line that names the columns");
     }
+    columns_ = columnNamesOf(*line, [this](const std::string& what) { lines_.fail(what); });
 }
 
-bool CsvRows::nextCells(std::vector<std::string>& cells) {
+/// The next line that is neither empty nor a comment.
+std::optional<std::string_view> CsvRows::nextLine() {
     while (const std::optional<std::string_view> read = lines_.next()) {
         const std::string_view line = trimmed(*read);
         if (line.starts_with('#')) {
@@ -45,24 +56,19 @@ bool CsvRows::nextCells(std::vector<std::string>& cells) {
                 comments_.emplace_back(trimmed(line.substr(1)));
             }
         } else if (!line.empty()) {
-            cells = csvCells(line);
-            if (cells.empty()) {
-                lines_.fail("a quoted cell is not closed");
-            }
-            return true;
+            return line;
         }
     }
-    return false;
+    return std::nullopt;
 }
 
 bool CsvRows::next() {
-    if (!nextCells(cells_)) {
+    const std::optional<std::string_view> line = nextLine();
+    if (!line) {
         return false;
     }
-    if (cells_.size() != columns_.size()) {
-        lines_.fail("expected " + std::to_string(columns_.size()) +
-                    " cells as in the header, found " + std::to_string(cells_.size()));
-    }
+    splitRow(*line, columns_.size(), cells_,
+             [this](const std::string& what) { lines_.fail(what); });
     return true;
 }
 

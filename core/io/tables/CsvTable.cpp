@@ -2,9 +2,12 @@
 
 #include "core/Error.h"
 #include "core/io/FileBytes.h"
+#include "core/io/MemoryLimit.h"
 #include "core/io/TextValue.h"
 #include "core/io/tables/CsvRows.h"
 
+#include <algorithm>
+#include <limits>
 #include <utility>
 
 namespace asperity {
@@ -19,6 +22,10 @@ CsvTable::CsvTable(std::string_view content, std::string file) : file_(std::move
     if (content.starts_with(kByteOrderMark)) {
         content.remove_prefix(kByteOrderMark.size());
     }
+    const auto commas = static_cast<std::size_t>(std::ranges::count(content, ','));
+    const auto lines = static_cast<std::size_t>(std::ranges::count(content, '\n'));
+    requireMemory(content.size() + (commas + lines) * sizeof(ends_[0]) + lines * sizeof(Row), file_,
+                  "");
     for (std::size_t number = 1; !content.empty(); ++number) {
         const std::size_t end = std::min(content.find('\n'), content.size());
         addLine(trimmed(content.substr(0, end)), number);
@@ -33,22 +40,25 @@ void CsvTable::addLine(std::string_view line, std::size_t number) {
     if (line.empty() || line.starts_with('#')) {
         return;
     }
-    std::vector<std::string> cells = csvCells(line);
-    if (cells.empty()) {
-        fail(number, "a quoted cell is not closed");
-    }
+    const auto refuse = [&](const std::string& what) { fail(number, what); };
     if (names_.empty()) {
-        setHeader(std::move(cells), number);
+        setHeader(columnNamesOf(line, refuse), number);
         return;
     }
-    if (cells.size() != names_.size()) {
-        fail(number, "expected " + std::to_string(names_.size()) +
-                         " cells as in the header, found " + std::to_string(cells.size()));
+    splitRow(line, names_.size(), cells_, refuse);
+    addRow(cells_, number);
+}
+
+void CsvTable::addRow(const std::vector<std::string>& cells, std::size_t number) {
+    rows_.push_back({.begin = text_.size(), .line = number});
+    for (const std::string& cell : cells) {
+        text_ += cell;
+        const std::size_t end = text_.size() - rows_.back().begin;
+        if (end > std::numeric_limits<std::uint32_t>::max()) {
+            fail(number, "expected a row of less than 4 GiB");
+        }
+        ends_.push_back(static_cast<std::uint32_t>(end));
     }
-    for (std::string& cell : cells) {
-        cells_.push_back(std::move(cell));
-    }
-    lines_.push_back(number);
 }
 
 void CsvTable::setHeader(std::vector<std::string> names, std::size_t number) {
@@ -71,8 +81,14 @@ std::size_t CsvTable::columnIndex(const std::string& name) const {
     return found->second;
 }
 
-const std::string& CsvTable::text(std::size_t row, const std::string& column) const {
-    return cells_.at(row * names_.size() + columnIndex(column));
+std::string_view CsvTable::view(std::size_t row, const std::string& column) const {
+    return cellAt(row, columnIndex(column));
+}
+
+std::string_view CsvTable::cellAt(std::size_t row, std::size_t column) const {
+    const std::size_t cell = row * names_.size() + column;
+    const std::size_t begin = column == 0 ? 0 : ends_.at(cell - 1);
+    return std::string_view(text_).substr(rows_.at(row).begin + begin, ends_.at(cell) - begin);
 }
 
 double CsvTable::number(std::size_t row, const std::string& column) const {
@@ -89,11 +105,11 @@ std::vector<double> CsvTable::numbers(const std::string& column) const {
 }
 
 double CsvTable::numberAt(std::size_t row, std::size_t column) const {
-    const std::string& cell = cells_.at(row * names_.size() + column);
+    const std::string_view cell = cellAt(row, column);
     const std::optional<double> value = parseNumber(cell);
     if (!value) {
-        fail(lines_.at(row),
-             "column '" + names_[column] + "': expected a number, found '" + cell + "'");
+        fail(line(row), "column '" + names_[column] + "': expected a number, found '" +
+                            std::string(cell) + "'");
     }
     return *value;
 }

@@ -3,6 +3,7 @@
 #include "core/Error.h"
 #include "core/PrintableText.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <utility>
@@ -56,8 +57,11 @@ CsvWriter& CsvWriter::add(double value) {
     return *this;
 }
 
-CsvWriter& CsvWriter::add(std::string_view text) {
+CsvWriter& CsvWriter::add(std::string_view given) {
     separate();
+    const bool isPlain = std::ranges::all_of(given, [](char c) { return c >= ' ' && c <= '~'; });
+    const std::string safe = isPlain ? std::string() : printable(given);
+    const std::string_view text = isPlain ? given : std::string_view(safe);
     if (text.find_first_of(",\"#\n") == std::string_view::npos) {
         buffer_ += text;
         return *this;

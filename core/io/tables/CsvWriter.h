@@ -29,9 +29,9 @@ public:
     CsvWriter(std::ostream& stream, const std::vector<std::string>& comments,
               const std::vector<std::string>& columns);
 
-    /// The next cell of the row; text is quoted where it must be.
+    /// The next cell of the row; text is made printable(), and quoted where it must be.
     CsvWriter& add(double value);
-    CsvWriter& add(std::string_view text);
+    CsvWriter& add(std::string_view given);
     /// @throw Error when the row has another number of cells than there are columns
     void endRow();
     /// A whole row of numbers. @throw Error as endRow()

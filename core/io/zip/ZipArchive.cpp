@@ -1,6 +1,7 @@
 #include "core/io/zip/ZipArchive.h"
 
 #include "core/Error.h"
+#include "core/io/MemoryLimit.h"
 
 #include <algorithm>
 #include <exception>
@@ -238,6 +239,7 @@ void ZipArchive::decode(const ZipEntry& entry, std::uint64_t most, const ByteSin
 }
 
 std::string ZipArchive::decoded(const ZipEntry& entry, std::uint64_t most) const {
+    requireMemory(std::min(entry.size, most), opened_->file(), entry.name);
     std::string bytes;
     const std::uint64_t packed = std::min(entry.packed, opened_->bytes().size());
     bytes.reserve(static_cast<std::size_t>(std::min({entry.size, packed * kMaxExpansion, most})));

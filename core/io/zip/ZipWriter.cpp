@@ -3,28 +3,112 @@
 #include "core/Error.h"
 #include "core/TemporaryFile.h"
 
-#include <utility>
+#include <algorithm>
+#include <cerrno>
+#include <fstream>
+#include <string>
 #include <zip.h>
 
 namespace asperity {
 
-/// libzip writes beside the archive and renames.
+namespace {
+
+/// What libzip writes to, in place of a file whose temporary name it would choose itself.
+class Output {
+public:
+    explicit Output(const std::filesystem::path& path)
+        : file_(path), stream_(file_.path(), std::ios::binary) {}
+
+    [[nodiscard]] std::string name() const { return file_.target().string(); }
+    void commit() const { file_.commit(); }
+
+    zip_int64_t answer(void* data, zip_uint64_t length, zip_source_cmd_t command) {
+        switch (command) {
+        case ZIP_SOURCE_WRITE:
+            return write(static_cast<const char*>(data), length);
+        case ZIP_SOURCE_SEEK_WRITE:
+            return seek(data, length);
+        case ZIP_SOURCE_TELL_WRITE:
+            return place_;
+        case ZIP_SOURCE_COMMIT_WRITE:
+            stream_.close();
+            return requireGood();
+        case ZIP_SOURCE_STAT:
+            zip_stat_init(static_cast<zip_stat_t*>(data));
+            return sizeof(zip_stat_t);
+        case ZIP_SOURCE_ERROR:
+            return zip_error_to_data(&error_, data, length);
+        case ZIP_SOURCE_SUPPORTS:
+            return ZIP_SOURCE_SUPPORTS_WRITABLE;
+        case ZIP_SOURCE_OPEN:
+        case ZIP_SOURCE_CLOSE:
+        case ZIP_SOURCE_BEGIN_WRITE:
+        case ZIP_SOURCE_ROLLBACK_WRITE:
+        case ZIP_SOURCE_REMOVE:
+        case ZIP_SOURCE_FREE:
+            return 0;
+        default:
+            zip_error_set(&error_, ZIP_ER_OPNOTSUPP, 0);
+            return -1;
+        }
+    }
+
+private:
+    zip_int64_t requireGood() {
+        if (stream_) {
+            return 0;
+        }
+        zip_error_set(&error_, ZIP_ER_WRITE, errno);
+        return -1;
+    }
+
+    zip_int64_t write(const char* bytes, zip_uint64_t count) {
+        stream_.write(bytes, static_cast<std::streamsize>(count));
+        place_ += static_cast<zip_int64_t>(count);
+        size_ = std::max(size_, place_);
+        return requireGood() == 0 ? static_cast<zip_int64_t>(count) : -1;
+    }
+
+    zip_int64_t seek(void* data, zip_uint64_t length) {
+        const zip_int64_t to =
+            zip_source_seek_compute_offset(static_cast<zip_uint64_t>(place_),
+                                           static_cast<zip_uint64_t>(size_), data, length, &error_);
+        if (to < 0) {
+            return -1;
+        }
+        place_ = to;
+        stream_.seekp(place_);
+        return requireGood();
+    }
+
+    TemporaryFile file_;
+    std::ofstream stream_;
+    zip_int64_t place_ = 0;
+    zip_int64_t size_ = 0;
+    zip_error_t error_{};
+};
+
+zip_int64_t answerForOutput(void* output, void* data, zip_uint64_t length,
+                            zip_source_cmd_t command) {
+    return static_cast<Output*>(output)->answer(data, length, command);
+}
+
+}  // namespace
+
 class ZipWriter::Archive {
 public:
-    explicit Archive(const std::filesystem::path& path) : name_(path.string()) {
-        requireWritable(path);  // libzip would say it at the end
-        // A link stays, and what it leads to is replaced.
-        std::error_code unknown;
-        const std::filesystem::path place =
-            std::filesystem::is_symlink(path, unknown) ? std::filesystem::canonical(path) : path;
-        int error = 0;
-        archive_ = zip_open(place.c_str(), ZIP_CREATE | ZIP_TRUNCATE, &error);
+    explicit Archive(const std::filesystem::path& path) : output_(path) {
+        zip_error_t error;
+        zip_error_init(&error);
+        zip_source_t* const source = zip_source_function_create(answerForOutput, &output_, &error);
+        archive_ = source == nullptr
+                       ? nullptr
+                       : zip_open_from_source(source, ZIP_CREATE | ZIP_TRUNCATE, &error);
+        const std::string reason = archive_ == nullptr ? zip_error_strerror(&error) : "";
+        zip_error_fini(&error);
         if (archive_ == nullptr) {
-            zip_error_t reason;
-            zip_error_init_with_code(&reason, error);
-            const std::string words = zip_error_strerror(&reason);
-            zip_error_fini(&reason);
-            throw FileError(name_, "cannot be written: " + words);
+            zip_source_free(source);
+            throw FileError(output_.name(), "cannot be written: " + reason);
         }
     }
     ~Archive() {
@@ -68,6 +152,7 @@ public:
             fail();
         }
         archive_ = nullptr;
+        output_.commit();
     }
 
 private:
@@ -81,10 +166,10 @@ private:
     }
 
     [[noreturn]] void fail() const {
-        throw Error(name_ + ": cannot be written: " + zip_strerror(archive_));
+        throw Error(output_.name() + ": cannot be written: " + zip_strerror(archive_));
     }
 
-    std::string name_;
+    Output output_;
     zip_t* archive_ = nullptr;
     Progress* progress_ = nullptr;
 };

@@ -2,18 +2,18 @@
 #include "core/io/heightmap/HeightMapWriter.h"
 #include "core/surface/HeightRows.h"
 #include "tests/app/ChildProgram.h"
+#include "tests/app/TracedProgram.h"
+#include "tests/support/Places.h"
 #include "tests/support/Sanitized.h"
 #include "tests/support/ScratchFolder.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <csignal>
 #include <limits>
 #include <string>
-#include <thread>
 #include <vector>
 
 namespace asperity {
@@ -98,12 +98,12 @@ TEST_F(LargeScan, ASignalEndsConvertAndNothingIsLeft) {
     std::filesystem::create_directory(folder);
     for (const auto& [signal, name] :
          {std::pair{SIGINT, "out.txt"}, {SIGTERM, "out.txt"}, {SIGINT, "out.stl"}}) {
-        test::ChildProgram child({"convert", input.string(), (folder / name).string()});
-        while (std::filesystem::is_empty(folder) && !child.hasEnded()) {
-            std::this_thread::sleep_for(std::chrono::milliseconds(1));
-        }
-        child.send(signal);
-        EXPECT_EQ(child.wait().exitCode, 1);
+        const test::TracedEnd end =
+            test::runTraced({test::programOfBuild("asperity").string(), "convert", input.string(),
+                             (folder / name).string()},
+                            {}, {.bytes = 100'000, .signal = signal});
+        EXPECT_TRUE(end.wasSignaled);
+        EXPECT_EQ(end.exitCode, 1);
         EXPECT_TRUE(std::filesystem::is_empty(folder));
     }
 }

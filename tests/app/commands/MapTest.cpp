@@ -1,17 +1,16 @@
 #include "core/io/heightmap/HeightMapWriter.h"
 #include "core/io/heightmap/ScanFile.h"
-#include "tests/app/ChildProgram.h"
 #include "tests/app/ProgramRun.h"
+#include "tests/app/TracedProgram.h"
+#include "tests/support/Places.h"
 #include "tests/support/ScratchFolder.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <numbers>
-#include <thread>
 
 // `asperity map`
 
@@ -81,6 +80,23 @@ TEST_F(Map, WritesEveryQuantityWithItsUnit) {
     EXPECT_EQ(channelOf(vti, "apparent_modulus").unit, "Pa");
     EXPECT_EQ(read("map.exr").channels.size(), 14U);
     EXPECT_FALSE(isThere("map.gwy.part"));
+}
+
+/// It was that of the region in the scan alone.
+TEST_F(Map, OriginIsTheCornerOfItsRegionInTheFrameOfTheInstrument) {
+    const HeightMap flat{.columns = 16,
+                         .rows = 16,
+                         .pitchX = 2e-9,
+                         .pitchY = 2e-9,
+                         .heights = std::vector<double>(256, 0.0)};
+    writeHeightMap(scratch.file("hills.gwy"), flat,
+                   {.title = "Height", .originX = 1e-6, .originY = -2e-6});
+    const auto ran = run("map.gwy", "--grid 2x2 --region 8e-9,4e-9,24e-9,20e-9");
+    ASSERT_EQ(ran.exitCode, 0) << ran.output;
+    const HeightMapFile gwy = read("map.gwy");
+    const ScanChannel& pull = channelOf(gwy, "pull-off force");
+    EXPECT_NEAR(pull.originX, 1.008e-6, 1e-15);
+    EXPECT_NEAR(pull.originY, -1.996e-6, 1e-15);
 }
 
 /// A blank in a map of deviations was taken for 0.
@@ -174,24 +190,31 @@ TEST_F(Map, LeavesAFolderOfThePartsNameAlone) {
     EXPECT_TRUE(std::filesystem::is_directory(scratch.file("map.gwy.part")));
 }
 
+TEST_F(Map, ThatIsWholeHasNothingLeftToDo) {
+    ASSERT_EQ(run("map.gwy", "--grid 4x4").exitCode, 0);
+    const auto again = run("map.gwy", "--grid 4x4 --resume");
+    EXPECT_EQ(again.exitCode, 0) << again.output;
+    EXPECT_THAT(again.output, HasSubstr("map.gwy: the map is whole; nothing is left to do"));
+    const auto other = run("map.gwy", "--grid 4x4 --resume --setpoint 7nN");
+    EXPECT_EQ(other.exitCode, 1) << other.output;
+    EXPECT_THAT(other.output, HasSubstr("exists; --force replaces it"));
+}
+
 /// Ends a map by a signal when some rows are finished. @return its exit code
-int interrupted(const std::vector<std::string>& arguments, const std::filesystem::path& part) {
-    test::ChildProgram child(arguments);
-    constexpr std::uintmax_t kSomeRows = 30000;  // [bytes]
-    std::error_code none;
-    while (!child.hasEnded() && !(std::filesystem::exists(part, none) &&
-                                  std::filesystem::file_size(part, none) > kSomeRows)) {
-        std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    }
-    child.send(SIGINT);
-    return child.wait().exitCode;
+int interrupted(std::vector<std::string> arguments) {
+    constexpr std::uint64_t kSomeRows = 30000;  // [bytes]
+    arguments.insert(arguments.begin(), test::programOfBuild("asperity").string());
+    const test::TracedEnd end =
+        test::runTraced(arguments, {}, {.bytes = kSomeRows, .signal = SIGINT});
+    EXPECT_TRUE(end.wasSignaled);
+    return end.exitCode;
 }
 
 TEST_F(Map, ThatIsCanceledIsValidAndGoesOn) {
     const std::string scan = scratch.file("hills.gwy").string();
     const std::vector<std::string> arguments{"map", scan, "--out", scratch.file("map.gwy").string(),
                                              "--no-pictures"};
-    ASSERT_EQ(interrupted(arguments, scratch.file("map.gwy.part")), 1);
+    ASSERT_EQ(interrupted(arguments), 1);
     const HeightMapFile partial = read("map.gwy");
     const ScanChannel& pull = channelOf(partial, "pull-off force");
     const auto missing = std::ranges::count(pull.map.invalid, true);

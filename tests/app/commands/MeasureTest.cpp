@@ -46,6 +46,16 @@ protected:
     test::ScratchFolder scratch;
 };
 
+TEST_F(Measure, SaysWhichFileCannotBeWritten) {
+    const std::string out = scratch.file("profile.csv").string();
+    const auto full =
+        test::runProgram("measure " + scratch.file("grating.gwy").string() +
+                             " --profile 0,1e-7,3e-6,1e-7 --samples 5000 --out " + out,
+                         "ulimit -f 8;");
+    EXPECT_EQ(full.exitCode, 1);
+    EXPECT_THAT(full.output, HasSubstr(out + ": writing stopped half-way"));
+}
+
 TEST_F(Measure, LevelsByAPlaneUnlessToldOtherwise) {
     const nlohmann::json level = measured("");
     EXPECT_EQ(level["level"], "plane");

@@ -188,5 +188,14 @@ TEST_F(Render, RefusesNonsenseInOneSentence) {
     refused("/nowhere/scene.toml" + out, 3);
 }
 
+/// A server that went away ended the program without a word of its own.
+TEST_F(Render, IsDrawnWhereTheDisplayIsDead) {
+    const auto run = test::runProgram("render " + exploredRun().string() +
+                                          " --size 320x240 --out " + path("dead.png").string(),
+                                      "DISPLAY=:987");
+    EXPECT_EQ(run.exitCode, 0) << run.output;
+    EXPECT_TRUE(std::filesystem::exists(path("dead.png")));
+}
+
 }  // namespace
 }  // namespace asperity

@@ -1,4 +1,5 @@
 #include "tests/app/ProgramRun.h"
+#include "tests/core/io/heightmap/SyntheticScans.h"
 #include "tests/support/Places.h"
 #include "tests/support/ReferenceTable.h"
 #include "tests/support/ScratchFolder.h"
@@ -6,7 +7,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdint>
+#include <filesystem>
 #include <fstream>
+#include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -211,6 +215,57 @@ TEST_F(Replay, RefusesAScanThatHasChanged) {
     const auto again = replay();
     EXPECT_EQ(again.exitCode, 3);
     EXPECT_NE(again.output.find("has changed"), std::string::npos) << again.output;
+}
+
+/// The reader was wrong when the run was made: no tick is the same, and none is to blame.
+TEST_F(Replay, NamesASizeThatWasCorrected) {
+    auto summary = nlohmann::json::parse(test::contentOf(run / "summary.json"));
+    summary["input"]["size_y_m"] = 2.0 * summary["input"]["size_y_m"].get<double>();
+    std::ofstream(run / "summary.json") << summary;
+    const auto again = replay();
+    EXPECT_EQ(again.exitCode, 3) << again.output;
+    EXPECT_NE(again.output.find("when the run was recorded, and is now, after a correction of the "
+                                "reader, as"),
+              std::string::npos)
+        << again.output;
+    EXPECT_EQ(again.output.find("first differing tick"), std::string::npos);
+}
+
+/// A recording that was cut off does not say with which size its scan was read.
+TEST(ReplayOfACutOffRecording, NamesACorrectionThatIsKnown) {
+    const test::ScratchFolder scratch;
+    std::vector<std::int32_t> counts;
+    for (int i = 0; i < 24 * 16; ++i) {
+        counts.push_back(i * 7919 % 11);
+    }
+    const auto scan = scratch.write(
+        "scan.spm",
+        test::nanoscopeFile({.samples = "24", .lines = "16", .dataLength = "768"}, counts));
+    const std::filesystem::path run = scratch.file("run");
+    const auto made =
+        test::runProgram("explore " + scan.string() + " --duration 0.1 --out " + run.string());
+    ASSERT_EQ(made.exitCode, 0) << made.output;
+    const auto summary = nlohmann::json::parse(test::contentOf(run / "summary.json"));
+    std::filesystem::remove(run / "summary.json");
+    std::ofstream(run / "recording.json")
+        << nlohmann::json{{"format", "asperity recording"},
+                          {"format_version", 1},
+                          {"input", {{"sha256", summary["input"]["sha256"]}}},
+                          {"complete", false},
+                          {"recovered", false}};
+    std::string log = test::contentOf(run / "force_log.csv");
+    const std::size_t line = log.find("\n0.05,");
+    ASSERT_NE(line, std::string::npos);
+    log.insert(log.find(',', log.find(',', line + 1) + 1), "1");
+    std::ofstream(run / "force_log.csv") << log;
+    const auto again =
+        test::runProgram("replay " + run.string() + " --out " + scratch.file("again").string());
+    EXPECT_EQ(again.exitCode, 1);
+    EXPECT_NE(again.output.find("the size along y of NanoScope scans that are not square has been "
+                                "corrected"),
+              std::string::npos)
+        << again.output;
+    EXPECT_NE(again.output.find("first differing tick: 50"), std::string::npos) << again.output;
 }
 
 TEST_F(Replay, RefusesWhatIsNoRunAndToOverwriteTheRun) {

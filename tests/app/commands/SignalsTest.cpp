@@ -1,4 +1,5 @@
 #include "tests/app/ChildProgram.h"
+#include "tests/app/TracedProgram.h"
 #include "tests/support/Places.h"
 #include "tests/support/ScratchFolder.h"
 #include "tests/support/ShippedScene.h"
@@ -15,6 +16,7 @@
 #include <optional>
 #include <string>
 #include <thread>
+#include <utility>
 #include <vector>
 
 namespace asperity {
@@ -42,6 +44,18 @@ protected:
         waitFor(child, [this] { return !std::filesystem::is_empty(folder); });
     }
 
+    static std::vector<std::string> words(std::vector<std::string> arguments) {
+        arguments.insert(arguments.begin(), test::programOfBuild("asperity").string());
+        return arguments;
+    }
+    /// Interrupts the program just before it makes a file of this name.
+    static void expectEndedWhereItMakes(const char* name, std::vector<std::string> arguments) {
+        const test::TracedEnd end =
+            test::runTraced(words(std::move(arguments)), {}, {.made = name, .signal = SIGINT});
+        EXPECT_TRUE(end.wasSignaled) << name;
+        EXPECT_EQ(end.exitCode, 1);
+    }
+
     test::ScratchFolder scratch;
     std::filesystem::path folder = scratch.file("results");
 };
@@ -54,25 +68,11 @@ TEST_F(Signals, EndExploreWhileItRunsAndNothingHalfWrittenIsLeft) {
     EXPECT_TRUE(std::filesystem::is_empty(folder));
 }
 
-/// Whether the tables of the run are written: what comes then is drawing.
-bool isDrawing(const std::filesystem::path& folder) {
-    std::error_code ignored;
-    for (const auto& file : std::filesystem::recursive_directory_iterator(folder, ignored)) {
-        if (file.path().filename() == "summary.json") {
-            return true;
-        }
-    }
-    return false;
-}
-
 TEST_F(Signals, EndExploreWhileItDrawsAndAnEarlierRunIsLeftWhole) {
     for (const char* name : {"force_log.csv", "deformation.png", "deformation.exr", "forces.png"}) {
         std::ofstream(folder / name) << "earlier";
     }
-    test::ChildProgram child(explore("0.1"));
-    waitFor(child, [this] { return isDrawing(folder); });
-    child.send(SIGINT);
-    EXPECT_EQ(child.wait().exitCode, 1);
+    expectEndedWhereItMakes("deformation.png", explore("0.1"));
     EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder), {}), 4);
     for (const auto& file : std::filesystem::directory_iterator(folder)) {
         EXPECT_EQ(test::contentOf(file.path()), "earlier") << file.path();
@@ -86,11 +86,8 @@ TEST_F(Signals, EndReportAndAnEarlierPageIsLeftWhole) {
     ASSERT_EQ(explorer.wait().exitCode, 0);
     std::ofstream(folder / "asperity_report.json") << R"({"files": ["run.html"]})";
     std::ofstream(folder / "run.html") << "earlier";
-    test::ChildProgram child({"report", run.string(), run.string(), "--out", folder.string()});
-    waitFor(child,
-            [this] { return std::distance(std::filesystem::directory_iterator(folder), {}) > 2; });
-    child.send(SIGINT);
-    EXPECT_EQ(child.wait().exitCode, 1);
+    expectEndedWhereItMakes("run.html",
+                            {"report", run.string(), run.string(), "--out", folder.string()});
     EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder), {}), 2);
     EXPECT_EQ(test::contentOf(folder / "run.html"), "earlier");
 }
@@ -146,20 +143,12 @@ TEST_F(Signals, EndProjectAndNothingIsLeft) {
             stream << i * 1e-11 << ",5e-7,3e-8\n";
         }
     }
-    test::ChildProgram child({"project", test::dataFolder().string() + "/samples/self_affine.gsf",
-                              "--points", points.string(), "--out", (folder / "p.csv").string()});
-    const auto isWriting = [this] {
-        for (const auto& file : std::filesystem::directory_iterator(folder)) {
-            std::error_code ignored;
-            if (const auto size = file.file_size(ignored); !ignored && size > 0) {
-                return true;
-            }
-        }
-        return false;
-    };
-    waitFor(child, isWriting);
-    child.send(SIGINT);
-    EXPECT_EQ(child.wait().exitCode, 1);
+    const test::TracedEnd end =
+        test::runTraced(words({"project", test::dataFolder().string() + "/samples/self_affine.gsf",
+                               "--points", points.string(), "--out", (folder / "p.csv").string()}),
+                        {}, {.bytes = 1000, .signal = SIGINT});
+    EXPECT_TRUE(end.wasSignaled);
+    EXPECT_EQ(end.exitCode, 1);
     EXPECT_TRUE(std::filesystem::is_empty(folder));
 }
 

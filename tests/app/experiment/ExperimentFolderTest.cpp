@@ -112,6 +112,15 @@ TEST_F(ExperimentFolders, GoOnWithTheSameTrialsAlone) {
     EXPECT_NO_THROW(requirePlanned(folder, planTrials(study, 5, 1)));
 }
 
+/// As of a full disk.
+TEST_F(ExperimentFolders, LeaveNoTrialThatWasNotKept) {
+    {
+        const ExperimentFolder folder = open(FolderUse::New);
+        EXPECT_TRUE(std::filesystem::exists(folder.begin(planned[0])));
+    }
+    EXPECT_TRUE(std::filesystem::is_empty(scratch.file("out") / "trials"));
+}
+
 TEST_F(ExperimentFolders, DropWhatAKilledProgramLeft) {
     { const ExperimentFolder folder = open(FolderUse::New); }
     const std::filesystem::path left = scratch.file("out") / "trials" / ".003";

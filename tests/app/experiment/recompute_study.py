@@ -1,17 +1,16 @@
 #!/usr/bin/env python3
 """Every number that `asperity experiment` exports, computed again from the raw records; and a study
-that is killed goes on to the same bytes. Usage: recompute_study.py ASPERITY"""
+that is killed goes on to the same bytes. Usage: recompute_study.py ASPERITY
+ASPERITY_TRACED"""
 
 import csv
 import filecmp
 import json
 import math
 import pathlib
-import signal
 import subprocess
 import sys
 import tempfile
-import time
 
 OPTIONS = ["--operators", "2", "--repeats", "2", "--seed", "7"]
 TASKS = "ABC"
@@ -228,18 +227,15 @@ def same_files(one, other):
     assert not different, different
 
 
-def check_killed(program, scratch, whole):
+def check_killed(program, traced, scratch, whole):
     """Killed in the midst of trials; those that ended are there, and the study goes on."""
     folder = scratch / "killed"
     command = [program, "experiment", *OPTIONS, "--out", str(folder)]
-    process = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-    table = folder / "trials.csv"
-    while process.poll() is None and not (table.exists() and len(rows_of(table)) >= 4):
-        time.sleep(0.005)
-    process.send_signal(signal.SIGKILL)
-    assert process.wait() == -signal.SIGKILL, "it ended before it was killed"
-    kept = rows_of(table)
-    assert 4 <= len(kept) < 32, len(kept)
+    done = subprocess.run([traced, "", "trials/020", *command], check=True, text=True,
+                          stdout=subprocess.PIPE)
+    assert done.stdout.startswith("1 "), "it ended before it was killed"
+    kept = rows_of(folder / "trials.csv")
+    assert 0 < len(kept) < 32, len(kept)
     check_trials(folder, kept)
     subprocess.run([*command, "--resume"], check=True, stdout=subprocess.DEVNULL,
                    stderr=subprocess.DEVNULL)
@@ -307,7 +303,7 @@ def main():
     if sys.argv[1] == "--folder":
         check_people(pathlib.Path(sys.argv[2]))
         return
-    program = sys.argv[1]
+    program, traced = sys.argv[1:3]
     with tempfile.TemporaryDirectory() as name:
         scratch = pathlib.Path(name)
         whole = scratch / "whole"
@@ -315,7 +311,7 @@ def main():
                        stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         trials = check_folder(whole)
         assert len(trials) >= 32 and {t["task"] for t in trials} == set(TASKS)
-        check_killed(program, scratch, whole)
+        check_killed(program, traced, scratch, whole)
         check_recorded(program, scratch)
         check_aids(program, scratch)
     print(f"{len(trials)} trials computed again")

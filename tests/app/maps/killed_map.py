@@ -1,14 +1,12 @@
 #!/usr/bin/env python3
-"""A map that is killed again and again, at random, and goes on to the same bytes as one that is
-left alone. Usage: killed_map.py ASPERITY SCAN KILLS ROWS"""
+"""A map that is killed again and again goes on to the same bytes as one that is left alone. It is
+killed by the bytes that it has written: no pace of the machine is in it.
+Usage: killed_map.py ASPERITY ASPERITY_TRACED SCAN KILLS ROWS"""
 
 import pathlib
-import random
-import signal
 import subprocess
 import sys
 import tempfile
-import time
 
 COLUMNS = 24
 QUIET = {"stdout": subprocess.DEVNULL, "stderr": subprocess.DEVNULL}
@@ -23,13 +21,14 @@ def files_of(out):
     return [out.with_suffix(end) for end in (".gwy", ".vti", ".exr")]
 
 
-def kill_after(arguments, is_time):
-    """Whether it was killed before it ended by itself."""
-    process = subprocess.Popen(arguments, **QUIET)
-    while process.poll() is None and not is_time():
-        time.sleep(0.001)
-    process.send_signal(signal.SIGKILL)
-    return process.wait() == -signal.SIGKILL
+def run_traced(traced, arguments, most="", made=""):
+    """Kills it before it writes more bytes or makes what ends so. Returns whether that happened,
+    and the bytes that it has written."""
+    done = subprocess.run([traced, str(most), made, *arguments], check=True, text=True,
+                          stdout=subprocess.PIPE)
+    was_killed, exit_code, written = map(int, done.stdout.split())
+    assert was_killed or exit_code == 0, exit_code
+    return bool(was_killed), written
 
 
 def size_of(part):
@@ -37,27 +36,6 @@ def size_of(part):
         return part.stat().st_size
     except FileNotFoundError:  # not begun, or done
         return 0
-
-
-def kill_at_random(arguments, part, size, row_time):
-    """As kill_after(), somewhere in the row after that in which the part reaches this size."""
-    def is_time():
-        if size_of(part) < size:
-            return False
-        time.sleep(random.uniform(0.0, row_time))
-        return True
-    return kill_after(arguments, is_time)
-
-
-def largest_part(arguments, part):
-    """Makes a map. Returns the size of its part before the end."""
-    largest = 0
-    process = subprocess.Popen(arguments, **QUIET)
-    while process.poll() is None:
-        largest = max(largest, size_of(part))
-        time.sleep(0.001)
-    assert process.returncode == 0 and largest > 0, (process.returncode, largest)
-    return largest
 
 
 def check_other_part(program, scan, rows, out):
@@ -69,29 +47,27 @@ def check_other_part(program, scan, rows, out):
 
 
 def main():
-    program, scan = sys.argv[1:3]
-    kills, rows = map(int, sys.argv[3:5])
-    seed = time.time_ns()
-    print("seed", seed)
-    random.seed(seed)
+    program, traced, scan = sys.argv[1:4]
+    kills, rows = map(int, sys.argv[4:6])
     with tempfile.TemporaryDirectory() as name:
         whole, killed = pathlib.Path(name) / "whole.gwy", pathlib.Path(name) / "killed.gwy"
-        begin = time.monotonic()
-        largest = largest_part(command(program, scan, rows, whole), whole.with_name("whole.gwy.part"))
-        row_time = (time.monotonic() - begin) / rows
+        was_killed, _ = run_traced(traced, command(program, scan, rows, whole), made=".vti")
+        assert was_killed
+        part = whole.with_name("whole.gwy.part")
+        of_rows = size_of(part)
+        subprocess.run(command(program, scan, rows, whole, "--resume"), check=True, **QUIET)
         again = command(program, scan, rows, killed, "--resume")
         part = killed.with_name("killed.gwy.part")
         sizes = []
-        for kill in range(kills):
-            size = largest * (kill + random.random()) / (kills + 1)  # leaves rows to be done
-            assert kill_at_random(again, part, size, row_time), "it ended before it was killed"
+        for _ in range(kills):  # each leaves rows to be done
+            was_killed, _ = run_traced(traced, again, of_rows // (kills + 1))
+            assert was_killed, "it ended before it was killed"
             sizes.append(size_of(part))
-        assert sizes == sorted(sizes), sizes
-        if sizes[-1] > 0:
-            check_other_part(program, scan, rows, killed)
-        kill_after(again, killed.with_suffix(".vti").exists)  # among the files of the whole map
-        if part.exists():
-            subprocess.run(again, check=True, **QUIET)
+        assert sizes == sorted(sizes) and 0 < sizes[-1] < of_rows, (sizes, of_rows)
+        check_other_part(program, scan, rows, killed)
+        was_killed, _ = run_traced(traced, again, made=".exr")  # among the files of the whole map
+        assert was_killed and part.exists() and killed.with_suffix(".vti").exists()
+        subprocess.run(again, check=True, **QUIET)
         assert not part.exists()
         for one, other in zip(files_of(whole), files_of(killed)):
             assert one.read_bytes() == other.read_bytes(), other.name

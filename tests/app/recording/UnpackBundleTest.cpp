@@ -50,6 +50,22 @@ TEST_F(UnpackBundle, RefusesMoreBytesThanAreListed) {
     EXPECT_FALSE(std::filesystem::exists(scratch.file("out") / "summary.json"));
 }
 
+TEST_F(UnpackBundle, RefusesMoreBytesThanItsOwnCanBe) {
+    const int most = 1 << 29;
+    EXPECT_THAT(
+        refusal(json::array({listed("force_log.csv", most), listed("summary.json", 1)})),
+        HasSubstr("a.zip: summary.json: the files up to this one have more than 536870912"));
+    EXPECT_FALSE(std::filesystem::exists(scratch.file("out")));
+}
+
+TEST_F(UnpackBundle, RefusesADirectoryThatIsTooDeep) {
+    json deep = json::array();
+    for (int i = 0; i < 100; ++i) {
+        deep = json::array({deep});
+    }
+    EXPECT_THAT(refusal(deep), HasSubstr("a.zip: bundle.json: line 1: values nested deeper"));
+}
+
 TEST_F(UnpackBundle, RefusesAFileThatIsListedTwice) {
     EXPECT_THAT(refusal(json::array({listed("summary.json"), listed("summary.json")})),
                 HasSubstr("'summary.json' is listed twice"));

@@ -5,6 +5,7 @@
 #include "core/io/heightmap/PhysicalUnit.h"
 #include "core/io/heightmap/SampleRows.h"
 #include "core/io/heightmap/ScanImage.h"
+#include "core/io/heightmap/ScanOrigin.h"
 
 #include <algorithm>
 #include <bit>
@@ -130,8 +131,8 @@ private:
         channel.lateralUnit = xUnit.base == yUnit.base ? xUnit.base : "";
         channel.map = emptyMap(layout.size, number("xlength") * xUnit.factor,
                                number("ylength") * yUnit.factor);
-        channel.originX = finiteOrZero(number("xoffset") * xUnit.factor);
-        channel.originY = finiteOrZero(number("yoffset") * yUnit.factor);
+        setOrigin(channel, number("xoffset") * xUnit.factor, number("yoffset") * yUnit.factor,
+                  GivenPoint::Corner);
         setScale(stored);
         stored.readRow = rows(layout, channel);
         channel.name = channel.isHeight() ? "Topography" : "Image";

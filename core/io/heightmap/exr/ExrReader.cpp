@@ -79,7 +79,8 @@ private:
         StoredChannel stored = scaledChannel(
             scale, header_.size,
             rowsOfDecoded([bytes = &bytes_, channel] { return decodeExr(*bytes, channel); },
-                          {.size = header_.size, .type = channel.type, .order = kExrNative}),
+                          {.size = header_.size, .type = channel.type, .order = kExrNative},
+                          bytes_.name()),
             channel.name, bytes_.name());
         if (affordsCopies(header_.texts, channels_.size())) {
             stored.channel.metadata = header_.texts;

@@ -4,6 +4,7 @@
 #include "core/io/heightmap/PhysicalUnit.h"
 #include "core/io/heightmap/SampleRows.h"
 #include "core/io/heightmap/ScanImage.h"
+#include "core/io/heightmap/ScanOrigin.h"
 #include "core/io/heightmap/gsf/GsfWriter.h"
 
 // Gwyddion Simple Field: a text header, 1 to 4 NUL bytes, then float32 with the lowest byte first.
@@ -106,8 +107,8 @@ private:
         channel.direction = directionFromName(channel.name);
         channel.map =
             emptyMap(size_, number("XReal") * lateral.factor, number("YReal") * lateral.factor);
-        channel.originX = finiteOrZero(number("XOffset") * lateral.factor);
-        channel.originY = finiteOrZero(number("YOffset") * lateral.factor);
+        setOrigin(channel, number("XOffset") * lateral.factor, number("YOffset") * lateral.factor,
+                  GivenPoint::Corner);
         channel.metadata = fields_;
         return {.channel = channel,
                 .factor = vertical.factor,

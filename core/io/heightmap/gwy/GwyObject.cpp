@@ -51,7 +51,8 @@ std::optional<GwyComponent> GwyComponents::next() {
         return std::nullopt;
     }
     GwyComponent component;
-    component.name = reader_.takeName("a component's name");
+    name_.clear();
+    component.name = name_ = reader_.takeName("a component's name");
     component.type = reader_.takeNumber<char>("a component's type");
     component.value = takeValue(component.type);
     return component;

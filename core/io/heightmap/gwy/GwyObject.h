@@ -35,12 +35,15 @@ public:
 
     /// The next component; empty at the end. @throw InputError when it does not fit
     [[nodiscard]] std::optional<GwyComponent> next();
+    /// Of the component that was asked for last, as far as it could be read.
+    [[nodiscard]] const std::string& name() const { return name_; }
 
 private:
     ByteSpan takeValue(char type);
     ByteSpan takeArray(char type);
 
     ByteReader reader_;
+    std::string name_;
 };
 
 /// The values, checked to have the type that the format prescribes. @throw InputError otherwise

@@ -5,6 +5,8 @@
 #include "core/io/heightmap/PhysicalUnit.h"
 #include "core/io/heightmap/SampleRows.h"
 #include "core/io/heightmap/ScanImage.h"
+#include "core/io/heightmap/ScanOrigin.h"
+#include "core/io/heightmap/WholeImages.h"
 #include "core/io/heightmap/gwy/GwyObject.h"
 #include "core/io/heightmap/gwy/GwyWriter.h"
 
@@ -51,6 +53,12 @@ struct ImageKey {
     std::string_view rest;
 };
 
+/// Graphs, spectra at points, and maps of curves.
+bool isOfCurves(std::string_view key) {
+    return key.starts_with("/0/graph/graph/") || key.starts_with("/sps/") ||
+           key.starts_with("/lawn/");
+}
+
 std::optional<ImageKey> parseKey(std::string_view key) {
     if (!key.starts_with('/')) {
         return std::nullopt;
@@ -72,13 +80,17 @@ public:
 
     StoredScan read() {
         collectImages();
-        for (const auto& [number, parts] : images_) {
+        for (const auto& [number, parts] : parts_) {
             if (parts.data) {
                 addChannel(number, parts);
             }
         }
+        images_.finish(result_);
         if (result_.channels.empty()) {
-            throw InputError(file_, "", "the file holds no image (no /0/data or similar)");
+            throw InputError(file_, "",
+                             holdsCurves_ ? "the file holds curves, such as force curves, and no "
+                                            "image"
+                                          : "the file holds no image (no /0/data or similar)");
         }
         result_.provenance = {{"format version", std::string(kGwyMagic), "byte 0"}};
         return std::move(result_);
@@ -92,33 +104,71 @@ private:
         }
         ByteReader reader(bytes_);
         (void)reader.take(kGwyMagic.size(), "the file's mark");
-        const GwyObject container = takeGwyObject(reader);
-        if (container.className != "GwyContainer") {
-            throw InputError(file_, "byte 4", "expected an object of class GwyContainer");
-        }
+        const GwyObject container = takeContainer(reader);
         if (!reader.atEnd()) {
             result_.notes.push_back(std::to_string(reader.remaining()) +
                                     " bytes after the end of the data are ignored");
         }
         GwyComponents components(container, bytes_);
-        while (const std::optional<GwyComponent> component = components.next()) {
-            store(*component);
+        try {
+            while (const std::optional<GwyComponent> component = components.next()) {
+                store(*component);
+            }
+        } catch (const InputError& error) {
+            if (images_.areAll()) {
+                throw;
+            }
+            leaveOutCut(components.name(), error);
         }
     }
 
+    /// What the file's end cuts. An image whose mask is cut is not whole: masks hold pixels without
+    /// data, which importers fill.
+    void leaveOutCut(const std::string& name, const InputError& error) {
+        if (!name.empty()) {
+            images_.leaveOut(toUtf8(name), error);
+        }
+        if (const std::optional<ImageKey> key = parseKey(name); key && key->rest == "mask") {
+            parts_.erase(key->image);
+        }
+    }
+
+    /// The container, or what is there of it in a truncated file.
+    [[nodiscard]] GwyObject takeContainer(ByteReader& reader) {
+        GwyObject container;
+        container.className = reader.takeName("a class name");
+        if (container.className != "GwyContainer") {
+            throw InputError(file_, "byte 4", "expected an object of class GwyContainer");
+        }
+        const auto size = reader.takeNumber<std::uint32_t>("an object's size");
+        const std::uint64_t there = std::min<std::uint64_t>(size, reader.remaining());
+        container.components = reader.take(there, "an object");
+        if (there < size) {
+            result_.notes.emplace_back(
+                "a mask of pixels without data may be lost with the end of the file");
+            images_.leaveOut("what follows byte " + std::to_string(bytes_.size()),
+                             InputError(file_, "byte " + std::to_string(bytes_.size()),
+                                        "expected " + std::to_string(size - there) +
+                                            " further bytes of the container; the file is "
+                                            "truncated"));
+        }
+        return container;
+    }
+
     void store(const GwyComponent& component) {
+        holdsCurves_ = holdsCurves_ || isOfCurves(component.name);
         const std::optional<ImageKey> key = parseKey(component.name);
         if (!key) {
             return;
         }
         if (key->rest == "data") {
-            images_[key->image].data = field(component);
+            parts_[key->image].data = field(component);
         } else if (key->rest == "mask") {
-            images_[key->image].mask = field(component);
+            parts_[key->image].mask = field(component);
         } else if (key->rest == "meta") {
-            images_[key->image].metadata = gwyObject(component, bytes_);
+            parts_[key->image].metadata = gwyObject(component, bytes_);
         } else if (key->rest == "data/title") {
-            images_[key->image].title = gwyText(component, bytes_);
+            parts_[key->image].title = gwyText(component, bytes_);
         }
     }
 
@@ -138,8 +188,8 @@ private:
         channel.unit = data.unit.base;
         channel.lateralUnit = data.lateralUnit.base;
         channel.direction = directionFromName(channel.name);
-        channel.originX = finiteOrZero(data.offsetX * data.lateralUnit.factor);
-        channel.originY = finiteOrZero(data.offsetY * data.lateralUnit.factor);
+        setOrigin(channel, data.offsetX * data.lateralUnit.factor,
+                  data.offsetY * data.lateralUnit.factor, GivenPoint::Corner);
         channel.map = emptyMap(data.size, data.sizeX * data.lateralUnit.factor,
                                data.sizeY * data.lateralUnit.factor);
         ReadRow rows = data.rows(bytes_);
@@ -263,7 +313,9 @@ private:
 
     const ByteSource& bytes_;
     const std::string& file_;
-    std::map<long long, ImageParts> images_;
+    std::map<long long, ImageParts> parts_;  ///< by the number of the image
+    WholeImages images_;
+    bool holdsCurves_ = false;
     StoredScan result_;
 };
 

@@ -1,18 +1,20 @@
 #include "core/Error.h"
 #include "core/PrivateFolder.h"
+#include "core/ProgramRun.h"
 #include "core/io/FileBytes.h"
 #include "core/io/TextValue.h"
 #include "core/io/heightmap/GwyddionScan.h"
+#include "core/io/heightmap/PhysicalUnit.h"
 #include "core/io/heightmap/SampleRows.h"
 #include "core/io/heightmap/ScanImage.h"
 #include "core/io/heightmap/UnreadFormats.h"
 #include "core/io/heightmap/gwyddion/Identification.h"
-#include "core/io/heightmap/gwyddion/ProgramRun.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdlib>
-#include <fstream>
+#include <iterator>
 #include <memory>
 #include <system_error>
 #include <unistd.h>
@@ -23,7 +25,6 @@ namespace asperity {
 
 namespace {
 
-constexpr std::uint64_t kBlock = std::uint64_t{1} << 20U;
 constexpr std::size_t kMaxName = 100;
 constexpr std::size_t kMaxQuote = 300;
 
@@ -73,6 +74,64 @@ void forgetInventedSize(ScanChannel& channel) {
     }
 }
 
+/// Keys by which Gwyddion's modules keep the unit of the values as the file gives it, without all
+/// but letters.
+constexpr std::array<std::string_view, 11> kUnitKeys{
+    "unit",       "units",     "zunit",       "zunits",   "dataunit",   "dataunits",
+    "valueunits", "valueunit", "sampleunits", "physunit", "channelunit"};
+
+std::string lettersOf(std::string_view text) {
+    std::string letters;
+    std::ranges::copy_if(lowerCase(text), std::back_inserter(letters),
+                         [](char c) { return c >= 'a' && c <= 'z'; });
+    return letters;
+}
+
+/// The unit "A" of such a channel is the ångström.
+bool namesHeight(const std::string& channel) {
+    const std::string name = lowerCase(channel);
+    return name.find("topograph") != std::string::npos ||
+           name.find("height") != std::string::npos || name == "z" || name.starts_with("z ");
+}
+
+/// A unit of the file's own that the values cannot be converted to from Gwyddion's: not a length
+/// where that is one, for example. Empty: there is none.
+std::string ownUnit(const ScanChannel& channel) {
+    constexpr std::array<std::string_view, 11> kKnown{"m", "V", "A",  "N",   "Hz", "s",
+                                                      "W", "F", "Pa", "deg", "rad"};
+    for (const auto& [key, value] : channel.metadata) {
+        const std::string_view last = std::string_view(key).substr(key.rfind(':') + 1);
+        if (std::ranges::count(kUnitKeys, lettersOf(last)) == 0) {
+            continue;
+        }
+        const std::string base = parseUnit(value).base;
+        const bool isAngstrom = trimmed(value) == "A" && namesHeight(channel.name);
+        if (std::ranges::count(kKnown, base) > 0 && base != channel.unit && !isAngstrom) {
+            return base;
+        }
+    }
+    return {};
+}
+
+/// The unit in the file's metadata wins over the one that Gwyddion gives the values.
+void takeOwnUnit(ScanChannel& channel) {
+    const std::string own = ownUnit(channel);
+    if (own.empty()) {
+        return;
+    }
+    channel.notes.push_back("Gwyddion gives its values the unit '" + channel.unit +
+                            "', but the file's metadata name '" + own + "', which is taken");
+    channel.unit = own;
+}
+
+/// What an interferometer calls phase is the surface itself, in meters.
+void markSurface(ScanChannel& channel, const Identification& found) {
+    if (found.module == "metropro" && lowerCase(channel.name).starts_with("phase") &&
+        channel.isHeight()) {
+        channel.isSurface = true;
+    }
+}
+
 class GwyddionImport {
 public:
     GwyddionImport(const ByteSource& bytes, const Gwyddion& gwyddion, const std::string& unknown)
@@ -93,6 +152,8 @@ public:
         for (StoredChannel& stored : result.scan.channels) {
             stored.readRow = keeping(std::move(stored.readRow), converted);
             forgetInventedSize(stored.channel);
+            takeOwnUnit(stored.channel);
+            markSurface(stored.channel, found);
         }
         result.scan.provenance.push_back(
             {"reader", "through Gwyddion " + version + ", its module " + found.module,
@@ -105,18 +166,7 @@ private:
     void copyContent() const {
         makeFolder(input_.parent_path());
         makeFolder(folder_.path() / ".gwyddion");  // else it complains
-        std::ofstream copy(input_, std::ios::binary);
-        std::string block;
-        for (std::uint64_t place = 0; place < bytes_.size(); place += block.size()) {
-            block.resize(static_cast<std::size_t>(std::min(kBlock, bytes_.size() - place)));
-            bytes_.read(place, block);
-            copy.write(block.data(), static_cast<std::streamsize>(block.size()));
-        }
-        copy.close();
-        if (!copy) {
-            throw Error(input_.string() +
-                        ": the file cannot be copied for Gwyddion; is the disk full?");
-        }
+        copyTo(bytes_, input_);
     }
 
     [[nodiscard]] Identification identify() const {

@@ -3,6 +3,8 @@
 #include "core/io/heightmap/HeightMapFormat.h"
 #include "core/io/heightmap/PhysicalUnit.h"
 #include "core/io/heightmap/ScanImage.h"
+#include "core/io/heightmap/ScanOrigin.h"
+#include "core/io/heightmap/WholeImages.h"
 #include "core/io/heightmap/igor/AsylumChannel.h"
 #include "core/io/heightmap/igor/IgorWave.h"
 
@@ -25,7 +27,7 @@ public:
 
     StoredScan read() {
         refuseCurves();
-        requireFooter();
+        refuseCut();
         note_ = parseAsylumNote(wave_.note);
         SampleLayout samples{
             .size = checkedImageSize(wave_.counts[0], wave_.counts[1], bytes_.name(), "dimensions"),
@@ -35,11 +37,17 @@ public:
             .bottomFirst = true};
         StoredScan result;
         result.usualDirection = isAsylum() ? "backward" : "";
+        WholeImages whole;
         for (int layer = 0; layer < layers(); ++layer) {
-            requireSamples(bytes_, samples, "layer " + std::to_string(layer));
-            result.channels.push_back(channelOf(layer, samples));
+            StoredChannel image = channelOf(layer, samples);
+            if (whole.holds(bytes_, samples, "layer " + std::to_string(layer),
+                            image.channel.name)) {
+                result.channels.push_back(std::move(image));
+            }
             samples.place += samples.bytes();
         }
+        whole.finish(result);
+        noteCut(result);
         addProvenance(result);
         return result;
     }
@@ -72,11 +80,22 @@ private:
                std::ranges::any_of(wave_.labels[2], isAsylumLabel);
     }
 
+    /// Without labels nobody can tell a single image from force curves; several are no curves.
+    void refuseCut() const {
+        if (wave_.cut && wave_.counts[2] == 0) {
+            throw InputError(*wave_.cut);
+        }
+    }
+
     /// Asylum's program ends a file with previews and their list.
-    void requireFooter() const {
-        if (isAsylum() && !wave_.footer.empty() && !wave_.footer.ends_with(kImageFooter)) {
-            throw InputError(bytes_.name(), "byte " + std::to_string(bytes_.size()),
-                             "expected 'MFP3D' at the end; the file is truncated");
+    void noteCut(StoredScan& scan) const {
+        const bool lostFooter =
+            isAsylum() && !wave_.footer.empty() && !wave_.footer.ends_with(kImageFooter);
+        if (wave_.cut) {
+            scan.notes.emplace_back(
+                "the file is truncated: it lost names and units of its channels");
+        } else if (lostFooter) {
+            scan.notes.emplace_back("the file is truncated: it does not end with 'MFP3D'");
         }
     }
 
@@ -120,8 +139,11 @@ private:
         channel.lateralUnit = x.base == y.base ? x.base : std::string();
         channel.map = emptyMap(size, wave_.steps[0] * x.factor * size.columns,
                                wave_.steps[1] * y.factor * size.rows);
-        channel.originX = finiteOrZero(wave_.starts[0] * x.factor);
-        channel.originY = finiteOrZero(wave_.starts[1] * y.factor);
+        setOrigin(channel, wave_.starts[0] * x.factor, wave_.starts[1] * y.factor,
+                  GivenPoint::Corner);
+        if (const auto angle = note_.find("ScanAngle"); angle != note_.end()) {
+            noteRotation(channel, parseNumber(angle->second).value_or(0.0));
+        }
     }
 
     void addProvenance(StoredScan& scan) const {

@@ -240,12 +240,18 @@ private:
         return static_cast<std::uint64_t>(stated);
     }
 
+    /// @return an empty span at the end where the file is truncated
     ByteSpan skip(std::uint64_t count, const std::string& what) {
         const ByteSpan span{end_, count};
         if (count > bytes_.size() - end_) {
-            fail("byte " + std::to_string(end_),
-                 what + " ends at byte " + std::to_string(span.end()) + ", but the file has " +
-                     std::to_string(bytes_.size()) + "; it is truncated");
+            if (!wave_.cut) {
+                wave_.cut = InputError(bytes_.name(), "byte " + std::to_string(end_),
+                                       what + " ends at byte " + std::to_string(span.end()) +
+                                           ", but the file has " + std::to_string(bytes_.size()) +
+                                           "; it is truncated");
+            }
+            end_ = bytes_.size();
+            return {end_, 0};
         }
         end_ = span.end();
         return span;

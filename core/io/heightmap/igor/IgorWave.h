@@ -1,10 +1,12 @@
 #pragma once
 
+#include "core/Error.h"
 #include "core/io/ByteSource.h"
 #include "core/io/heightmap/SampleRows.h"
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,14 +28,17 @@ struct IgorWave {
     std::array<std::vector<std::string>, kDimensions> labels;
     std::string note;         ///< as it is stored
     std::uint64_t place = 0;  ///< of the first number [bytes]
-    std::string footer;       ///< end of what follows the wave, at most 1 KiB; Asylum's has a text
+    /// Why the file is truncated, with or behind the numbers; what it lost is empty here.
+    std::optional<InputError> cut;
+    std::string footer;  ///< end of what follows the wave, at most 1 KiB; Asylum's has a text
 };
 
 /// Whether a file starts as an Igor binary wave of any version, damaged or not.
 [[nodiscard]] bool startsAsIgorWave(const ByteSource& bytes);
 
-/// @throw InputError when the wave has one dimension, texts or complex numbers, or anything is
-///        missing or does not fit together
+/// @throw InputError when the wave has one dimension, texts or complex numbers, or anything does
+/// not
+///        fit together
 [[nodiscard]] IgorWave readIgorWave(const ByteSource& bytes);
 
 }  // namespace asperity

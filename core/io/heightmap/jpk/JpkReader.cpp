@@ -2,6 +2,8 @@
 #include "core/io/TextValue.h"
 #include "core/io/heightmap/ImageScale.h"
 #include "core/io/heightmap/PhysicalUnit.h"
+#include "core/io/heightmap/ScanOrigin.h"
+#include "core/io/heightmap/WholeImages.h"
 #include "core/io/heightmap/jpk/JpkImage.h"
 #include "core/io/heightmap/jpk/JpkSlot.h"
 #include "core/io/heightmap/tiff/TiffImage.h"
@@ -46,22 +48,28 @@ constexpr std::size_t kJpkMaxText = 4096;
 class JpkReader {
 public:
     explicit JpkReader(const ByteSource& bytes)
-        : bytes_(bytes), directories_(readTiffDirectories(bytes)), scan_(directories_.front()) {}
+        : bytes_(bytes)
+        , directories_(readTiffDirectories(bytes, &images_))
+        , scan_(directories_.front()) {}
 
     StoredScan read() {
         requireImages(directories_.size(), bytes_.name(), "directories");
-        requireBlocks(directories_);
+        // The first one is a picture; it stays where it is.
+        std::vector<TiffDirectory> channels(directories_.begin() + 1, directories_.end());
+        leaveOutCut(channels, images_, nameOf);
+        requireBlocks(channels);
         isReflected_ = scan_.integer(kReflect).value_or(0) != 0;
         for (const auto& [key, tag] : kTexts) {
             if (const std::string text(trimmed(scan_.text(tag))); !text.empty()) {
                 metadata_.emplace(key, text.substr(0, kJpkMaxText));
             }
         }
-        for (std::size_t i = 1; i < directories_.size(); ++i) {
-            if (directories_[i].has(kChannel)) {
-                addChannel(directories_[i]);
+        for (const TiffDirectory& directory : channels) {
+            if (directory.has(kChannel)) {
+                addChannel(directory);
             }
         }
+        images_.finish(result_);
         if (result_.channels.empty()) {
             throw InputError(bytes_.name(), "", "this JPK file holds a picture, but no channel");
         }
@@ -104,8 +112,9 @@ private:
         channel.lateralUnit = "m";
         channel.map = emptyMap(size, scan_.number(kJpkSizeX).value_or(0.0),
                                scan_.number(kJpkSizeY).value_or(0.0));
-        channel.originX = finiteOrZero(scan_.number(kJpkOriginX).value_or(0.0));
-        channel.originY = finiteOrZero(scan_.number(kJpkOriginY).value_or(0.0));
+        setOrigin(channel, scan_.number(kJpkOriginX).value_or(0.0),
+                  scan_.number(kJpkOriginY).value_or(0.0), GivenPoint::Corner);
+        noteRotation(channel, scan_.number(kRotation).value_or(0.0) * 180.0 / std::numbers::pi);
         channel.metadata = metadata_;
         settleSize(channel, "tags 32834 and 32835");
         return channel;
@@ -161,15 +170,10 @@ private:
             {"orientation",
              isReflected_ ? "first stored row on top" : "first stored row at the bottom",
              "tag 32837 (Reflect)"});
-        const double rotation = scan_.number(kRotation).value_or(0.0);
-        if (rotation != 0.0) {
-            result_.notes.push_back("the scan was rotated by " +
-                                    exactText(rotation * 180.0 / std::numbers::pi) +
-                                    " degrees at the instrument; the image is as it was scanned");
-        }
     }
 
     const ByteSource& bytes_;
+    WholeImages images_;
     std::vector<TiffDirectory> directories_;
     const TiffDirectory& scan_;
     bool isReflected_ = false;

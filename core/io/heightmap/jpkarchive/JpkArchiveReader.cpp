@@ -60,7 +60,8 @@ bool recognizesJpkArchive(const ByteSource& bytes) {
     const auto lists = [&](std::string_view name) {
         return directory->find(name) != std::string::npos;
     };
-    return directory && lists(kProperties) && (lists(kImage) || lists(kCurves));
+    return directory && lists(kProperties) &&
+           (lists(kImage) || lists(kCurves) || lists("shared-data/") || lists("index/"));
 }
 
 }  // namespace

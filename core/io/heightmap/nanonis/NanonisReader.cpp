@@ -5,6 +5,8 @@
 #include "core/io/heightmap/PhysicalUnit.h"
 #include "core/io/heightmap/SampleRows.h"
 #include "core/io/heightmap/ScanImage.h"
+#include "core/io/heightmap/ScanOrigin.h"
+#include "core/io/heightmap/WholeImages.h"
 
 #include <algorithm>
 #include <array>
@@ -73,6 +75,7 @@ public:
             }
         }
         addProvenance(single);
+        images_.finish(result_);
         return std::move(result_);
     }
 
@@ -199,6 +202,12 @@ private:
         return foreign && bytes_.size() - samples_.place == signals.size() * samples_.bytes();
     }
 
+    /// In degrees. Nanonis counts it clockwise; its size alone matters here.
+    [[nodiscard]] double angle() const {
+        const std::optional<LeadingNumber> angle = parseLeadingNumber(tags_.text("SCAN_ANGLE"));
+        return angle ? angle->value : 0.0;
+    }
+
     void addImage(const Signal& signal, const std::string& direction) {
         const PhysicalUnit unit = parseUnit(signal.unit);
         ScanChannel channel;
@@ -212,8 +221,8 @@ private:
         const auto [width, height] = pair("SCAN_RANGE").value_or(std::pair{0.0, 0.0});
         const auto [x, y] = pair("SCAN_OFFSET").value_or(std::pair{0.0, 0.0});
         channel.map = emptyMap(samples_.size, width, height);
-        channel.originX = finiteOrZero(x);
-        channel.originY = finiteOrZero(y);
+        setOrigin(channel, x, y, GivenPoint::Center);
+        noteRotation(channel, angle());
         channel.metadata = tags_.all();
         settleSize(channel, "SCAN_RANGE");
         samples_.rightFirst = direction == "backward";
@@ -221,15 +230,18 @@ private:
             channel.provenance.push_back({"orientation of rows", "the right pixel is stored first",
                                           "the image is backward"});
         }
-        requireSamples(bytes_, samples_, "image '" + channel.name + "'");
+        const SampleLayout samples = samples_;
+        samples_.place += samples_.bytes();
+        if (!images_.holds(bytes_, samples, "image '" + channel.name + "'", channel.name)) {
+            return;
+        }
         result_.channels.push_back({.channel = std::move(channel),
                                     .factor = unit.factor,
-                                    .readRow = rowsOf(bytes_, samples_)});
-        samples_.place += samples_.bytes();
+                                    .readRow = rowsOf(bytes_, samples)});
     }
 
     void addProvenance(bool single) {
-        if (result_.channels.empty()) {
+        if (result_.channels.empty() && images_.areAll()) {
             tags_.fail("DATA_INFO", "it lists no signal");
         }
         if (single) {
@@ -252,6 +264,7 @@ private:
     const std::string& file_;
     HeaderFields tags_;
     SampleLayout samples_;  ///< of the next image
+    WholeImages images_;
     StoredScan result_;
 };
 

@@ -10,7 +10,8 @@ namespace asperity {
 namespace {
 
 constexpr std::string_view kLineEnd = "\r\n";
-constexpr std::string_view kNanoscopeHeaderEnd = "\\*File list end";
+/// Behind "\*", or "\*EC " of electrochemistry.
+constexpr std::string_view kNanoscopeHeaderEnd = "File list end";
 constexpr char kPadding = '\x1A';
 
 /// The header's text, without its end mark and padding.
@@ -99,7 +100,17 @@ std::optional<CiaoValue> parseCiaoValue(std::string_view value) {
 }
 
 std::size_t nanoscopeHeaderSize(std::string_view bytes) {
-    return std::min(bytes.find(kNanoscopeHeaderEnd), bytes.find(kPadding));
+    const std::size_t mark = bytes.find(kNanoscopeHeaderEnd);
+    const std::size_t line = mark == std::string_view::npos ? mark : bytes.rfind('\\', mark);
+    return std::min(line, bytes.find(kPadding));
+}
+
+void takeNanoscopeLine(std::string_view line, std::vector<NanoscopeSection>& sections) {
+    if (line.starts_with('*')) {
+        sections.push_back({toUtf8(trimmed(line.substr(1))), {}});
+    } else if (const auto entry = parseEntry(line); entry && !sections.empty()) {
+        sections.back().entries.insert_or_assign(lowerCase(entry->key), *entry);
+    }
 }
 
 std::vector<NanoscopeSection> readNanoscopeHeader(std::string_view bytes, const std::string& file) {
@@ -107,17 +118,12 @@ std::vector<NanoscopeSection> readNanoscopeHeader(std::string_view bytes, const 
     std::vector<NanoscopeSection> sections;
     while (!text.empty()) {
         const std::size_t end = std::min(text.find(kLineEnd), text.size());
-        std::string_view line = text.substr(0, end);
+        const std::string_view line = text.substr(0, end);
         text.remove_prefix(std::min(end + kLineEnd.size(), text.size()));
         if (!line.starts_with('\\')) {
             continue;
         }
-        line.remove_prefix(1);
-        if (line.starts_with('*')) {
-            sections.push_back({toUtf8(trimmed(line.substr(1))), {}});
-        } else if (const auto entry = parseEntry(line); entry && !sections.empty()) {
-            sections.back().entries.insert_or_assign(lowerCase(entry->key), *entry);
-        }
+        takeNanoscopeLine(line.substr(1), sections);
     }
     return sections;
 }

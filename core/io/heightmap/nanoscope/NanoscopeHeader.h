@@ -42,6 +42,9 @@ constexpr std::size_t kMaxNanoscopeHeader = std::size_t{1} << 20U;
 /// Where the header ends, in bytes: the samples cannot start before.
 [[nodiscard]] std::size_t nanoscopeHeaderSize(std::string_view bytes);
 
+/// Takes a line without its backslash: "*Name" begins a section, "key: value" belongs to the last.
+void takeNanoscopeLine(std::string_view line, std::vector<NanoscopeSection>& sections);
+
 /// Reads the sections up to the end of the header.
 /// @throw InputError when the header has no end or its line ends were changed on the way
 [[nodiscard]] std::vector<NanoscopeSection> readNanoscopeHeader(std::string_view bytes,

@@ -1,8 +1,10 @@
 #include "core/io/heightmap/nanoscope/NanoscopeImage.h"
 
 #include "core/Error.h"
+#include "core/SiFormat.h"
 #include "core/io/TextValue.h"
 #include "core/io/heightmap/PhysicalUnit.h"
+#include "core/io/heightmap/nanoscope/NanoscopeLists.h"
 
 #include <charconv>
 #include <cmath>
@@ -30,8 +32,7 @@ std::string productUnit(const std::string& sensitivity, const std::string& hard)
 /// One or two numbers and their unit, "84.8 84.8 ~m" or "2000 nm".
 struct ScanSize {
     double x = 0.0;  ///< [m]
-    double y = 0.0;  ///< [m]
-    bool hasY = false;
+    double y = 0.0;  ///< [m]; as x where there is one number
 };
 
 std::optional<ScanSize> parseScanSize(std::string_view text) {
@@ -44,20 +45,26 @@ std::optional<ScanSize> parseScanSize(std::string_view text) {
     if (unit.base != "m") {
         return std::nullopt;
     }
-    return ScanSize{x->value * unit.factor, (y ? y->value : x->value) * unit.factor, y.has_value()};
+    return ScanSize{x->value * unit.factor, (y ? y->value : x->value) * unit.factor};
 }
 
-/// x over y of "4:1" or "0.512"; 1 when it says nothing sensible.
-double parseAspectRatio(const std::string* text) {
-    if (text == nullptr) {
-        return 1.0;
+/// Whether an aspect ratio is none of a square. Gwyddion looks at the number before the colon.
+bool isNonSquare(const std::string* text) {
+    if (text == nullptr || *text == "1:1") {
+        return false;
     }
-    const std::size_t colon = text->find(':');
-    const std::optional<double> x = parseNumber(text->substr(0, colon));
-    const std::optional<double> y =
-        colon == std::string::npos ? 1.0 : parseNumber(text->substr(colon + 1));
-    const double ratio = x && y ? *x / *y : 1.0;
-    return std::isfinite(ratio) && ratio > 0.0 ? ratio : 1.0;
+    const std::optional<LeadingNumber> ratio = parseLeadingNumber(*text);
+    return ratio && ratio->value > 0.0 && ratio->value != 1.0;
+}
+
+/// The whole number at the start of a text, such as that of "512 512"; 0: there is none that an
+/// image may have.
+long long leadingCount(const std::string* text) {
+    constexpr double kMaxSide = 65536.0;
+    const std::optional<LeadingNumber> number =
+        text == nullptr ? std::nullopt : parseLeadingNumber(*text);
+    const bool good = number && number->value >= 1.0 && number->value <= kMaxSide;
+    return good ? static_cast<long long>(number->value) : 0;
 }
 
 }  // namespace
@@ -67,15 +74,17 @@ NanoscopeImage::NanoscopeImage(const std::vector<NanoscopeSection>& sections,
     : sections_(&sections), image_(&image), file_(std::move(file)), place_(std::move(place)) {}
 
 std::string NanoscopeImage::name() const {
-    const std::string* entry = image_->find("@2:Image Data");
-    const std::optional<CiaoValue> value = entry ? parseCiaoValue(*entry) : std::nullopt;
-    if (!value) {
-        return place_;
+    for (const char* const key : {"@2:Image Data", "@3:Image Data", "@4:Image Data"}) {
+        const std::string* const entry = image_->find(key);
+        const std::optional<CiaoValue> value = entry ? parseCiaoValue(*entry) : std::nullopt;
+        if (!value) {
+            continue;
+        }
+        const std::string& name = value->bracket.empty() ? value->text : value->bracket;
+        return name.empty() ? place_ : name;
     }
-    if (!value->bracket.empty()) {
-        return value->bracket;
-    }
-    return value->text.empty() ? place_ : value->text;
+    const std::string* const old = image_->find("Image data");
+    return old == nullptr || old->empty() ? place_ : *old;
 }
 
 std::string NanoscopeImage::direction() const {
@@ -83,53 +92,139 @@ std::string NanoscopeImage::direction() const {
     return entry ? directionFromName(*entry) : std::string();
 }
 
+ImageSize NanoscopeImage::ownSize() const {
+    const std::string place = place_ + ": Samps/line, Number of lines";
+    if (image_->find("Number of lines") == nullptr) {
+        // NanoScope E: both stand in one line.
+        const std::string& both = require("Samps/line");
+        const std::optional<LeadingNumber> first = parseLeadingNumber(both);
+        const std::string rest = first ? std::string(first->rest) : std::string();
+        return checkedImageSize(leadingCount(&both), leadingCount(&rest), file_, place);
+    }
+    return checkedImageSize(integer("Samps/line"), integer("Number of lines"), file_, place);
+}
+
 NanoscopeLayout NanoscopeImage::layout() const {
-    const ImageSize planned = checkedImageSize(integer("Samps/line"), integer("Number of lines"),
-                                               file_, place_ + ": Samps/line, Number of lines");
+    const ImageSize own = ownSize();
+    const ScanGrid grid = scanGrid();
     NanoscopeLayout layout;
-    layout.plannedRows = planned.rows;
     layout.sampleBytes = storedSampleBytes();
     const long long offset = integer("Data offset");
     const long long length = integer("Data length");
-    const long long rowBytes = static_cast<long long>(planned.columns) * layout.sampleBytes;
-    const bool fits =
-        offset > 0 && length > 0 && length % rowBytes == 0 && length / rowBytes <= planned.rows;
-    if (!fits) {
+    if (offset <= 0 || length <= 0 || !fitSize(layout, own, grid, length)) {
         fail("'Data offset' " + std::to_string(offset) + " and 'Data length' " +
-             std::to_string(length) + " do not fit " + std::to_string(planned.columns) + " x " +
-             std::to_string(planned.rows) + " samples of " + std::to_string(layout.sampleBytes) +
+             std::to_string(length) + " do not fit " + std::to_string(own.columns) + " x " +
+             std::to_string(own.rows) + " samples of " + std::to_string(layout.sampleBytes) +
              " bytes");
     }
     layout.offset = static_cast<std::uint64_t>(offset);
-    layout.size = {planned.columns, static_cast<int>(length / rowBytes)};
-    readScanSize(layout);
+    readScanSize(layout, own, grid);
     return layout;
 }
 
-void NanoscopeImage::readScanSize(NanoscopeLayout& layout) const {
+NanoscopeLayout NanoscopeImage::layoutOf(std::uint64_t values) const {
+    const ImageSize own = ownSize();
+    const ScanGrid grid = scanGrid();
+    NanoscopeLayout layout;
+    layout.sampleBytes = 1;
+    if (!fitSize(layout, own, grid, static_cast<long long>(values)) ||
+        layout.size.pixels() != values) {
+        fail("it promises " + std::to_string(own.columns) + " x " + std::to_string(own.rows) +
+             " values, and there are " + std::to_string(values) +
+             "; the file is truncated or damaged");
+    }
+    readScanSize(layout, own, grid);
+    return layout;
+}
+
+NanoscopeImage::ScanGrid NanoscopeImage::scanGrid() const {
+    ScanGrid grid;
+    for (const NanoscopeSection& section : *sections_) {
+        if (&section == image_) {
+            break;
+        }
+        if (isNamed(section, kNanoscopeGridLists)) {
+            const long long columns = leadingCount(section.find("Samps/line"));
+            const long long rows = leadingCount(section.find("Lines"));
+            grid.columns = columns > 0 ? columns : grid.columns;
+            grid.rows = rows > 0 ? rows : grid.rows;
+            grid.hasAspect = isNonSquare(section.find("Aspect ratio"));
+        }
+    }
+    return grid;
+}
+
+/// As Gwyddion does it: the size that is exactly as long as the data; else the larger one of those
+/// that are shorter. Else the scan was stopped, and the data are its first lines.
+bool NanoscopeImage::fitSize(NanoscopeLayout& layout, ImageSize own, const ScanGrid& grid,
+                             long long length) {
+    const long long rowBytes = static_cast<long long>(own.columns) * layout.sampleBytes;
+    const long long ownBytes = rowBytes * own.rows;
+    const long long columns = grid.columns > 0 ? grid.columns : own.columns;
+    const long long rows = grid.rows > 0 ? grid.rows : own.rows;
+    const long long scanBytes = columns * rows * layout.sampleBytes;
+    const bool isExact = length == ownBytes || length == scanBytes;
+    layout.isOfScan = isExact ? length != ownBytes
+                              : scanBytes < length && (scanBytes > ownBytes || ownBytes > length);
+    layout.size =
+        layout.isOfScan ? ImageSize{static_cast<int>(columns), static_cast<int>(rows)} : own;
+    layout.plannedRows = layout.size.rows;
+    if (layout.isOfScan || length >= ownBytes) {
+        return true;
+    }
+    layout.size.rows = static_cast<int>(length / rowBytes);
+    return length > 0 && length % rowBytes == 0;
+}
+
+/// As Gwyddion does it, docs/formats.md 3.
+void NanoscopeImage::readScanSize(NanoscopeLayout& layout, ImageSize own,
+                                  const ScanGrid& grid) const {
     const std::string* text = image_->find("Scan size");
     if (text == nullptr) {
-        text = findIn("Ciao scan list", "Scan size");
+        text = findIn(kNanoscopeScanLists, "Scan size");
     }
     const std::optional<ScanSize> size = text ? parseScanSize(*text) : std::nullopt;
     if (!size) {
         fail("expected 'Scan size' with one or two numbers and a unit of length");
     }
-    const double ratio = size->hasY ? 1.0 : parseAspectRatio(image_->find("Aspect ratio"));
-    layout.sizeX = size->x;
-    layout.sizeY = size->y / ratio * layout.size.rows / layout.plannedRows;
+    layout.sizeX = std::abs(size->x);
+    layout.sizeY = std::abs(size->y);
+    if (layout.isOfScan) {
+        layout.sizeX *= static_cast<double>(layout.size.columns) / own.columns;
+        layout.sizeY *= static_cast<double>(layout.plannedRows) / own.rows;
+    } else if (isNonSquare(image_->find("Aspect ratio"))) {
+        const long long scanRows = grid.rows > 0 ? grid.rows : own.rows;
+        layout.sizeY *= static_cast<double>(own.rows) /
+                        static_cast<double>(grid.hasAspect ? own.columns : scanRows);
+    }
+    layout.sizeY *= static_cast<double>(layout.size.rows) / layout.plannedRows;
+}
+
+NanoscopeScale NanoscopeImage::oldScale() const {
+    const std::optional<OldScale> scale = oldNanoscopeScale(
+        *image_, [this](NanoscopeList list, const std::string& key) { return findIn(list, key); });
+    if (!scale) {
+        fail("it has no '@2:Z scale', nor what NanoScope before version 4.3 has in its place");
+    }
+    return {std::ldexp(scale->fullScale, -8 * bytesPerPixel()), scale->unit,
+            place_ + scale->source};
 }
 
 NanoscopeScale NanoscopeImage::scale() const {
-    const std::string* entry = image_->find("@2:Z scale");
-    if (entry == nullptr) {
-        fail(
-            "it has no '@2:Z scale'; files of NanoScope before version 4.3 cannot be read, convert "
-            "them with Gwyddion");
+    const std::string* entry = nullptr;
+    std::string key;
+    for (const char* const each : {"@4:Z scale", "@2:Z scale", "@3:Z scale"}) {
+        if (entry == nullptr) {
+            entry = image_->find(each);
+            key = each;
+        }
+    }
+    if (entry == nullptr || image_->find("Z scale") != nullptr) {
+        return oldScale();
     }
     const std::optional<CiaoValue> value = parseCiaoValue(*entry);
     if (!value || !value->number) {
-        fail("'@2:Z scale': expected 'V [..] (..) number unit', found '" + *entry + "'");
+        fail("'" + key + "': expected 'V [..] (..) number unit', found '" + *entry + "'");
     }
     const PhysicalUnit hard = parseUnit(value->unit);
     const double fullScale = std::ldexp(1.0, 8 * bytesPerPixel());
@@ -140,7 +235,7 @@ NanoscopeScale NanoscopeImage::scale() const {
     if (keepsUnit) {
         scale.unit = value->unit;
     }
-    scale.source = place_ + ", @2:Z scale" + scale.source;
+    scale.source = place_ + ", " + key + scale.source;
     scale.factor *= *value->number * (keepsUnit ? 1.0 : hard.factor) / fullScale;
     return scale;
 }
@@ -150,9 +245,9 @@ NanoscopeScale NanoscopeImage::sensitivity(const std::string& softScale,
     if (softScale.empty()) {
         return {1.0, hardUnit, ""};
     }
-    const std::string* entry = findIn("Scanner list", "@" + softScale);
+    const std::string* entry = findIn(kNanoscopeScannerLists, "@" + softScale);
     if (entry == nullptr) {
-        entry = findIn("Ciao scan list", "@" + softScale);
+        entry = findIn(kNanoscopeScanLists, "@" + softScale);
     }
     if (entry == nullptr) {
         return {1.0, hardUnit, ""};
@@ -168,14 +263,19 @@ NanoscopeScale NanoscopeImage::sensitivity(const std::string& softScale,
 std::vector<std::string> NanoscopeImage::notes() const {
     std::vector<std::string> notes;
     const NanoscopeLayout found = layout();
+    if (found.isOfScan) {
+        notes.push_back("the size in pixels is that of the scan list: the image's own does not fit "
+                        "the length of its data");
+    }
     if (found.size.rows < found.plannedRows) {
         notes.push_back("the scan was stopped after " + std::to_string(found.size.rows) + " of " +
                         std::to_string(found.plannedRows) + " lines");
     }
-    const double ratio = parseAspectRatio(image_->find("Aspect ratio"));
-    const double stated = found.sizeX / found.sizeY;
-    if (std::abs(ratio - stated) > 0.01 * stated) {
-        notes.emplace_back("the aspect ratio disagrees with the scan size, which is used");
+    const double pitchX = found.sizeX / found.size.columns;
+    const double pitchY = found.sizeY / found.size.rows;
+    if (std::abs(pitchX - pitchY) > 0.01 * pitchX) {
+        notes.push_back("its pixels are not square: " + formatSi(pitchX, "m") + " x " +
+                        formatSi(pitchY, "m") + ", by its scan size and aspect ratio");
     }
     const std::string* planefit = image_->find("Offline planefit");
     if (planefit != nullptr && !planefit->empty() && *planefit != "None") {
@@ -192,33 +292,45 @@ int NanoscopeImage::bytesPerPixel() const {
     return static_cast<int>(bytes);
 }
 
-std::string NanoscopeImage::version() const {
-    const std::string* text = findIn("File list", "Version");
-    if (text == nullptr) {
-        text = findIn("Force file list", "Version");
-    }
+std::string NanoscopeImage::ofFile(const std::string& key) const {
+    const std::string* const text = findIn(kNanoscopeFileLists, key);
     return text == nullptr ? std::string() : *text;
 }
 
+/// The oldest files have no version.
 int NanoscopeImage::storedSampleBytes() const {
-    const std::string text = version();
+    const std::string text = ofFile("Version");
+    const std::size_t start = text.starts_with("0x") || text.starts_with("0X") ? 2 : 0;
     unsigned version = 0;
-    const char* const end = text.data() + text.size();
-    if (!text.starts_with("0x") || std::from_chars(text.data() + 2, end, version, 16).ptr != end) {
-        throw InputError(file_, "File list", "expected 'Version' with a number like 0x09010201");
-    }
+    (void)std::from_chars(text.data() + start, text.data() + text.size(), version, 16);
     return version >= kFirstWideVersion ? 4 : 2;
 }
 
-double NanoscopeImage::scanLength(const std::string& key) const {
-    const std::string* text = findIn("Ciao scan list", key);
+std::optional<double> NanoscopeImage::scanLength(const std::string& key) const {
+    const std::string* text = findIn(kNanoscopeScanLists, key);
     const std::optional<LeadingNumber> number =
         text ? parseLeadingNumber(*text) : std::optional<LeadingNumber>();
     if (!number) {
-        return 0.0;
+        return std::nullopt;
     }
     const PhysicalUnit unit = parseUnit(number->rest);
-    return unit.base == "m" ? finiteOrZero(number->value * unit.factor) : 0.0;
+    return unit.base == "m" ? std::optional(number->value * unit.factor) : std::nullopt;
+}
+
+std::optional<NanoscopePlace> NanoscopeImage::center() const {
+    const std::optional<double> x = scanLength("X Offset");
+    const std::optional<double> y = scanLength("Y Offset");
+    if (!x && !y) {
+        return std::nullopt;
+    }
+    return NanoscopePlace{x.value_or(0.0), y.value_or(0.0)};
+}
+
+double NanoscopeImage::rotation() const {
+    const std::string* const text = findIn(kNanoscopeScanLists, "Rotate Ang.");
+    const std::optional<LeadingNumber> angle =
+        text ? parseLeadingNumber(*text) : std::optional<LeadingNumber>();
+    return angle ? angle->value : 0.0;
 }
 
 const std::string& NanoscopeImage::require(const std::string& key) const {
@@ -238,15 +350,27 @@ long long NanoscopeImage::integer(const std::string& key) const {
     return *value;
 }
 
-const std::string* NanoscopeImage::findIn(const std::string& section,
+const std::string* NanoscopeImage::findIn(std::span<const std::string_view> sections,
                                           const std::string& key) const {
     for (const NanoscopeSection& candidate : *sections_) {
-        if (lowerCase(candidate.name) != lowerCase(section)) {
+        if (!isNamed(candidate, sections)) {
             continue;
         }
         if (const std::string* value = candidate.find(key); value != nullptr) {
             return value;
         }
+    }
+    return nullptr;
+}
+
+const std::string* NanoscopeImage::findIn(NanoscopeList list, const std::string& key) const {
+    switch (list) {
+    case NanoscopeList::Scanner:
+        return findIn(kNanoscopeScannerLists, key);
+    case NanoscopeList::Scan:
+        return findIn(kNanoscopeScanLists, key);
+    case NanoscopeList::Controller:
+        return findIn(kNanoscopeControllerLists, key);
     }
     return nullptr;
 }

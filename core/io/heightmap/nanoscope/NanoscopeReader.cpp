@@ -3,8 +3,11 @@
 #include "core/io/heightmap/HeightMapFormat.h"
 #include "core/io/heightmap/SampleRows.h"
 #include "core/io/heightmap/ScanImage.h"
+#include "core/io/heightmap/ScanOrigin.h"
+#include "core/io/heightmap/WholeImages.h"
 #include "core/io/heightmap/nanoscope/NanoscopeHeader.h"
 #include "core/io/heightmap/nanoscope/NanoscopeImage.h"
+#include "core/io/heightmap/nanoscope/NanoscopeLists.h"
 
 #include <algorithm>
 #include <utility>
@@ -18,10 +21,12 @@ namespace asperity {
 namespace {
 
 constexpr std::string_view kNanoscopeMagic = "\\*File list";
+/// Written with electrochemistry.
+constexpr std::string_view kEcMagic = "\\*EC File list";
 constexpr std::string_view kTextMagic = "?*File list";
 /// Force curves and force volumes; these list the image that was recorded with them, too.
 constexpr std::string_view kForceMagic = "\\*Force file list";
-constexpr std::string_view kImageList = "\\*Ciao image list";
+constexpr char kHeaderPadding = '\x1A';
 
 class NanoscopeReader {
 public:
@@ -35,44 +40,90 @@ public:
               kMaxNanoscopeHeader)) {}
 
     StoredScan read() {
-        refuseRelatives();
-        sections_ = readNanoscopeHeader(start_, file_);
-        headerEnd_ = nanoscopeHeaderSize(start_);
-        for (const NanoscopeSection& section : sections_) {
-            if (lowerCase(section.name) == "ciao image list") {
-                addChannel(section);
-            }
-        }
-        if (result_.channels.empty()) {
-            throw InputError(file_, "header", "it lists no image ('Ciao image list')");
-        }
-        if (holdsForceCurves()) {
-            result_.notes.emplace_back("the file holds force curves, too, which are not read");
-        }
-        return std::move(result_);
-    }
-
-private:
-    void refuseRelatives() const {
-        if (start_.starts_with(kForceMagic) && start_.find(kImageList) == std::string::npos) {
-            throw InputError(file_, "", "this NanoScope file holds force curves, no image");
-        }
         if (start_.starts_with(kTextMagic)) {
             throw InputError(file_, "",
                              "this NanoScope file was exported as text; save it in binary form");
         }
+        sections_ = readNanoscopeHeader(start_, file_);
+        headerEnd_ = nanoscopeHeaderSize(start_);
+        refuseProfiles();
+        for (const NanoscopeSection& section : sections_) {
+            if (isNanoscopeImageList(section)) {
+                addChannel(section);
+            }
+        }
+        if (!images_.areAll() && !isHeaderWhole()) {
+            images_.requireAll();
+        }
+        images_.finish(result_);
+        requireAnyImage();
+        return std::move(result_);
+    }
+
+private:
+    /// Of the whole header, whatever list it is in; empty: there is none.
+    [[nodiscard]] std::string anywhere(const std::string& key) const {
+        for (const NanoscopeSection& section : sections_) {
+            if (const std::string* const text = section.find(key)) {
+                return *text;
+            }
+        }
+        return {};
+    }
+
+    /// Of trenches: lines of different lengths.
+    void refuseProfiles() const {
+        if (anywhere("Start context").ends_with("VAR")) {
+            throw InputError(file_, "header",
+                             "this NanoScope file holds profiles of different lengths (start "
+                             "context '" +
+                                 anywhere("Start context") + "'), no image");
+        }
+    }
+
+    void requireAnyImage() {
+        if (result_.channels.empty()) {
+            throw InputError(file_, holdsForceCurves() ? "" : "header",
+                             holdsForceCurves() ? "this NanoScope file holds force curves, no image"
+                                                : "it lists no image ('Ciao image list')");
+        }
+        if (holdsForceCurves()) {
+            result_.notes.emplace_back("the file holds force curves, too, which are not read");
+        }
     }
 
     [[nodiscard]] bool holdsForceCurves() const {
-        return start_.starts_with(kForceMagic) ||
+        const std::string mode = anywhere("Operating mode");
+        return start_.starts_with(kForceMagic) || mode == "Force" || mode == "Force Volume" ||
                std::ranges::any_of(sections_, [](const NanoscopeSection& section) {
                    return lowerCase(section.name) == "ciao force image list";
                });
     }
 
+    /// Whether nothing is missing before the first samples: the header says how long it is, and is
+    /// filled up to there. Where bytes are missing, samples are not where it says.
+    [[nodiscard]] bool isHeaderWhole() const {
+        const std::optional<long long> length =
+            parseInteger(sections_.empty() || sections_[0].find("Data length") == nullptr
+                             ? ""
+                             : *sections_[0].find("Data length"));
+        const std::size_t textEnd = start_.find('\n', headerEnd_);
+        if (!length || *length <= 0 || textEnd == std::string::npos) {
+            return false;
+        }
+        const std::uint64_t end = std::min(static_cast<std::uint64_t>(*length), bytes_.size());
+        if (end <= textEnd || end > kMaxNanoscopeHeader) {
+            return false;
+        }
+        std::string filling(end - textEnd, '\0');
+        bytes_.read(textEnd, filling);
+        return filling.find_first_not_of(std::string("\r\n\0", 3) + kHeaderPadding) ==
+               std::string::npos;
+    }
+
     void addChannel(const NanoscopeSection& section) {
-        const std::string place = "image list " + std::to_string(result_.channels.size() + 1);
-        requireImages(result_.channels.size() + 1, file_, place);
+        const std::string place = "image list " + std::to_string(++listed_);
+        requireImages(listed_, file_, place);
         const NanoscopeImage image(sections_, section, file_, place);
         const NanoscopeLayout layout = image.layout();
         const NanoscopeScale scale = image.scale();
@@ -81,9 +132,10 @@ private:
         channel.unit = scale.unit;
         channel.lateralUnit = "m";
         channel.direction = image.direction();
-        channel.originX = image.scanLength("X Offset");
-        channel.originY = image.scanLength("Y Offset");
         channel.map = emptyMap(layout.size, layout.sizeX, layout.sizeY);
+        if (const std::optional<NanoscopePlace> center = image.center()) {
+            setOrigin(channel, center->x, center->y, GivenPoint::Center);
+        }
         channel.metadata = metadata(section);
         // Whatever the scan's direction was, the first stored row is the bottom of the image.
         const SampleLayout samples{.size = layout.size,
@@ -92,6 +144,9 @@ private:
                                                : SampleType::Int16,
                                    .place = layout.offset,
                                    .bottomFirst = true};
+        if (!images_.holds(bytes_, samples, place, channel.name)) {
+            return;
+        }
         takeSamples(samples, place);
         addNotes(image, channel, layout.sampleBytes);
         addProvenance(image, channel, scale, place);
@@ -101,7 +156,6 @@ private:
     }
 
     void takeSamples(const SampleLayout& samples, const std::string& place) {
-        requireSamples(bytes_, samples, place);
         if (samples.place < headerEnd_) {
             throw InputError(file_, place,
                              "its data start at byte " + std::to_string(samples.place) +
@@ -118,6 +172,7 @@ private:
 
     static void addNotes(const NanoscopeImage& image, ScanChannel& channel, int sampleBytes) {
         channel.notes = image.notes();
+        noteRotation(channel, image.rotation());
         if (image.bytesPerPixel() != sampleBytes) {
             channel.notes.push_back("the header names " + std::to_string(image.bytesPerPixel()) +
                                     " bytes a sample, but this version stores " +
@@ -127,7 +182,11 @@ private:
 
     void addProvenance(const NanoscopeImage& image, ScanChannel& channel,
                        const NanoscopeScale& scale, const std::string& place) {
-        result_.provenance = {{"format version", image.version(), "File list, Version"}};
+        const std::string version = image.ofFile("Version");
+        result_.provenance.clear();
+        if (!version.empty()) {
+            result_.provenance = {{"format version", version, "File list, Version"}};
+        }
         settleSize(channel, place + ", Scan size");
         channel.provenance.push_back(scaleProvenance(scale.factor, scale.unit, scale.source));
         channel.provenance.push_back(
@@ -158,6 +217,8 @@ private:
     const std::string& file_;
     std::string start_;  ///< with the whole header
     std::vector<NanoscopeSection> sections_;
+    std::size_t listed_ = 0;  ///< images until now
+    WholeImages images_;
     /// First and past-the-last byte of each image so far.
     std::size_t headerEnd_ = 0;
     std::vector<std::pair<std::uint64_t, std::uint64_t>> taken_;
@@ -174,8 +235,8 @@ const HeightMapFormat kNanoscopeFormat = {
     .extensions = kNanoscopeExtensions,
     .recognizes =
         [](const ByteSource& bytes) {
-            return bytes.startsWith(kNanoscopeMagic) || bytes.startsWith(kTextMagic) ||
-                   bytes.startsWith(kForceMagic);
+            return bytes.startsWith(kNanoscopeMagic) || bytes.startsWith(kEcMagic) ||
+                   bytes.startsWith(kTextMagic) || bytes.startsWith(kForceMagic);
         },
     .read = [](const ByteSource& bytes) { return NanoscopeReader(bytes).read(); }};
 

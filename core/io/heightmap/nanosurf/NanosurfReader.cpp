@@ -5,6 +5,8 @@
 #include "core/io/heightmap/PhysicalUnit.h"
 #include "core/io/heightmap/SampleRows.h"
 #include "core/io/heightmap/ScanImage.h"
+#include "core/io/heightmap/ScanOrigin.h"
+#include "core/io/heightmap/WholeImages.h"
 
 #include <algorithm>
 #include <array>
@@ -59,6 +61,7 @@ public:
         for (const HeaderFields* const channel : listedChannels()) {
             addChannel(*channel);
         }
+        images_.finish(result_);
         if (result_.channels.empty()) {
             throw InputError(file_, "[DataSet]",
                              curves_.empty()
@@ -117,9 +120,11 @@ private:
                                    .type = typeOf(section),
                                    .place = place_,
                                    .bottomFirst = true};
-        requireSamples(bytes_, samples, section.place());
         place_ += samples.bytes();
-        result_.channels.push_back(imageOf(section, samples));
+        StoredChannel image = imageOf(section, samples);
+        if (images_.holds(bytes_, samples, section.place(), image.channel.name)) {
+            result_.channels.push_back(std::move(image));
+        }
     }
 
     /// Curves have a line each.
@@ -133,9 +138,6 @@ private:
         }
         const auto count = static_cast<std::uint64_t>(points * lines);
         const std::uint64_t length = count * sizeOf(typeOf(section));
-        if (length > bytes_.size() - place_) {
-            section.fail("Points, Lines", "its data end beyond the file; it is truncated");
-        }
         place_ += length;
         long long& curves = curves_[frame.empty() ? "no frame" : frame];
         curves = std::max(curves, lines);
@@ -186,8 +188,8 @@ private:
         channel.lateralUnit = x.base == y.base ? x.base : std::string();
         channel.map = emptyMap(samples.size, section.number("Dim0Range").value_or(0.0) * x.factor,
                                section.number("Dim1Range").value_or(0.0) * y.factor);
-        channel.originX = finiteOrZero(section.number("Dim0Min").value_or(0.0) * x.factor);
-        channel.originY = finiteOrZero(section.number("Dim1Min").value_or(0.0) * y.factor);
+        setOrigin(channel, section.number("Dim0Min").value_or(0.0) * x.factor,
+                  section.number("Dim1Min").value_or(0.0) * y.factor, GivenPoint::Corner);
         channel.metadata = metadataOf(section);
         channel.provenance.push_back(
             {"orientation", "the bottom row is stored first", "the same in every Nanosurf file"});
@@ -234,6 +236,7 @@ private:
     HeaderSections sections_;
     std::uint64_t place_ = 0;                  ///< of the next samples
     std::map<std::string, long long> curves_;  ///< how many of each frame
+    WholeImages images_;
     StoredScan result_;
 };
 

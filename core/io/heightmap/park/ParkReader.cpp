@@ -3,6 +3,7 @@
 #include "core/io/TextValue.h"
 #include "core/io/heightmap/ImageScale.h"
 #include "core/io/heightmap/PhysicalUnit.h"
+#include "core/io/heightmap/ScanOrigin.h"
 #include "core/io/heightmap/tiff/TiffImage.h"
 
 #include <bit>
@@ -31,6 +32,7 @@ constexpr std::size_t kSource = 4;
 constexpr std::size_t kMode = 68;
 constexpr std::size_t kParkColumns = 100;
 constexpr std::size_t kParkRows = 104;
+constexpr std::size_t kParkAngle = 108;  // [deg]
 constexpr std::size_t kIsForward = 128;
 constexpr std::size_t kIsSwapped = 136;
 constexpr std::size_t kParkSizeX = 140;    // [um]
@@ -134,8 +136,9 @@ private:
         channel.direction = at<std::int32_t>(kIsForward) != 0 ? "forward" : "backward";
         channel.map =
             emptyMap(size, at<double>(kParkSizeX) * 1.0_um, at<double>(kParkSizeY) * 1.0_um);
-        channel.originX = finiteOrZero(at<double>(kParkOriginX) * 1.0_um);
-        channel.originY = finiteOrZero(at<double>(kParkOriginY) * 1.0_um);
+        setOrigin(channel, at<double>(kParkOriginX) * 1.0_um, at<double>(kParkOriginY) * 1.0_um,
+                  GivenPoint::Center);
+        noteRotation(channel, at<double>(kParkAngle));
         channel.metadata = {{"mode", text(kMode, kShortLength)},
                             {"software", tags_.text(number(TiffTag::Software))},
                             {"date", tags_.text(number(TiffTag::DateTime))},

@@ -5,6 +5,8 @@
 #include "core/io/heightmap/PhysicalUnit.h"
 #include "core/io/heightmap/SampleRows.h"
 #include "core/io/heightmap/ScanImage.h"
+#include "core/io/heightmap/ScanOrigin.h"
+#include "core/io/heightmap/WholeImages.h"
 
 #include <array>
 #include <cmath>
@@ -40,9 +42,16 @@ public:
         if (const std::string* const version = scan_.find("version")) {
             result.provenance.push_back({"format version", *version, "version"});
         }
+        WholeImages whole;
         for (const HeaderFields& image : images_) {
-            result.channels.push_back(channelOf(image));
+            StoredChannel stored = channelOf(image);
+            const std::string& name = stored.channel.name;
+            if (whole.holds(bytes_, samples_, "image '" + name + "'", name)) {
+                result.channels.push_back(std::move(stored));
+            }
+            samples_.place += samples_.bytes();
         }
+        whole.finish(result);
         return result;
     }
 
@@ -97,26 +106,26 @@ private:
         samples_.bottomFirst = true;
     }
 
-    StoredChannel channelOf(const HeaderFields& image) {
+    [[nodiscard]] StoredChannel channelOf(const HeaderFields& image) const {
         ScanChannel channel;
         channel.name = image.text("bufferLabel");
         channel.direction = directionFromName(image.text("trace"));
         channel.lateralUnit = "m";
         channel.map = emptyMap(samples_.size, scan_.number("xLength").value_or(0.0),
                                scan_.number("yLength").value_or(0.0));
-        channel.originX = finiteOrZero(scan_.number("xOffset").value_or(0.0));
-        channel.originY = finiteOrZero(scan_.number("yOffset").value_or(0.0));
+        if (scan_.number("xOffset") || scan_.number("yOffset")) {
+            setOrigin(channel, scan_.number("xOffset").value_or(0.0),
+                      scan_.number("yOffset").value_or(0.0), GivenPoint::Center);
+        }
+        noteRotation(channel, scan_.number("scanAngle").value_or(0.0));
         channel.metadata = image.all();
         channel.metadata.insert(scan_.all().begin(), scan_.all().end());
         settleSize(channel, "xLength and yLength");
         channel.provenance.push_back(
             {"orientation", "the bottom row is stored first", "the same in every PicoView file"});
         const double factor = setUnit(channel, image);
-        requireSamples(bytes_, samples_, "image '" + channel.name + "'");
-        StoredChannel stored{
+        return {
             .channel = std::move(channel), .factor = factor, .readRow = rowsOf(bytes_, samples_)};
-        samples_.place += samples_.bytes();
-        return stored;
     }
 
     /// @return value in the channel's unit per count

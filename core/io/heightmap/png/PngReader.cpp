@@ -52,7 +52,8 @@ StoredScan readPng(const ByteSource& bytes) {
     StoredChannel stored = scaledChannel(
         scale, header.size,
         rowsOfDecoded([&bytes, header] { return decodePng(bytes, header); },
-                      {.size = header.size, .type = SampleType::UInt16, .order = ByteOrder::Big}),
+                      {.size = header.size, .type = SampleType::UInt16, .order = ByteOrder::Big},
+                      bytes.name()),
         "gray", bytes.name());
     stored.channel.metadata = header.texts;
     if (header.color == kTransparentGray) {

@@ -21,21 +21,6 @@ struct Length {
     std::string unit;  ///< SI base unit
 };
 
-/// With a decimal point in place of a decimal comma: "10,00 µm". Three digits behind a comma may
-/// be thousands.
-std::string withDecimalPoint(std::string text) {
-    const std::size_t comma = text.find(',');
-    if (comma == std::string::npos) {
-        return text;
-    }
-    const std::size_t end = std::min(text.find_first_not_of("0123456789", comma + 1), text.size());
-    const std::size_t digits = end - comma - 1;
-    if (digits > 0 && digits != 3 && text.find_first_of(".,", comma + 1) == std::string::npos) {
-        text[comma] = '.';
-    }
-    return text;
-}
-
 /// A number and one word after it, "10.00 µm".
 std::optional<Length> lengthOf(const TextComment& comment) {
     const std::string value = withDecimalPoint(comment.value);
@@ -113,6 +98,34 @@ void takeSize(const TextComment& width, const TextComment& height, TextHeader& h
     header.sizeSource = placeOf(width) + "; " + placeOf(height);
 }
 
+constexpr double kSpipLength = 1e-9;  ///< SPIP's lengths are in nm [m]
+
+/// Null when there is none.
+const TextComment* find(const std::vector<TextComment>& comments, std::string_view key) {
+    const auto found = std::ranges::find(comments, key, &TextComment::key);
+    return found == comments.end() ? nullptr : &*found;
+}
+
+/// @throw InputError when the value is no number
+double spipNumber(const TextComment& comment, const TextLines& lines) {
+    const std::string value = withDecimalPoint(comment.value);
+    const std::optional<double> number = parseNumber(value);
+    if (!number || !std::isfinite(*number)) {
+        lines.fail("'" + comment.key + "' of line " + std::to_string(comment.line) +
+                   ": expected a number, found '" + comment.value + "'");
+    }
+    return *number;
+}
+
+long long spipCount(const TextComment& comment, const TextLines& lines) {
+    const std::optional<long long> count = parseInteger(comment.value);
+    if (!count || *count < 1) {
+        lines.fail("'" + comment.key + "' of line " + std::to_string(comment.line) +
+                   ": expected a whole number of 1 or more, found '" + comment.value + "'");
+    }
+    return *count;
+}
+
 /// @return whether the comment is part of the origin
 bool takeOrigin(const TextComment& comment, TextHeader& header) {
     const bool isX = comment.key == kOriginXComment;
@@ -128,6 +141,53 @@ bool takeOrigin(const TextComment& comment, TextHeader& header) {
 }
 
 }  // namespace
+
+std::string withDecimalPoint(std::string text) {
+    const std::size_t comma = text.find(',');
+    if (comma == std::string::npos) {
+        return text;
+    }
+    const std::size_t end = std::min(text.find_first_not_of("0123456789", comma + 1), text.size());
+    const std::size_t digits = end - comma - 1;
+    if (digits > 0 && digits != 3 && text.find_first_of(".,", comma + 1) == std::string::npos) {
+        text[comma] = '.';
+    }
+    return text;
+}
+
+bool isSpip(const std::vector<TextComment>& assignments) {
+    const TextComment* const format = find(assignments, "file format");
+    return format != nullptr && lowerCase(format->value) == "ascii" &&
+           find(assignments, "x-pixels") != nullptr && find(assignments, "y-pixels") != nullptr;
+}
+
+void takeSpip(const std::vector<TextComment>& assignments, const TextLines& lines,
+              TextHeader& header) {
+    const auto number = [&](const char* key) {
+        const TextComment* const found = find(assignments, key);
+        return found == nullptr ? 0.0 : spipNumber(*found, lines);
+    };
+    header.isMatrix = true;
+    header.columns = spipCount(*find(assignments, "x-pixels"), lines);
+    header.rows = spipCount(*find(assignments, "y-pixels"), lines);
+    header.sizeX = number("x-length") * kSpipLength;
+    header.sizeY = number("y-length") * kSpipLength;
+    header.originX = number("x-offset") * kSpipLength;
+    header.originY = number("y-offset") * kSpipLength;
+    header.lateralUnit = "m";
+    header.sizeSource = "x-length and y-length, in nm";
+    header.hasMask = number("voidpixels") != 0.0;
+    if (const TextComment* const unit = find(assignments, "z-unit")) {
+        header.unit = parseUnit(unit->value);
+        header.unitSource = placeOf(*unit);
+    } else if (const TextComment* const step = find(assignments, "bit2nm")) {
+        header.unit = {spipNumber(*step, lines) * kSpipLength, "m"};
+        header.unitSource = placeOf(*step);
+    }
+    for (const TextComment& each : assignments) {
+        header.metadata[each.key] = each.value;
+    }
+}
 
 bool giveSize(const std::vector<TextComment>& comments) {
     return placesOfSize(comments).has_value();

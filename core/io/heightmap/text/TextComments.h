@@ -24,6 +24,18 @@ inline constexpr std::string_view kOriginYComment = "Y offset";
 /// others become metadata.
 void takeComments(const std::vector<TextComment>& comments, TextHeader& header);
 
+/// A text with a decimal point in place of a decimal comma: "10,00 µm". Three digits behind a comma
+/// may be thousands.
+[[nodiscard]] std::string withDecimalPoint(std::string text);
+
+/// Whether comments of the form "key = value", the keys in lower case, are those of SPIP.
+[[nodiscard]] bool isSpip(const std::vector<TextComment>& assignments);
+/// Takes size, origin and unit from them.
+/// @param lines where they stand, for messages
+/// @throw InputError when a number is none
+void takeSpip(const std::vector<TextComment>& assignments, const TextLines& lines,
+              TextHeader& header);
+
 /// Whether they give the size of a matrix.
 [[nodiscard]] bool giveSize(const std::vector<TextComment>& comments);
 

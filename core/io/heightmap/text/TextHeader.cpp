@@ -1,6 +1,7 @@
 #include "core/io/heightmap/text/TextHeader.h"
 
 #include "core/io/TextValue.h"
+#include "core/io/heightmap/HeaderFields.h"
 #include "core/io/heightmap/NumberRow.h"
 #include "core/io/heightmap/text/TextComments.h"
 
@@ -84,8 +85,12 @@ public:
             if (text.empty()) {
                 continue;
             }
-            if (startsWithNumbers(text, giveSize(comments_))) {
+            if (startsWithNumbers(text, giveSize(comments_) || isSpip(assignments_) ||
+                                            header_.isMatrix)) {
                 header_.firstLine = *line;
+                if (!giveSize(comments_) && isSpip(assignments_)) {
+                    takeSpip(assignments_, lines_, header_);
+                }
                 takeComments(comments_, header_);
                 return std::move(header_);
             }
@@ -114,6 +119,12 @@ private:
         }
         const std::size_t colon = line.find(':');
         TextComment comment{.line = lines_.number()};
+        if (const std::size_t equals = line.find('='); equals < colon) {
+            comment.key = lowerCase(trimmed(line.substr(0, equals)));
+            comment.value = trimmed(line.substr(equals + 1));
+            assignments_.push_back(std::move(comment));
+            return true;
+        }
         if (colon != std::string_view::npos) {
             comment.key = trimmed(line.substr(0, colon));
             comment.value = trimmed(line.substr(colon + 1));
@@ -122,8 +133,39 @@ private:
         return true;
     }
 
-    static bool takeWsxm(std::string_view line) {
-        return line.starts_with("WSxM file copyright") || line.starts_with("WSxM ASCII XYZ file");
+    bool takeWsxm(std::string_view line) {
+        if (line.starts_with("WSxM file copyright") || line.starts_with("WSxM ASCII XYZ file")) {
+            return true;
+        }
+        if (line.starts_with("WSxM ASCII Matrix file")) {
+            isWsxmMatrix_ = header_.isMatrix = true;
+            header_.lateralUnit = "m";
+            return true;
+        }
+        const std::size_t colon = line.find(':');
+        if (!isWsxmMatrix_ || colon == std::string_view::npos) {
+            return false;
+        }
+        takeWsxmValue(std::string(trimmed(line.substr(0, colon))),
+                      withDecimalPoint(std::string(trimmed(line.substr(colon + 1)))));
+        return true;
+    }
+
+    void takeWsxmValue(const std::string& key, const std::string& value) {
+        const std::optional<double> length = parseLength(value);
+        const std::optional<LeadingNumber> number = parseLeadingNumber(value);
+        if (key == "X Amplitude" && length) {
+            header_.sizeX = *length;
+            header_.sizeSource = place() + ", X Amplitude, Y Amplitude";
+        } else if (key == "Y Amplitude" && length) {
+            header_.sizeY = *length;
+        } else if (key == "Z Amplitude" && number) {
+            const PhysicalUnit unit = parseUnit(number->rest);
+            header_.unit = unit.base == "a.u." ? PhysicalUnit{} : unit;
+            header_.unitSource = place() + ", Z Amplitude";
+        } else {
+            header_.metadata[key] = value;
+        }
     }
 
     bool takeLabels(std::string_view line) {
@@ -238,6 +280,8 @@ private:
     TextLines& lines_;
     TextHeader header_;
     std::vector<TextComment> comments_;
+    std::vector<TextComment> assignments_;  ///< comments of the form "key = value"; lower-case keys
+    bool isWsxmMatrix_ = false;
 };
 
 }  // namespace

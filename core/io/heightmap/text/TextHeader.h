@@ -28,6 +28,7 @@ struct TextHeader {
     long long rows = 0;            ///< 0: not given
     std::optional<double> noData;  ///< the number that means "no data"
     bool isMatrix = false;         ///< what it gives belongs to a matrix, not to points
+    bool hasMask = false;          ///< as many lines follow that say which numbers are valid (1)
     std::array<PhysicalUnit, 3> pointUnits;  ///< of x, y, z where the columns are labeled
     std::map<std::string, std::string> metadata;
     std::vector<std::string> notes;
@@ -35,7 +36,8 @@ struct TextHeader {
 };
 
 /// Reads up to the first line of numbers. Known are the comments of Gwyddion's export in whatever
-/// language, "h=305 w=75", the keys of ESRI grids and labels of three columns, WSxM's among them.
+/// language and those of SPIP, "h=305 w=75", the keys of ESRI grids and of WSxM's matrices, and
+/// labels of three columns, WSxM's among them.
 /// @return empty when anything else stands there, as in a text that is no height map
 /// @throw InputError when a known line does not hold what it should
 [[nodiscard]] std::optional<TextHeader> readTextHeader(TextLines& lines);

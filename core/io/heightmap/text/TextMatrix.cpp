@@ -2,6 +2,7 @@
 #include "core/io/TextValue.h"
 #include "core/io/heightmap/SampleRows.h"
 #include "core/io/heightmap/ScanImage.h"
+#include "core/io/heightmap/ScanOrigin.h"
 #include "core/io/heightmap/text/TextRows.h"
 #include "core/io/heightmap/text/TextWriter.h"
 
@@ -61,6 +62,7 @@ public:
         requireNoProfile();
         readNumbers();
         dropNumbering();
+        takeMask();
         requirePromisedSize();
         markNoData();
         StoredScan scan;
@@ -139,6 +141,20 @@ private:
         --columns_;
     }
 
+    /// SPIP's lines of 1 and 0 behind the numbers, one for each: 0 is a pixel without data.
+    void takeMask() {
+        if (!header_.hasMask || count_ != 2 * header_.rows) {
+            return;
+        }
+        const auto half = static_cast<std::ptrdiff_t>(numbers_.size() / 2);
+        std::transform(numbers_.begin(), numbers_.begin() + half, numbers_.begin() + half,
+                       numbers_.begin(), [](double number, double valid) {
+                           return valid == 0.0 ? std::numeric_limits<double>::quiet_NaN() : number;
+                       });
+        numbers_.resize(static_cast<std::size_t>(half));
+        count_ /= 2;
+    }
+
     void requirePromisedSize() const {
         const bool fits = (header_.columns == 0 || header_.columns == columns_) &&
                           (header_.rows == 0 || header_.rows == count_);
@@ -177,8 +193,7 @@ private:
         channel.direction = directionFromName(channel.name);
         channel.map = emptyMap(size, byPixel ? header_.pitch * size.columns : header_.sizeX,
                                byPixel ? header_.pitch * size.rows : header_.sizeY);
-        channel.originX = finiteOrZero(header_.originX);
-        channel.originY = finiteOrZero(header_.originY);
+        setOrigin(channel, header_.originX, header_.originY, GivenPoint::Corner);
         channel.metadata = std::move(header_.metadata);
         channel.notes = std::move(header_.notes);
         settleSize(channel, header_.sizeSource);

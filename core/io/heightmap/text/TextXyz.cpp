@@ -3,10 +3,12 @@
 #include "core/io/heightmap/HeightMapFormat.h"
 #include "core/io/heightmap/SampleRows.h"
 #include "core/io/heightmap/ScanImage.h"
+#include "core/io/heightmap/ScanOrigin.h"
 #include "core/io/heightmap/text/PointGrid.h"
 #include "core/io/heightmap/text/TextRows.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <limits>
 #include <utility>
@@ -63,7 +65,31 @@ private:
         }
     }
 
+    /// Whether the first column rises or falls in equal steps from line to line: of points on a
+    /// grid it repeats.
+    [[nodiscard]] bool isCurve() const {
+        constexpr std::size_t kFewest = 10;
+        const std::size_t count = points_.size();
+        if (count < kFewest) {
+            return false;
+        }
+        const auto first = [this](std::size_t line) { return points_.numbers[3 * line]; };
+        const double step = (first(count - 1) - first(0)) / static_cast<double>(count - 1);
+        for (std::size_t i = 1; i < count; ++i) {
+            if (!(std::abs(first(i) - first(i - 1) - step) < 0.1 * std::abs(step))) {
+                return false;
+            }
+        }
+        return true;
+    }
+
     void findGrid() {
+        if (isCurve()) {
+            throw InputError(file_, "",
+                             "three columns of numbers, the first in equal steps, are a curve and "
+                             "no height map: NT-MDT exports force curves so, approach beside "
+                             "retract");
+        }
         const std::optional<GridAxis> x = gridAxis(points_, 0);
         const std::optional<GridAxis> y = gridAxis(points_, 1);
         const std::size_t count = points_.size();
@@ -94,8 +120,8 @@ private:
         channel.map = emptyMap(size, pitchX * size.columns, pitchY * size.rows);
         if (known) {
             channel.lateralUnit = xUnit.base;
-            channel.originX = finiteOrZero(x_.first * xUnit.factor - 0.5 * pitchX);
-            channel.originY = finiteOrZero(y_.first * yUnit.factor - 0.5 * pitchY);
+            setOrigin(channel, x_.first * xUnit.factor, y_.first * yUnit.factor,
+                      GivenPoint::FirstPixel);
         } else {
             channel.notes.push_back("x and y have no unit; their steps are " + exactText(x_.pitch) +
                                     " and " + exactText(y_.pitch));

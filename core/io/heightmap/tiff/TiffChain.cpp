@@ -1,4 +1,5 @@
 #include "core/Error.h"
+#include "core/io/heightmap/WholeImages.h"
 #include "core/io/heightmap/tiff/TiffDirectory.h"
 #include "core/io/heightmap/tiff/TiffValue.h"
 
@@ -48,6 +49,11 @@ std::optional<ChainHeader> headerOf(const ByteSource& bytes) {
     }
     return std::nullopt;
 }
+
+/// Of a directory that is not all within the file.
+class CutDirectory : public InputError {
+    using InputError::InputError;
+};
 
 /// Walks from directory to directory.
 class Chain {
@@ -141,15 +147,18 @@ private:
 
     [[nodiscard]] std::string read(const ByteSpan& span, const std::string& name) const {
         if (span.place > bytes_.size() || span.count > bytes_.size() - span.place) {
-            fail(name, "it is at byte " + std::to_string(span.place) + ", but the file has " +
-                           std::to_string(bytes_.size()) + "; it is truncated or damaged");
+            throw CutDirectory(bytes_.name(), name,
+                               "it is at byte " + std::to_string(span.place) +
+                                   ", but the file has " + std::to_string(bytes_.size()) +
+                                   "; it is truncated or damaged");
         }
         return bytesOf(bytes_, span);
     }
 
     [[noreturn]] void failBeyond(std::uint16_t tag, const std::string& name) const {
-        fail(name, "the values of tag " + std::to_string(tag) +
-                       " are beyond the end of the file; it is truncated or damaged");
+        throw CutDirectory(bytes_.name(), name,
+                           "the values of tag " + std::to_string(tag) +
+                               " are beyond the end of the file; it is truncated or damaged");
     }
     [[noreturn]] void fail(const std::string& place, const std::string& what) const {
         throw InputError(bytes_.name(), place, what);
@@ -179,7 +188,7 @@ bool isTiffWithTag(const ByteSource& bytes, std::uint16_t tag) {
     }
 }
 
-std::vector<TiffDirectory> readTiffDirectories(const ByteSource& bytes) {
+std::vector<TiffDirectory> readTiffDirectories(const ByteSource& bytes, WholeImages* images) {
     const std::optional<ChainHeader> header = headerOf(bytes);
     if (!header) {
         throw InputError(bytes.name(), "", "this is no TIFF");
@@ -187,7 +196,15 @@ std::vector<TiffDirectory> readTiffDirectories(const ByteSource& bytes) {
     Chain chain(bytes, *header);
     std::vector<TiffDirectory> directories;
     while (!chain.atEnd()) {
-        directories.push_back(chain.take());
+        try {
+            directories.push_back(chain.take());
+        } catch (const CutDirectory& error) {
+            if (images == nullptr || directories.empty()) {
+                throw;
+            }
+            images->leaveOut("directory " + std::to_string(directories.size() + 1), error);
+            break;
+        }
     }
     if (directories.empty()) {
         throw InputError(bytes.name(), "header", "expected the place of a first directory");

@@ -63,6 +63,8 @@ private:
     std::vector<TiffField> fields_;  ///< by tag
 };
 
+class WholeImages;
+
 /// Whether the content begins as a TIFF.
 [[nodiscard]] bool isTiff(const ByteSource& bytes);
 
@@ -71,7 +73,10 @@ private:
 
 /// The directories of all images, in the order of the file. Directories and values are together no
 /// larger than the file, so that nothing is read many times over.
+/// @param images where it is given, a directory behind the first that is not within the file is
+///        left out, and those behind it are not looked for
 /// @throw InputError when one, or anything that it names, is not within the file
-[[nodiscard]] std::vector<TiffDirectory> readTiffDirectories(const ByteSource& bytes);
+[[nodiscard]] std::vector<TiffDirectory> readTiffDirectories(const ByteSource& bytes,
+                                                             WholeImages* images = nullptr);
 
 }  // namespace asperity

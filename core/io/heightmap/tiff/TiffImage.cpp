@@ -1,10 +1,12 @@
 #include "core/io/heightmap/tiff/TiffImage.h"
 
 #include "core/Error.h"
+#include "core/io/heightmap/WholeImages.h"
 #include "core/io/heightmap/tiff/TiffDecoder.h"
 
 #include <algorithm>
 #include <bit>
+#include <utility>
 
 namespace asperity {
 
@@ -182,13 +184,28 @@ void requireBlocks(const std::vector<TiffDirectory>& directories) {
     }
 }
 
+void leaveOutCut(std::vector<TiffDirectory>& directories, WholeImages& images,
+                 const std::function<std::string(const TiffDirectory&)>& nameOf) {
+    std::vector<TiffDirectory> whole;
+    for (TiffDirectory& directory : directories) {
+        try {
+            (void)blocksOf(directory, isTiled(directory));
+            whole.push_back(std::move(directory));
+        } catch (const InputError& error) {
+            images.leaveOut(nameOf(directory), error);
+        }
+    }
+    directories = std::move(whole);
+}
+
 ReadRow rowsOf(const TiffDirectory& directory, const TiffImage& image, bool bottomFirst) {
     if (image.isPlain) {
         return rowsOfStrips(directory.bytes(), image, bottomFirst);
     }
     return rowsOfDecoded(
         [directory, image] { return decodeTiff(directory, image); },
-        {.size = image.size, .type = image.type, .order = kTiffNative, .bottomFirst = bottomFirst});
+        {.size = image.size, .type = image.type, .order = kTiffNative, .bottomFirst = bottomFirst},
+        directory.bytes().name());
 }
 
 }  // namespace asperity

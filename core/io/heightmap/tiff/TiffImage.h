@@ -2,6 +2,8 @@
 
 #include "core/io/heightmap/tiff/TiffDirectory.h"
 
+#include <functional>
+#include <string>
 #include <vector>
 
 namespace asperity {
@@ -75,6 +77,11 @@ struct TiffImage {
 /// Checks the strips and tiles of all images, shown or not: that the file holds them, and that they
 /// are together no larger than the file. @throw InputError
 void requireBlocks(const std::vector<TiffDirectory>& directories);
+
+/// Takes away the directories whose strips or tiles the file does not hold all, and those alone;
+/// requireBlocks() finds other damage.
+void leaveOutCut(std::vector<TiffDirectory>& directories, WholeImages& images,
+                 const std::function<std::string(const TiffDirectory&)>& nameOf);
 
 /// Reads the rows of an image: plain ones as they lie, others decoded by the TIFF library.
 /// @param directory of this image; its source must outlive the result

@@ -1,6 +1,7 @@
 #include "core/Error.h"
 #include "core/io/TextValue.h"
 #include "core/io/heightmap/HeightMapFormat.h"
+#include "core/io/heightmap/WholeImages.h"
 #include "core/io/heightmap/tiff/TiffDescription.h"
 #include "core/io/heightmap/tiff/TiffImage.h"
 #include "core/io/heightmap/tiff/TiffWriter.h"
@@ -39,15 +40,18 @@ constexpr std::int64_t kBottomFirst = 4;
 class TiffReader {
 public:
     explicit TiffReader(const ByteSource& bytes)
-        : bytes_(bytes), directories_(readTiffDirectories(bytes)) {}
+        : bytes_(bytes), directories_(readTiffDirectories(bytes, &images_)) {}
 
     StoredScan read() {
+        leaveOutCut(directories_, images_,
+                    [](const TiffDirectory& directory) { return directory.name(); });
         requireBlocks(directories_);
         for (const TiffDirectory& directory : directories_) {
             if (!isReducedCopy(directory)) {
                 addImage(directory);
             }
         }
+        images_.finish(result_);
         if (result_.channels.empty()) {
             throw InputError(bytes_.name(), "image 1",
                              "this is " + pictureWords(tiffPixel(directories_.front())) +
@@ -119,6 +123,7 @@ private:
     }
 
     const ByteSource& bytes_;
+    WholeImages images_;
     std::vector<TiffDirectory> directories_;
     StoredScan result_;
 };

@@ -3,6 +3,7 @@
 #include "core/Error.h"
 #include "core/io/ByteReader.h"
 #include "core/io/TextValue.h"
+#include "core/io/heightmap/vti/VtiValues.h"
 
 #include <algorithm>
 #include <array>
@@ -10,8 +11,9 @@
 #include <limits>
 #include <pugixml.hpp>
 
-// The XML of a VTK image. Its values follow the mark <AppendedData encoding="raw">_ as they are,
-// each array after the number of its bytes. Source: VTK File Formats (4.2), "XML File Formats".
+// The XML of a VTK image. Its values stand in it, in base64 or as text, or follow the mark
+// <AppendedData encoding="raw">_, as they are or in base64.
+// Source: VTK File Formats (4.2), "XML File Formats".
 
 namespace asperity {
 
@@ -19,10 +21,9 @@ namespace {
 
 /// Twice that of our longest file; the parser needs 20 times its bytes.
 constexpr std::uint64_t kMaxHead = std::uint64_t{1} << 22U;
-constexpr std::string_view kAppended = "<AppendedData";
-constexpr const char* kExpected =
-    "; only appended, raw, uncompressed values are read (in ParaView: data mode Appended, no "
-    "encoding, no compressor)";
+/// Of a text or numbers beside the image.
+constexpr std::uint64_t kMaxFieldBytes = std::uint64_t{1} << 20U;
+constexpr std::size_t kMaxPieces = 4096;
 
 std::vector<std::string_view> wordsOf(std::string_view text) {
     constexpr std::string_view kBlanks = " \t\r\n";
@@ -57,55 +58,158 @@ std::optional<SampleType> sampleType(std::string_view name) {
     return found == kTypes.end() ? std::nullopt : std::optional(found->second);
 }
 
+/// The tags of the XML, without what is appended to them. A text between tags, which may be long,
+/// becomes its place and length in the file.
+class VtiTags {
+public:
+    explicit VtiTags(const ByteSource& bytes) : bytes_(bytes) {
+        constexpr std::uint64_t kChunk = std::uint64_t{1} << 16U;
+        for (std::uint64_t place = 0; place < bytes.size() && !appended_; place += kChunk) {
+            const std::string chunk =
+                bytesOf(bytes, {place, std::min(kChunk, bytes.size() - place)});
+            for (std::size_t i = 0; i < chunk.size() && !appended_; ++i) {
+                if (hasText_ && !inTag_) {
+                    i = std::min(chunk.find('<', i), chunk.size() - 1);
+                }
+                add(chunk[i], place + i);
+            }
+        }
+    }
+
+    [[nodiscard]] const std::string& text() const { return tags_; }
+    /// Where the appended values begin.
+    [[nodiscard]] std::optional<std::uint64_t> appended() const { return appended_; }
+
+private:
+    void add(char c, std::uint64_t place) {
+        if (inTag_) {
+            addToTag(c, place);
+        } else if (c == '<') {
+            addText(place);
+            tagBegin_ = tags_.size();
+            tags_ += c;
+            inTag_ = true;
+        } else if (trimmed(std::string_view(&c, 1)).empty()) {
+            return;
+        } else if (isAppended_) {
+            if (c != '_') {
+                fail("AppendedData", "expected the mark '_' before the values");
+            }
+            appended_ = place + 1;
+            tags_ += "</AppendedData></VTKFile>";
+        } else {
+            hasText_ = true;
+        }
+    }
+
+    void addToTag(char c, std::uint64_t place) {
+        tags_ += c;
+        if (tags_.size() > kMaxHead) {
+            fail("byte " + std::to_string(place), "the XML is too long for that of a VTK image");
+        }
+        const std::string_view tag = std::string_view(tags_).substr(tagBegin_);
+        const bool isComment = tag.starts_with("<!--");
+        if (!isComment && (c == '"' || c == '\'')) {
+            quote_ = quote_ == 0 ? c : (quote_ == c ? char{0} : quote_);
+        }
+        if (c == '>' && quote_ == 0 && (!isComment || tag.ends_with("-->"))) {
+            inTag_ = false;
+            textBegin_ = place + 1;
+            isAppended_ = tag.starts_with("<AppendedData") && !tag.ends_with("/>");
+        }
+    }
+
+    void addText(std::uint64_t end) {
+        if (isAppended_) {
+            fail("AppendedData", "expected the mark '_' before the values");
+        }
+        if (hasText_) {
+            tags_ += std::to_string(textBegin_) + " " + std::to_string(end - textBegin_);
+        }
+        hasText_ = false;
+    }
+
+    [[noreturn]] void fail(const std::string& place, const std::string& what) const {
+        throw InputError(bytes_.name(), place, what);
+    }
+
+    const ByteSource& bytes_;
+    std::string tags_;
+    bool inTag_ = false;
+    char quote_ = 0;
+    bool isAppended_ = false;  ///< the last tag begins the appended values
+    bool hasText_ = false;     ///< after the last tag
+    std::size_t tagBegin_ = 0;
+    std::uint64_t textBegin_ = 0;
+    std::optional<std::uint64_t> appended_;
+};
+
+/// First and last index along x and y.
+struct Extent {
+    long long left = 0;
+    long long right = 0;
+    long long bottom = 0;
+    long long top = 0;
+
+    [[nodiscard]] bool meets(const Extent& other) const {
+        return left < other.right && other.left < right && bottom < other.top && other.bottom < top;
+    }
+    [[nodiscard]] bool contains(const Extent& other) const {
+        return left <= other.left && other.right <= right && bottom <= other.bottom &&
+               other.top <= top;
+    }
+    [[nodiscard]] long long cells() const { return (right - left) * (top - bottom); }
+};
+
+/// Neighbors share the points of their edges.
+bool fill(const Extent& whole, const std::vector<Extent>& pieces) {
+    if (pieces.size() == 1) {
+        return pieces[0].contains(whole) && whole.contains(pieces[0]);
+    }
+    long long cells = 0;
+    for (auto piece = pieces.begin(); piece != pieces.end(); ++piece) {
+        const bool isAlone = std::none_of(pieces.begin(), piece,
+                                          [&](const Extent& other) { return other.meets(*piece); });
+        if (!isAlone || !whole.contains(*piece)) {
+            return false;
+        }
+        cells += piece->cells();
+    }
+    return cells == whole.cells() && cells > 0;
+}
+
 class VtiHeadReader {
 public:
     explicit VtiHeadReader(const ByteSource& bytes) : bytes_(bytes) { parse(); }
 
     VtiHead read() {
         head_.version = attribute(root_, "version");
-        requireRawValues();
+        readCoding();
         const pugi::xml_node image = root_.child("ImageData");
         readGrid(image);
         readFieldData(image.child("FieldData"));
-        const pugi::xml_node piece = image.child("Piece");
-        if (piece.next_sibling("Piece") ||
-            wordsOf(attribute(piece, "Extent")) != wordsOf(attribute(image, "WholeExtent"))) {
-            fail("Piece", "expected one piece with the extent of the whole image");
-        }
-        for (const pugi::xml_node& array : piece.child("PointData").children("DataArray")) {
-            readArray(array);
+        readPieces(image);
+        readArrays("PointData");
+        if (head_.arrays.empty()) {
+            // The values of cells lie between the points.
+            isOfCells_ = true;
+            head_.size = checkedImageSize(whole_.right - whole_.left, whole_.top - whole_.bottom,
+                                          bytes_.name(), "WholeExtent");
+            readArrays("CellData");
         }
         if (head_.arrays.empty()) {
-            fail("PointData", "expected an array of numbers, one for each point");
+            fail("PointData", "expected an array of numbers, one for each point or cell");
         }
         return std::move(head_);
     }
 
 private:
-    /// The values behind the XML are no part of it.
     void parse() {
-        std::string xml = bytes_.start(kMaxHead);
-        const std::size_t appended = xml.find(kAppended);
-        std::size_t end = xml.size();
-        if (appended != std::string::npos) {
-            const std::size_t tag = xml.find('>', appended);
-            const std::size_t mark = xml.find('_', std::min(tag, xml.size()));
-            if (mark == std::string::npos ||
-                !trimmed(std::string_view(xml).substr(tag + 1, mark - tag - 1)).empty()) {
-                fail("AppendedData", "expected the mark '_' before the values");
-            }
-            values_ = mark + 1;
-            end = tag + 1;
-        }
-        if (appended == std::string::npos && bytes_.size() > kMaxHead) {
-            fail("AppendedData", "the XML before it is too long" + std::string(kExpected));
-        }
-        xml.resize(end);
-        xml += appended == std::string::npos ? "" : "</AppendedData></VTKFile>";
-        const pugi::xml_parse_result result = document_.load_string(xml.c_str());
+        const VtiTags xml(bytes_);
+        values_ = xml.appended();
+        const pugi::xml_parse_result result = document_.load_string(xml.text().c_str());
         if (!result) {
-            fail("byte " + std::to_string(result.offset),
-                 std::string("this is no XML: ") + result.description());
+            fail("VTKFile", std::string("this is no XML: ") + result.description());
         }
         root_ = document_.child("VTKFile");
         if (const std::string type = attribute(root_, "type"); type != "ImageData") {
@@ -114,17 +218,27 @@ private:
         }
     }
 
-    void requireRawValues() const {
-        if (root_.attribute("compressor")) {
-            fail("VTKFile", "its values are compressed" + std::string(kExpected));
+    void readCoding() {
+        coding_.order =
+            attribute(root_, "byte_order") == "BigEndian" ? ByteOrder::Big : ByteOrder::Little;
+        coding_.countBytes = attribute(root_, "header_type") == "UInt64" ? 8 : 4;
+        constexpr std::array<std::pair<std::string_view, VtiCompressor>, 4> kCompressors{
+            {{"", VtiCompressor::None},
+             {"vtkZLibDataCompressor", VtiCompressor::Zlib},
+             {"vtkLZ4DataCompressor", VtiCompressor::Lz4},
+             {"vtkLZMADataCompressor", VtiCompressor::Lzma}}};
+        const std::string name = attribute(root_, "compressor");
+        const auto* const found = std::ranges::find(
+            kCompressors, name, &std::pair<std::string_view, VtiCompressor>::first);
+        if (found == kCompressors.end()) {
+            fail("VTKFile", "its compressor '" + name + "' is not known");
         }
-        const pugi::xml_node appended = root_.child("AppendedData");
-        if (!appended || attribute(appended, "encoding") != "raw") {
-            fail("AppendedData", (appended ? "its values have the encoding '" +
-                                                 attribute(appended, "encoding") + "'"
-                                           : std::string("its values stand within the XML")) +
-                                     kExpected);
+        coding_.compressor = found->second;
+        const std::string encoding = attribute(root_.child("AppendedData"), "encoding");
+        if (values_ && encoding != "raw" && encoding != "base64") {
+            fail("AppendedData", "its encoding '" + encoding + "' is not known");
         }
+        appended_ = encoding == "base64" ? VtiForm::Base64 : VtiForm::Raw;
     }
 
     [[nodiscard]] std::vector<double> numbers(const pugi::xml_node& node, const char* name,
@@ -140,18 +254,23 @@ private:
         return values;
     }
 
-    void readGrid(const pugi::xml_node& image) {
+    [[nodiscard]] Extent extentOf(const pugi::xml_node& node, const char* name) const {
         constexpr double kMaxIndex = 1e9;
-        const std::vector<double> extent = numbers(image, "WholeExtent", 6);
+        const std::vector<double> extent = numbers(node, name, 6);
         if (std::ranges::any_of(extent, [](double index) { return std::abs(index) > kMaxIndex; })) {
-            fail("WholeExtent", "expected numbers of pixels");
+            fail(name, "expected numbers of pixels");
         }
         if (extent[4] != extent[5]) {
-            fail("WholeExtent", "it holds a volume; an image of one layer is expected");
+            fail(name, "it holds a volume; an image of one layer is expected");
         }
-        head_.size =
-            checkedImageSize(std::llround(extent[1] - extent[0]) + 1,
-                             std::llround(extent[3] - extent[2]) + 1, bytes_.name(), "WholeExtent");
+        return {std::llround(extent[0]), std::llround(extent[1]), std::llround(extent[2]),
+                std::llround(extent[3])};
+    }
+
+    void readGrid(const pugi::xml_node& image) {
+        whole_ = extentOf(image, "WholeExtent");
+        head_.size = checkedImageSize(whole_.right - whole_.left + 1,
+                                      whole_.top - whole_.bottom + 1, bytes_.name(), "WholeExtent");
         const std::vector<double> spacing = numbers(image, "Spacing", 3);
         head_.pitchX = spacing[0];
         head_.pitchY = spacing[1];
@@ -160,32 +279,69 @@ private:
         }
     }
 
+    /// VTK writes an image that is not made in pieces once for each piece.
+    void readPieces(const pugi::xml_node& image) {
+        for (const pugi::xml_node& piece : image.children("Piece")) {
+            const Extent extent = extentOf(piece, "Extent");
+            const bool isRepeated = std::ranges::any_of(
+                extents_, [&](const Extent& other) { return other.contains(extent); });
+            if (!isRepeated) {
+                pieces_.push_back(piece);
+                extents_.push_back(extent);
+            }
+            if (pieces_.size() > kMaxPieces) {
+                fail("Piece", "expected at most " + std::to_string(kMaxPieces) + " pieces");
+            }
+        }
+        if (pieces_.empty() || !fill(whole_, extents_)) {
+            fail("Piece", "expected pieces that fill the extent of the whole image once");
+        }
+    }
+
     void readFieldData(const pugi::xml_node& data) {
         for (const pugi::xml_node& array : data.children()) {
-            if (attribute(array, "format") != "ascii") {
-                head_.notes.push_back("field data '" + attribute(array, "Name") +
-                                      "' are not plain text and were left out");
-            } else if (attribute(array, "type") == "String") {
-                head_.texts.emplace(attribute(array, "Name"), textOf(array));
+            const std::string name = attribute(array, "Name");
+            const std::string type = attribute(array, "type");
+            const std::optional<SampleType> numbers = sampleType(type);
+            if (attribute(array, "format") == "ascii" && type == "String") {
+                head_.texts.emplace(name, textOfCodes(array));
+            } else if (type == "String") {
+                const std::string text =
+                    decodedVti(bytes_, coding_, valuesOf(array), kMaxFieldBytes);
+                head_.texts.emplace(name, toUtf8(text.substr(0, text.find(char{0}))));
+            } else if (numbers) {
+                head_.numbers.emplace(name, numbersOf(array, *numbers));
             } else {
-                head_.numbers.emplace(attribute(array, "Name"), numbersOf(array));
+                head_.notes.push_back("field data '" + name + "' have values of type " + type +
+                                      " and were left out");
             }
         }
     }
 
-    [[nodiscard]] static std::vector<double> numbersOf(const pugi::xml_node& array) {
-        std::vector<double> values;
-        for (const std::string_view word : wordsOf(array.text().get())) {
-            values.push_back(finiteOrZero(parseNumber(word).value_or(0.0)));
+    [[nodiscard]] std::vector<double> numbersOf(const pugi::xml_node& array,
+                                                SampleType type) const {
+        const VtiValues values = valuesOf(array);
+        const SampleLayout layout = layoutOf(values, type, {1, 1});
+        OwnedBytes samples(decodedVti(bytes_, coding_, values, kMaxFieldBytes), bytes_.name());
+        std::vector<double> result(samples.size() / sizeOf(layout.type));
+        if (!result.empty()) {
+            SampleLayout row = layout;
+            row.size.columns = static_cast<int>(result.size());
+            RowRoom room;
+            rowsOf(samples, row)(0, room, result.data());
         }
-        return values;
+        std::ranges::transform(result, result.begin(), finiteOrZero);
+        return result;
     }
 
     /// The numbers of a text's bytes, and 0 at its end.
-    [[nodiscard]] std::string textOf(const pugi::xml_node& array) const {
+    [[nodiscard]] std::string textOfCodes(const pugi::xml_node& array) const {
         constexpr long long kBytes = 256;
+        const ByteSpan span = valuesOf(array).span;
+        const std::string given =
+            bytesOf(bytes_, {span.place, std::min(span.count, kMaxFieldBytes)});
         std::string text;
-        for (const std::string_view word : wordsOf(array.text().get())) {
+        for (const std::string_view word : wordsOf(given)) {
             const std::optional<long long> code = parseInteger(word);
             if (!code || *code <= -kBytes || *code >= kBytes) {
                 fail("FieldData, " + attribute(array, "Name"),
@@ -199,59 +355,119 @@ private:
         return toUtf8(text);
     }
 
-    void readArray(const pugi::xml_node& array) {
-        const std::string name = attribute(array, "Name");
-        const std::optional<SampleType> type = sampleType(attribute(array, "type"));
-        const std::string components = attribute(array, "NumberOfComponents");
-        if (!type || (!components.empty() && components != "1")) {
-            head_.notes.push_back("array '" + name + "' has " +
-                                  (type ? components + " numbers a point"
-                                        : "values of type " + attribute(array, "type")) +
-                                  " and was left out");
-            return;
+    /// @param kind PointData or CellData
+    void readArrays(const char* kind) {
+        for (const pugi::xml_node& array : pieces_[0].child(kind).children("DataArray")) {
+            const std::string name = attribute(array, "Name");
+            const std::optional<SampleType> type = sampleType(attribute(array, "type"));
+            const std::string components = attribute(array, "NumberOfComponents");
+            if (!type || (!components.empty() && components != "1")) {
+                head_.notes.push_back("array '" + name + "' has " +
+                                      (type ? components + " numbers a point"
+                                            : "values of type " + attribute(array, "type")) +
+                                      " and was left out");
+                continue;
+            }
+            head_.arrays.push_back({.name = name, .type = *type, .pieces = {}});
+            for (std::size_t i = 0; i < pieces_.size(); ++i) {
+                const pugi::xml_node part = pieces_[i].child(kind).find_child_by_attribute(
+                    "DataArray", "Name", array.attribute("Name").value());
+                if (attribute(part, "type") != attribute(array, "type")) {
+                    fail("array '" + name + "'", "expected it in each piece of the image");
+                }
+                head_.arrays.back().pieces.push_back(pieceOf(part, *type, extents_[i]));
+            }
         }
-        const std::optional<long long> offset = parseInteger(attribute(array, "offset"));
-        if (attribute(array, "format") != "appended" || !offset || *offset < 0) {
-            fail("array '" + name + "'", "its values are not appended" + std::string(kExpected));
-        }
-        head_.arrays.push_back({name, layoutOf(name, *type, static_cast<std::uint64_t>(*offset))});
     }
 
-    [[nodiscard]] SampleLayout layoutOf(const std::string& name, SampleType type,
-                                        std::uint64_t offset) const {
-        const ByteOrder order =
-            attribute(root_, "byte_order") == "BigEndian" ? ByteOrder::Big : ByteOrder::Little;
-        const std::uint64_t headBytes = attribute(root_, "header_type") == "UInt64" ? 8 : 4;
-        const std::uint64_t left = bytes_.size() - values_;
-        if (left < headBytes || offset > left - headBytes) {
-            fail(
-                "array '" + name + "'",
-                "its values would begin behind the end of the file, which is truncated or damaged");
+    [[nodiscard]] VtiPiece pieceOf(const pugi::xml_node& array, SampleType type,
+                                   const Extent& extent) const {
+        const int more = isOfCells_ ? 0 : 1;
+        const ImageSize size{.columns = static_cast<int>(extent.right - extent.left) + more,
+                             .rows = static_cast<int>(extent.top - extent.bottom) + more};
+        VtiValues values = valuesOf(array);
+        const bool isPlain =
+            values.form == VtiForm::Raw && coding_.compressor == VtiCompressor::None;
+        VtiPiece piece{.firstColumn = static_cast<int>(extent.left - whole_.left),
+                       .firstRow = static_cast<int>(extent.bottom - whole_.bottom),
+                       .layout = layoutOf(values, type, size),
+                       .decode = {}};
+        if (isPlain) {
+            requirePlain(values, piece.layout);
+            return piece;
         }
-        const SampleLayout layout{.size = head_.size,
-                                  .type = type,
-                                  .order = order,
-                                  .place = values_ + offset + headBytes,
-                                  .bottomFirst = true};
-        const std::uint64_t count = countAt(values_ + offset, headBytes, order);
-        if (count != layout.bytes()) {
-            fail("array '" + name + "'", "expected " + std::to_string(layout.bytes()) +
-                                             " bytes of values, found " + std::to_string(count));
-        }
-        requireSamples(bytes_, layout, "array '" + name + "'");
-        return layout;
+        piece.decode = [&bytes = bytes_, coding = coding_, values = std::move(values),
+                        wanted = piece.layout.bytes()] {
+            std::string samples = decodedVti(bytes, coding, values, wanted);
+            requireBytes(bytes, values.place, wanted, samples.size());
+            return samples;
+        };
+        return piece;
     }
 
-    [[nodiscard]] std::uint64_t countAt(std::uint64_t place, std::uint64_t width,
-                                        ByteOrder order) const {
-        const std::string bytes = bytesOf(bytes_, {place, width});
-        const bool little = order == ByteOrder::Little;
-        if (width == sizeof(std::uint64_t)) {
-            return little ? littleEndian<std::uint64_t>(bytes.data())
-                          : bigEndian<std::uint64_t>(bytes.data());
+    [[nodiscard]] VtiValues valuesOf(const pugi::xml_node& array) const {
+        VtiValues values{.span = {}, .place = "array '" + attribute(array, "Name") + "'"};
+        const std::string format = attribute(array, "format");
+        if (format == "appended") {
+            const std::optional<long long> offset = parseInteger(attribute(array, "offset"));
+            if (!values_ || !offset || *offset < 0 ||
+                static_cast<std::uint64_t>(*offset) > bytes_.size() - *values_) {
+                fail(values.place, "its values would begin behind the end of the file, which is "
+                                   "truncated or damaged");
+            }
+            const std::uint64_t place = *values_ + static_cast<std::uint64_t>(*offset);
+            values.form = appended_;
+            values.span = {place, bytes_.size() - place};
+        } else if (format == "binary" || format == "ascii") {
+            values.form = format == "ascii" ? VtiForm::Text : VtiForm::Base64;
+            values.span = spanOf(array);
+        } else {
+            fail(values.place, "its format '" + format + "' is not known");
         }
-        return little ? littleEndian<std::uint32_t>(bytes.data())
-                      : bigEndian<std::uint32_t>(bytes.data());
+        return values;
+    }
+
+    /// Of the text in an element, see VtiTags.
+    [[nodiscard]] static ByteSpan spanOf(const pugi::xml_node& node) {
+        const std::vector<std::string_view> words = wordsOf(node.text().get());
+        ByteSpan span;
+        if (words.size() == 2) {
+            span.place = static_cast<std::uint64_t>(parseInteger(words[0]).value_or(0));
+            span.count = static_cast<std::uint64_t>(parseInteger(words[1]).value_or(0));
+        }
+        return span;
+    }
+
+    /// Of the samples where they are decoded, or in the file.
+    [[nodiscard]] SampleLayout layoutOf(const VtiValues& values, SampleType type,
+                                        ImageSize size) const {
+        const bool isText = values.form == VtiForm::Text;
+        const bool isPlain =
+            values.form == VtiForm::Raw && coding_.compressor == VtiCompressor::None;
+        return {.size = size,
+                .type = isText ? SampleType::Float64 : type,
+                .order = isText ? ByteOrder::Little : coding_.order,
+                .place = isPlain ? values.span.place + coding_.countBytes : 0,
+                .bottomFirst = true};
+    }
+
+    void requirePlain(const VtiValues& values, const SampleLayout& layout) const {
+        if (values.span.count < coding_.countBytes) {
+            fail(values.place, "its values would begin behind the end of the file, which is "
+                               "truncated or damaged");
+        }
+        const std::string count = bytesOf(bytes_, {values.span.place, coding_.countBytes});
+        requireBytes(bytes_, values.place, layout.bytes(), vtiCount(count.data(), coding_));
+        requireSamples(bytes_, layout, values.place);
+    }
+
+    static void requireBytes(const ByteSource& bytes, const std::string& place,
+                             std::uint64_t expected, std::uint64_t found) {
+        if (found != expected) {
+            throw InputError(bytes.name(), place,
+                             "expected " + std::to_string(expected) + " bytes of values, found " +
+                                 std::to_string(found));
+        }
     }
 
     [[noreturn]] void fail(const std::string& place, const std::string& what) const {
@@ -263,7 +479,13 @@ private:
     const ByteSource& bytes_;
     pugi::xml_document document_;
     pugi::xml_node root_;
-    std::uint64_t values_ = 0;  ///< where they begin
+    std::optional<std::uint64_t> values_;  ///< where the appended ones begin
+    VtiForm appended_ = VtiForm::Raw;
+    VtiCoding coding_;
+    Extent whole_;
+    std::vector<pugi::xml_node> pieces_;
+    std::vector<Extent> extents_;  ///< of the pieces
+    bool isOfCells_ = false;
     VtiHead head_;
 };
 
@@ -276,5 +498,28 @@ bool isVtkXml(const ByteSource& bytes) {
 }
 
 VtiHead readVtiHead(const ByteSource& bytes) { return VtiHeadReader(bytes).read(); }
+
+ReadRow rowsOf(const ByteSource& bytes, const VtiArray& array, int rows) {
+    struct Part {
+        int firstColumn;
+        int top;     ///< its highest row, 0 at the top of the image
+        int bottom;  ///< one below its lowest
+        ReadRow read;
+    };
+    std::vector<Part> parts;
+    for (const VtiPiece& piece : array.pieces) {
+        const int bottom = rows - piece.firstRow;
+        parts.push_back({piece.firstColumn, bottom - piece.layout.size.rows, bottom,
+                         piece.decode ? rowsOfDecoded(piece.decode, piece.layout, bytes.name())
+                                      : rowsOf(bytes, piece.layout)});
+    }
+    return [parts = std::move(parts)](int row, RowRoom& room, double* numbers) {
+        for (const Part& part : parts) {
+            if (row >= part.top && row < part.bottom) {
+                part.read(row - part.top, room, numbers + part.firstColumn);
+            }
+        }
+    };
+}
 
 }  // namespace asperity

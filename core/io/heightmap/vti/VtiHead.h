@@ -2,17 +2,31 @@
 
 #include "core/io/heightmap/SampleRows.h"
 
+#include <functional>
 #include <map>
 #include <string>
 #include <vector>
 
 namespace asperity {
 
+/// A rectangle of an image whose values stand together.
+struct VtiPiece {
+    int firstColumn = 0;  ///< of the image
+    int firstRow = 0;     ///< from the bottom
+    SampleLayout layout;  ///< in the file, or in what is decoded
+    /// Returns the samples; empty: they lie in the file as they are.
+    std::function<std::string()> decode;
+};
+
 /// Numbers at the points of an image.
 struct VtiArray {
     std::string name;
-    SampleLayout layout;  ///< in the file
+    SampleType type = SampleType::Float32;
+    std::vector<VtiPiece> pieces;  ///< that fill the image
 };
+
+/// Reads the rows of an array. @param bytes must outlive the result
+[[nodiscard]] ReadRow rowsOf(const ByteSource& bytes, const VtiArray& array, int rows);
 
 /// What the XML of a VTK image says.
 struct VtiHead {
@@ -32,7 +46,7 @@ struct VtiHead {
 
 /// Reads the XML and checks that the arrays lie within the file.
 /// @throw InputError when anything is missing or does not fit together, or when the file holds no
-///        flat image with appended, raw, uncompressed values at its points
+///        flat image with numbers at its points or cells
 [[nodiscard]] VtiHead readVtiHead(const ByteSource& bytes);
 
 }  // namespace asperity

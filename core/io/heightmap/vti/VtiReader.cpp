@@ -1,13 +1,15 @@
 #include "core/io/heightmap/HeightMapFormat.h"
 #include "core/io/heightmap/PhysicalUnit.h"
 #include "core/io/heightmap/ScanImage.h"
+#include "core/io/heightmap/ScanOrigin.h"
 #include "core/io/heightmap/vti/VtiHead.h"
 #include "core/io/heightmap/vti/VtiWriter.h"
 
 #include <algorithm>
 
-// Images of VTK: each array at the points is a channel. y is up, and a point is a pixel's center.
-// Names and units are those of Asperity's own files; VTK knows none. Source: docs/formats.md 16.
+// Images of VTK: each array at the points is a channel, or at the cells where there is none. y is
+// up, and a point is a pixel's center. Names and units are those of Asperity's own files; VTK knows
+// none. Source: docs/formats.md 16.
 
 namespace asperity {
 
@@ -20,7 +22,7 @@ public:
     StoredScan read() {
         requireImages(head_.arrays.size(), bytes_.name(), "PointData");
         const auto mask = std::ranges::find_if(head_.arrays, [](const VtiArray& array) {
-            return array.name == kVtiValid && array.layout.type == SampleType::UInt8;
+            return array.name == kVtiValid && array.type == SampleType::UInt8;
         });
         const bool hasMask = mask != head_.arrays.end() && head_.arrays.size() > 1;
         StoredScan scan;
@@ -55,8 +57,7 @@ private:
             emptyMap(head_.size, head_.pitchX * head_.size.columns, head_.pitchY * head_.size.rows);
         if (const auto origin = head_.numbers.find(kVtiOrigin);
             origin != head_.numbers.end() && origin->second.size() == 2) {
-            channel.originX = origin->second[0];
-            channel.originY = origin->second[1];
+            setOrigin(channel, origin->second[0], origin->second[1], GivenPoint::Corner);
         }
         if (affordsCopies(head_.texts, head_.arrays.size())) {
             channel.metadata = metadata();
@@ -69,7 +70,7 @@ private:
             channel.provenance.push_back(
                 scaleProvenance(unit.factor, channel.unit, "FieldData, unit"));
         }
-        ReadRow rows = rowsOf(bytes_, array.layout);
+        ReadRow rows = rowsOf(bytes_, array, head_.size.rows);
         if (mask != nullptr) {
             rows = masked(std::move(rows), head_.size.columns, marks(*mask));
         }
@@ -78,7 +79,7 @@ private:
 
     /// Above 0 where the array is 0: there are no data.
     [[nodiscard]] ReadRow marks(const VtiArray& valid) const {
-        return replaced(rowsOf(bytes_, valid.layout), head_.size.columns,
+        return replaced(rowsOf(bytes_, valid, head_.size.rows), head_.size.columns,
                         [](double value) { return value == 0.0 ? 1.0 : 0.0; });
     }
 

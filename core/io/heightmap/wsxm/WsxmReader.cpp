@@ -6,6 +6,7 @@
 #include "core/io/heightmap/PhysicalUnit.h"
 #include "core/io/heightmap/SampleRows.h"
 #include "core/io/heightmap/ScanImage.h"
+#include "core/io/heightmap/ScanOrigin.h"
 
 #include <algorithm>
 #include <array>
@@ -20,6 +21,7 @@ namespace {
 constexpr std::string_view kWsxmMagic = "WSxM file copyright";
 constexpr std::string_view kImageLine = "SxM Image file";
 constexpr std::string_view kPointsLine = "WSxM ASCII XYZ file";
+constexpr std::string_view kMatrixLine = "WSxM ASCII Matrix file";
 constexpr std::string_view kWsxmHeaderEnd = "[Header end]";
 
 constexpr std::array<std::pair<std::string_view, SampleType>, 4> kTypes{
@@ -35,9 +37,13 @@ std::string secondLine(const ByteSource& bytes) {
     return lines.size() > 1 ? std::string(lines[1]) : std::string();
 }
 
-/// Points as text have a reader of their own.
+/// Those as text have readers of their own.
 bool recognizesWsxm(const ByteSource& bytes) {
-    return bytes.startsWith(kWsxmMagic) && !secondLine(bytes).starts_with(kPointsLine);
+    if (!bytes.startsWith(kWsxmMagic)) {
+        return false;
+    }
+    const std::string kind = secondLine(bytes);
+    return !kind.starts_with(kPointsLine) && !kind.starts_with(kMatrixLine);
 }
 
 class WsxmReader {
@@ -136,8 +142,13 @@ private:
         channel.direction = directionFromName(general_.text("X scanning direction"));
         channel.map = emptyMap(samples.size, parseLength(control_.text("X Amplitude")).value_or(0),
                                parseLength(control_.text("Y Amplitude")).value_or(0));
-        channel.originX = finiteOrZero(parseLength(control_.text("X Offset")).value_or(0));
-        channel.originY = finiteOrZero(parseLength(control_.text("Y Offset")).value_or(0));
+        const std::optional<double> x = parseLength(control_.text("X Offset"));
+        const std::optional<double> y = parseLength(control_.text("Y Offset"));
+        if (x || y) {
+            setOrigin(channel, x.value_or(0.0), y.value_or(0.0), GivenPoint::Center);
+        }
+        const std::optional<LeadingNumber> angle = parseLeadingNumber(control_.text("Angle"));
+        noteRotation(channel, angle ? angle->value : 0.0);
         channel.metadata = metadata();
         settleSize(channel, "[Control] X Amplitude, Y Amplitude");
         channel.provenance.push_back({"orientation", "rows and columns are stored in reverse order",

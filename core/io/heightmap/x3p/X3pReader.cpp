@@ -5,6 +5,7 @@
 #include "core/io/heightmap/NumberRange.h"
 #include "core/io/heightmap/SampleRows.h"
 #include "core/io/heightmap/ScanImage.h"
+#include "core/io/heightmap/ScanOrigin.h"
 #include "core/io/heightmap/x3p/X3pDescription.h"
 #include "core/io/zip/ZipArchive.h"
 #include "core/io/zip/ZipDirectory.h"
@@ -136,8 +137,7 @@ private:
         channel.lateralUnit = "m";
         channel.map = emptyMap(size, description_.x.increment * size.columns,
                                description_.y.increment * size.rows);
-        channel.originX = finiteOrZero(description_.x.offset);
-        channel.originY = finiteOrZero(description_.y.offset);
+        setOrigin(channel, description_.x.offset, description_.y.offset, GivenPoint::Corner);
         channel.metadata = description_.metadata;
         channel.provenance = {{"scale",
                                exactText(z.increment) + " m per stored number" +

@@ -47,7 +47,7 @@ protected:
 
     [[nodiscard]] std::string refusal(const std::string& table = "log") const {
         return refusalOf([&] {
-            const Hdf5Input input(file);
+            const Hdf5Input input(file, {table});
             asperity::Hdf5Rows rows(input, table);
             while (rows.next()) {
             }
@@ -60,7 +60,7 @@ protected:
 
 TEST_F(Hdf5Rows, ReadBackWhatWasWritten) {
     write(kManyRows);
-    const Hdf5Input input(file);
+    const Hdf5Input input(file, {"log"});
     asperity::Hdf5Rows rows(input, "log");
     ASSERT_EQ(rows.columns().size(), 4U);
     EXPECT_EQ(rows.columns()[0].name, "z_m") << "columns keep their order";
@@ -78,7 +78,7 @@ TEST_F(Hdf5Rows, ReadBackWhatWasWritten) {
 
 TEST_F(Hdf5Rows, MayBeNone) {
     write(0);
-    const Hdf5Input input(file);
+    const Hdf5Input input(file, {"log"});
     asperity::Hdf5Rows rows(input, "log");
     EXPECT_EQ(rows.columns().size(), 4U);
     EXPECT_FALSE(rows.next());

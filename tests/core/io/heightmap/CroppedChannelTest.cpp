@@ -50,6 +50,15 @@ INSTANTIATE_TEST_SUITE_P(Formats, CroppedChannelTest,
                          testing::Values("a.gsf", "a.gwy", "a.tif", "a.png", "a.exr", "a.txt"),
                          [](const auto& name) { return name.param.substr(2); });
 
+TEST_F(CroppedChannelTest, OriginIsTheCornerOfThePart) {
+    writeHeightMap(folder.file("map.gwy"), bumpyMap(10, 8), {"Height", 1e-6, 2e-6});
+    const ScanFile file(folder.file("map.gwy"));
+    const SceneScan part = file.readSceneScan("", PixelRectangle{3, 1, 4, 2});
+    const HeightMap map = std::get<HeightMap>(part.map);
+    EXPECT_DOUBLE_EQ(part.originX, 1e-6 + 3 * map.pitchX);
+    EXPECT_DOUBLE_EQ(part.originY, 2e-6 + 5 * map.pitchY);
+}
+
 TEST_F(CroppedChannelTest, KeepsTheMarksOfPixelsWithoutData) {
     const std::filesystem::path path = folder.file("a.gwy");
     writeHeightMap(path, bumpyMapWithHoles(8, 6), {});  // the first and the fifth

@@ -168,4 +168,26 @@ TEST(GwyReader, TrailingBytesAreIgnoredAndNoted) {
     EXPECT_THAT(file.notes.at(0), HasSubstr("4 bytes"));
 }
 
+TEST(GwyReader, WholeImagesOfATruncatedFileOpenWithANote) {
+    const std::string first = gwyComponent("/0/data", smallGwyField());
+    const std::string bytes = gwyFile(first + gwyComponent("/1/data", smallGwyField()));
+    const HeightMapFile cut =
+        readHeightMapBytes(std::string_view(bytes).substr(0, bytes.size() - 1), "cut.gwy");
+    EXPECT_EQ(cut.channels.size(), 1U);
+    EXPECT_THAT(cut.notes, testing::Contains(testing::HasSubstr("'/1/data'")));
+    EXPECT_THROW((void)readHeightMapBytes(
+                     std::string_view(bytes).substr(0, bytes.size() - first.size() - 1), "cut.gwy"),
+                 InputError);
+}
+
+TEST(GwyReader, ImageWhoseMaskIsCutIsNotWhole) {
+    const std::string bytes = gwyFile(gwyComponent("/0/data", smallGwyField()) +
+                                      gwyComponent("/1/data", smallGwyField()) +
+                                      gwyComponent("/0/mask", smallGwyField()));
+    const HeightMapFile cut =
+        readHeightMapBytes(std::string_view(bytes).substr(0, bytes.size() - 1), "cut.gwy");
+    ASSERT_EQ(cut.channels.size(), 1U);
+    EXPECT_EQ(cut.channels[0].name, "Image 1");
+}
+
 }  // namespace asperity::test

@@ -64,8 +64,8 @@ private:
 /// Converts everything to this content.
 class ConvertingGwyddion : public FakeGwyddion {
 public:
-    explicit ConvertingGwyddion(const std::string& gwy)
-        : FakeGwyddion(kIdentified, "cp \"$(dirname \"$0\")/result\" \"$out\"") {
+    explicit ConvertingGwyddion(const std::string& gwy, const char* identified = kIdentified)
+        : FakeGwyddion(identified, "cp \"$(dirname \"$0\")/result\" \"$out\"") {
         (void)folder().write("result", gwy);
     }
 };
@@ -205,6 +205,43 @@ TEST(GwyddionImport, GivesTheContentUnderAPlainNameWithItsEnding) {
         [&] { (void)readHeightMapBytes(kContent, "/a/-x \n\xFFy'.TF0", fake.program()); });
     EXPECT_EQ(contentOf(fake.folder().file("seen")), kContent);
     EXPECT_EQ(contentOf(fake.folder().file("name")), "-x___y_.TF0\n");
+}
+
+TEST(GwyddionImport, UnitOfTheFilesOwnMetadataWins) {
+    const auto imported = [](const std::string& title, const std::string& key,
+                             const std::string& unit) {
+        const std::string meta = gwyObjectBytes("GwyContainer", gwyText(key, unit));
+        const ConvertingGwyddion gwyddion(gwyFile(gwyComponent("/0/data", smallGwyField()) +
+                                                  gwyText("/0/data/title", title) +
+                                                  gwyComponent("/0/meta", meta)));
+        return readByGwyddion(gwyddion.program()).channels.at(0);
+    };
+    const ScanChannel current = imported("Channel 2", "Z units", "pA");
+    EXPECT_EQ(current.unit, "A");
+    EXPECT_DOUBLE_EQ(current.map.at(0, 0), 1e-9);
+    EXPECT_THAT(current.notes, testing::Contains(HasSubstr("metadata")));
+    EXPECT_EQ(imported("Forward", "Channel::DataUnit", "A").unit, "A");
+    EXPECT_EQ(imported("Topography", "Z units", "A").unit, "m");  // ångström
+    EXPECT_EQ(imported("Height", "Z units", "nm").unit, "m");
+    EXPECT_EQ(imported("Height", "Comment", "A").unit, "m");
+    EXPECT_EQ(imported("Height", "Z units", "parsec").unit, "m");
+}
+
+TEST(GwyddionImport, PhaseOfMetroProIsTheHeightMap) {
+    const std::string gwy =
+        gwyFile(gwyComponent("/0/data", smallGwyField()) + gwyText("/0/data/title", "Phase"));
+    const ConvertingGwyddion metroPro(gwy, "echo \"$2: MetroPro files (.dat) [metropro, 100]\"");
+    const HeightMapFile file = readByGwyddion(metroPro.program());
+    EXPECT_NO_THROW((void)heightChannel(file, "scan.dat", ""));
+    EXPECT_THAT(heightChannels(file), testing::ElementsAre("Phase"));
+    const ConvertingGwyddion other(gwy);
+    EXPECT_THROW((void)heightChannel(readByGwyddion(other.program()), "scan.dat", ""), InputError);
+}
+
+TEST(GwyddionImport, CurvesAreNamedAsSuch) {
+    const std::string graph = gwyObjectBytes("GwyGraphModel", "");
+    const ConvertingGwyddion gwyddion(gwyFile(gwyComponent("/0/graph/graph/1", graph)));
+    EXPECT_THAT(refusalOfImport(gwyddion.program()), HasSubstr("force curves"));
 }
 
 TEST(GwyddionImport, ASizeOfOneIsWhatGwyddionInvents) {

@@ -49,6 +49,13 @@ TEST(HeightMapFile, DefaultChannelFollowsTheUsualDirectionOfTheVendor) {
     EXPECT_EQ(suggestDefaultChannel(channels), 0U);
 }
 
+TEST(HeightMapFile, CurrentIsNoTopographyButMayBeKeptConstantForOne) {
+    EXPECT_EQ(defaultOf({channel("Current", "m"), channel("Image", "m")}), "Image");
+    EXPECT_EQ(defaultOf({channel("Tunnel current", "m"), channel("z", "m")}), "z");
+    EXPECT_EQ(defaultOf({channel("Constant current topography", "m"), channel("Other", "m")}),
+              "Constant current topography");
+}
+
 TEST(HeightMapFile, SaysWhyAPathCannotBeRead) {
     const ScratchFolder folder;
     EXPECT_THAT(refusalOfPath(folder.file("none.gwy")),
@@ -71,8 +78,8 @@ TEST(HeightMapFile, FormatsAreListedByTheirUsualExtensions) {
                 ElementsAre(".gwy", ".spm", ".di", ".0*", ".1*", ".2*", ".3*", ".gsf", ".tiff",
                             ".tif", ".jpk", ".jpk-qi-image", ".sxm", ".nid", ".ezd", ".stp", ".top",
                             ".mi", ".sur", ".sdf", ".bcr", ".bcrf", ".ibw", ".jpk-qi-data",
-                            ".jpk-force-map", ".x3p", ".exr", ".png", ".vti", ".xyz", ".asc",
-                            ".csv", ".dat", ".txt"));
+                            ".jpk-force-map", ".x3p", ".exr", ".png", ".vti", ".txt", ".xyz",
+                            ".asc", ".csv", ".dat"));
     EXPECT_THAT(heightMapExtensions(),
                 ElementsAre(".gwy", ".gsf", ".exr", ".tiff", ".tif", ".png", ".vti", ".txt"));
 }

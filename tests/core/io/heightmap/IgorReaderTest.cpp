@@ -227,7 +227,21 @@ TEST(IgorReader, TrailingBytesAreNormalButNotACutAsylumFooter) {
     EXPECT_NO_THROW((void)igorChannel(plain));
     IgorWaveText asylum = asylumWave();
     asylum.footer = "previews IsImage:1;IsARDF:0; 05";
-    EXPECT_THAT(refusalOfIgor(igorFile(asylum)), HasSubstr("MFP3D"));
+    EXPECT_THAT(readHeightMapBytes(igorFile(asylum), "wave.ibw").notes,
+                testing::Contains(HasSubstr("'MFP3D'")));
+}
+
+TEST(IgorReader, WholeLayersOfATruncatedFileOpenWithANote) {
+    const std::string bytes = igorFile(asylumWave());
+    const HeightMapFile whole = readHeightMapBytes(bytes, "wave.ibw");
+    const std::size_t first = 384 + 6 * 4;  // headers, and one layer of float32
+    const HeightMapFile cut = readHeightMapBytes(bytes.substr(0, first + 1), "cut.ibw");
+    ASSERT_EQ(cut.channels.size(), 1U);
+    EXPECT_EQ(cut.channels[0].map.heights, whole.channels[0].map.heights);
+    EXPECT_THAT(cut.notes, testing::Contains(HasSubstr("truncated")));
+    EXPECT_THAT(refusalOfIgor(bytes.substr(0, first - 1)), HasSubstr("truncated"));
+    const std::string single = igorFile({});
+    EXPECT_THAT(refusalOfIgor(single.substr(0, single.size() - 1)), HasSubstr("truncated"));
 }
 
 }  // namespace asperity::test

@@ -175,7 +175,7 @@ std::string digitalSurfFile(const DigitalSurfText& text, const std::vector<doubl
     put(bytes, 98, kLittle, word(text.bits));
     put(bytes, 100, kLittle, text.lowest);
     put(bytes, 108, kLittle, 3);
-    put(bytes, 112, kLittle, 2);
+    put(bytes, 112, kLittle, text.rows);
     put(bytes, 120, kLittle, 10.0F);
     put(bytes, 124, kLittle, 10.0F);
     put(bytes, 128, kLittle, 0.5F);

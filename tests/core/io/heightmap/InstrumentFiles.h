@@ -103,6 +103,7 @@ struct DigitalSurfText {
     std::string unit = "nm";
     float offset = 0.0F;  ///< in the unit
     SampleType stored = SampleType::Int16;
+    int rows = 2;
 };
 [[nodiscard]] std::string digitalSurfFile(const DigitalSurfText& text,
                                           const std::vector<double>& numbers = {1, 2, 3, 4, 5, 6});

@@ -55,7 +55,8 @@ TEST(NanonisReader, SizeAndOriginAreMeters) {
     EXPECT_EQ(channel.lateralUnit, "m");
     EXPECT_DOUBLE_EQ(channel.map.sizeX(), 30e-9);
     EXPECT_DOUBLE_EQ(channel.map.sizeY(), 20e-9);
-    EXPECT_DOUBLE_EQ(channel.originX, -5.280251e-7);
+    EXPECT_DOUBLE_EQ(channel.originX, -5.280251e-7 - 1.5e-8);  // the offset is that of the center
+    EXPECT_DOUBLE_EQ(channel.originY, 1.130423e-8 - 1e-8);
     EXPECT_EQ(channel.metadata.at("COMMENT"), "first line\nsecond line");
 }
 
@@ -105,7 +106,26 @@ TEST(NanonisReader, FilesOfOtherToolsMayHoldOneImageASignal) {
     EXPECT_THAT(file.notes, testing::Contains(HasSubstr("one image of each signal")));
     EXPECT_EQ(readAsNanonis(text).channels.size(), 2U);
     text.time = "131.3";
-    EXPECT_THAT(refusalOf([&] { (void)readAsNanonis(text, one); }), HasSubstr("truncated"));
+    const HeightMapFile cut = readAsNanonis(text, one);
+    EXPECT_EQ(cut.channels.size(), 1U);
+    EXPECT_THAT(cut.notes, testing::Contains(HasSubstr("not hold all of 'Z (Backward)'")));
+}
+
+TEST(NanonisReader, WholeImagesOfATruncatedFileOpenWithANote) {
+    std::string bytes = nanonisFile({});
+    bytes.resize(bytes.size() - 1);
+    EXPECT_EQ(readHeightMapBytes(bytes, "scan.sxm").channels.size(), 1U);
+    bytes.resize(bytes.size() - 24);
+    EXPECT_THAT(refusalOf([&] { (void)readHeightMapBytes(bytes, "scan.sxm"); }),
+                HasSubstr("truncated"));
+}
+
+TEST(NanonisReader, RotationOfTheScanIsNoted) {
+    NanonisText text;
+    EXPECT_TRUE(readAsNanonis(text).channels.at(0).notes.empty());
+    text.comment = "turned\n:SCAN_ANGLE:\n            -2.500E+1";
+    EXPECT_THAT(readAsNanonis(text).channels.at(0).notes,
+                testing::Contains(HasSubstr("rotated by -25 degrees")));
 }
 
 TEST(NanonisReader, ScanThatWasStoppedHasPixelsWithoutData) {

@@ -59,7 +59,8 @@ TEST(NanoscopeReader, ChannelSaysWhatTheHeaderSays) {
     EXPECT_EQ(channel.name, "ZSensor");
     EXPECT_EQ(channel.unit, "m");
     EXPECT_EQ(channel.direction, "backward");
-    EXPECT_DOUBLE_EQ(channel.originX, 7e-9);
+    EXPECT_DOUBLE_EQ(channel.originX, 7e-9 - 15e-9);  // the offset is that of the center
+    EXPECT_DOUBLE_EQ(channel.originY, -10e-9);
     EXPECT_DOUBLE_EQ(channel.map.sizeX(), 30e-9);
     EXPECT_DOUBLE_EQ(channel.map.sizeY(), 20e-9);
     EXPECT_EQ(channel.metadata.at("@2:Image Data"), "S [ZSensor] \"Height Sensor\"");
@@ -125,27 +126,176 @@ TEST(NanoscopeReader, MicrometersMayBeATildeOrALatinMicroSign) {
     EXPECT_DOUBLE_EQ(nanoscopeChannel(text).map.sizeY(), 20e-6);
 }
 
-TEST(NanoscopeReader, SingleScanSizeFollowsTheAspectRatio) {
+/// All sizes below are those that Gwyddion 2.62 gives the same bytes.
+TEST(NanoscopeReader, SizeOfASquareAspectStandsAsItIsWritten) {
     NanoscopeText text;
-    text.scanSize = "30 nm";
-    EXPECT_DOUBLE_EQ(nanoscopeChannel(text).map.sizeY(), 20e-9);
     text.aspectRatio = "1:1";
+    text.scanSize = "30 30 nm";
+    const ScanChannel channel = nanoscopeChannel(text);
+    EXPECT_DOUBLE_EQ(channel.map.sizeX(), 30e-9);
+    EXPECT_DOUBLE_EQ(channel.map.sizeY(), 30e-9);
+    EXPECT_THAT(channel.notes, testing::Contains(HasSubstr("10 nm x 15 nm")));
+    text.scanSize = "30 nm";
     EXPECT_DOUBLE_EQ(nanoscopeChannel(text).map.sizeY(), 30e-9);
+    text.scanSize = "30 15 nm";
+    EXPECT_DOUBLE_EQ(nanoscopeChannel(text).map.sizeY(), 15e-9);
+    text.aspectRatio = "1:2";  // the number before the colon decides
+    EXPECT_DOUBLE_EQ(nanoscopeChannel(text).map.sizeY(), 15e-9);
 }
 
-TEST(NanoscopeReader, StatedHeightOfTheScanWinsOverAnOddAspectRatio) {
+TEST(NanoscopeReader, AnotherAspectScalesTheHeightByLinesOverSamples) {
     NanoscopeText text;
-    text.aspectRatio = "0.512";
-    const HeightMapFile file = readHeightMapBytes(nanoscopeFile(text), "scan");
-    EXPECT_DOUBLE_EQ(file.channels.at(0).map.sizeY(), 20e-9);
-    EXPECT_THAT(file.channels.at(0).notes.at(0), HasSubstr("aspect ratio"));
+    text.scanSize = "30 30 nm";
+    for (const char* const aspect : {"3:2", "0.516184", "2:1"}) {
+        text.aspectRatio = aspect;
+        text.scanGrid =
+            "\\Samps/line: 3\r\n\\Lines: 2\r\n\\Aspect Ratio: " + std::string(aspect) + "\r\n";
+        EXPECT_DOUBLE_EQ(nanoscopeChannel(text).map.sizeY(), 20e-9) << aspect;
+    }
+}
+
+TEST(NanoscopeReader, PartOfASquareScanIsAsHighAsItsLinesAreOfAllLines) {
+    NanoscopeText text;
+    text.scanSize = "30 30 nm";
+    text.aspectRatio = "3:2";
+    text.scanGrid = "\\Samps/line: 3\r\n\\Lines: 8\r\n\\Aspect Ratio: 1:1\r\n";
+    EXPECT_DOUBLE_EQ(nanoscopeChannel(text).map.sizeY(), 7.5e-9);
+}
+
+TEST(NanoscopeReader, ScanListHasTheSizeWhereThatOfTheImageDoesNotFitItsData) {
+    NanoscopeText text;
+    text.scanSize = "30 30 nm";
+    text.samples = "6";
+    text.lines = "8";
+    text.scanGrid = "\\Samps/line: 3\r\n\\Lines: 2\r\n";
+    const ScanChannel channel = nanoscopeChannel(text);
+    EXPECT_EQ(channel.map.columns, 3);
+    EXPECT_EQ(channel.map.rows, 2);
+    EXPECT_DOUBLE_EQ(channel.map.sizeX(), 15e-9);
+    EXPECT_DOUBLE_EQ(channel.map.sizeY(), 7.5e-9);
+    EXPECT_THAT(channel.notes, testing::Contains(HasSubstr("scan list")));
+}
+
+TEST(NanoscopeReader, DataMayBeLongerThanTheSamplesNeed) {
+    NanoscopeText text;
+    text.dataLength = "1000";
+    const ScanChannel channel = nanoscopeChannel(text);
+    EXPECT_EQ(channel.map.rows, 2);
+    EXPECT_DOUBLE_EQ(channel.map.at(1, 0), kMetersPerCount);
+}
+
+TEST(NanoscopeReader, OffsetIsThatOfTheCenterAndARotationIsNoted) {
+    NanoscopeText text;
+    text.scanGrid = "\\Rotate Ang.: 30\r\n";
+    const ScanChannel channel = nanoscopeChannel(text);
+    EXPECT_DOUBLE_EQ(channel.originX, -8e-9);
+    EXPECT_THAT(channel.notes, testing::Contains(HasSubstr("rotated by 30 degrees")));
+}
+
+TEST(NanoscopeReader, FirstLineMayNameElectrochemistry) {
+    std::string bytes = nanoscopeFile({});
+    bytes.insert(2, "EC ");
+    bytes.erase(bytes.find('\x1A'), 3);
+    const HeightMapFile file = readHeightMapBytes(bytes, "scan.spm");
+    EXPECT_DOUBLE_EQ(file.channels.at(0).map.at(1, 0), kMetersPerCount);
+    EXPECT_THAT(file.provenance, Not(testing::IsEmpty()));
+}
+
+TEST(NanoscopeReader, NameMayBelongToAnotherGroup) {
+    for (const char* const key : {"@3:Image Data", "@4:Image Data", "Image data"}) {
+        std::string bytes = nanoscopeFile({});
+        const std::size_t place = bytes.find("@2:Image Data");
+        bytes.replace(place, 13, key);
+        if (std::string_view(key) == "Image data") {
+            bytes.insert(bytes.find('\x1A'), 3, '\x1A');
+        }
+        const HeightMapFile file = readHeightMapBytes(bytes, "scan.spm");
+        EXPECT_THAT(file.channels.at(0).name, HasSubstr("ZSensor")) << key;
+    }
+}
+
+TEST(NanoscopeReader, ScaleMayBelongToAnotherGroup) {
+    std::string bytes = nanoscopeFile({});
+    bytes.replace(bytes.find("@2:Z scale"), 10, "@4:Z scale");
+    EXPECT_DOUBLE_EQ(readHeightMapBytes(bytes, "scan").channels.at(0).map.at(1, 0),
+                     kMetersPerCount);
+}
+
+TEST(NanoscopeReader, OldFilesStateTheFullScale) {
+    std::string bytes = nanoscopeFile({});
+    const std::string scale = "Z scale: 440 nm (0.00671387)";
+    const std::size_t place = bytes.find("@2:Z scale");
+    bytes.replace(place, bytes.find('\r', place) - place, scale);
+    bytes.insert(bytes.find('\x1A'), 1200 - bytes.size() + 12, '\x1A');
+    const ScanChannel channel = readHeightMapBytes(bytes, "old.001").channels.at(0);
+    EXPECT_EQ(channel.unit, "m");
+    EXPECT_DOUBLE_EQ(channel.map.at(1, 0), 440e-9 / 65536.0);
+}
+
+TEST(NanoscopeReader, OldestFilesScaleByTheKindOfTheImage) {
+    const std::string header =
+        "\\*File list\r\n\\Data length: 600\r\n\\*Microscope list\r\n\\Z sensitivity: 8.1\r\n"
+        "\\*Controller list\r\n\\Z max: 220\r\n\\*Afm list\r\n\\*AFM image list\r\n"
+        "\\Data offset: 600\r\n\\Data length: 12\r\n\\Samps/line: 3 2\r\n"
+        "\\Scan size: 30 nm\r\n\\Image data: Height\r\n\\Z scale height: 1000\r\n"
+        "\\*File list end\r\n";
+    std::string bytes = header + std::string(600 - header.size(), '\x1A');
+    for (int count = 1; count <= 6; ++count) {
+        bytes += static_cast<char>(count);
+        bytes += '\0';
+    }
+    const ScanChannel channel = readHeightMapBytes(bytes, "oldest.001").channels.at(0);
+    EXPECT_EQ(channel.name, "Height");
+    EXPECT_EQ(channel.unit, "m");
+    EXPECT_EQ(channel.map.rows, 2);
+    EXPECT_DOUBLE_EQ(channel.map.at(1, 0), 1e-9 * 2.0 / 65536.0 * 1000 * 220 * 8.1 / 65536.0);
+}
+
+/// Two images in one file, each of 12 bytes of samples.
+std::string twoImages(const char* secondOffset = "1212") {
+    std::string bytes = nanoscopeFile({});
+    const std::size_t begin = bytes.find("\\*Ciao image list");
+    const std::size_t end = bytes.find("\\*File list end");
+    std::string list = bytes.substr(begin, end - begin);
+    list.replace(list.find("1200"), 4, secondOffset);
+    bytes.insert(end, list);
+    bytes.erase(bytes.find('\x1A'), list.size());
+    return bytes + std::string(12, '\0');
+}
+
+TEST(NanoscopeReader, WholeImagesOfATruncatedFileOpenWithANote) {
+    std::string bytes = twoImages();
+    bytes.pop_back();
+    const HeightMapFile file = readHeightMapBytes(bytes, "cut.spm");
+    EXPECT_EQ(file.channels.size(), 1U);
+    EXPECT_THAT(file.notes, testing::Contains(AllOf(HasSubstr("truncated"), HasSubstr("ZSensor"))));
+    bytes.resize(1211);
+    EXPECT_THAT(refusalOf([&] { (void)readHeightMapBytes(bytes, "cut.spm"); }),
+                HasSubstr("truncated"));
+}
+
+TEST(NanoscopeReader, TruncatedFileThatLostPartOfItsHeaderIsRefused) {
+    std::string bytes = twoImages();
+    bytes.erase(bytes.find('\x1A'), 1);
+    EXPECT_THAT(refusalOf([&] { (void)readHeightMapBytes(bytes, "cut.spm"); }),
+                HasSubstr("truncated"));
+}
+
+TEST(NanoscopeReader, ProfilesOfTrenchesAreRefusedInWords) {
+    std::string bytes = nanoscopeFile({});
+    bytes.replace(bytes.find("\\Data length: 1200"), 18,
+                  "\\Start context: LVAR\r\n\\Data length: 1200");
+    bytes.erase(bytes.find('\x1A'), 22);
+    EXPECT_THAT(refusalOf([&] { (void)readHeightMapBytes(bytes, "trench.spm"); }),
+                HasSubstr("profiles of different lengths"));
 }
 
 TEST(NanoscopeReader, StoppedScanShowsItsStoredLinesOnlyAndSaysSo) {
     NanoscopeText text;
     text.lines = "8";
     text.scanSize = "30 80 nm";
-    text.aspectRatio = "3:8";
+    text.aspectRatio = "1:1";
+    text.scanGrid = "\\Lines: 8\r\n";
     const HeightMapFile file = readHeightMapBytes(nanoscopeFile(text), "scan");
     EXPECT_EQ(file.channels.at(0).map.rows, 2);
     EXPECT_DOUBLE_EQ(file.channels.at(0).map.sizeY(), 20e-9);
@@ -172,8 +322,8 @@ TEST(NanoscopeReader, RefusesWhatDoesNotFitTogether) {
         return refusalOfNanoscope(text);
     };
     EXPECT_THAT(with(&NanoscopeText::dataLength, "0"), HasSubstr("Data length"));
-    EXPECT_THAT(with(&NanoscopeText::dataLength, "13"), HasSubstr("do not fit 3 x 2"));
-    EXPECT_THAT(with(&NanoscopeText::dataLength, "24"), HasSubstr("do not fit 3 x 2"));
+    EXPECT_THAT(with(&NanoscopeText::dataLength, "11"), HasSubstr("do not fit 3 x 2"));
+    EXPECT_THAT(with(&NanoscopeText::dataLength, "5"), HasSubstr("do not fit 3 x 2"));
     EXPECT_THAT(with(&NanoscopeText::samples, "0"), HasSubstr("0 x 2 pixels"));
     EXPECT_THAT(with(&NanoscopeText::samples, "-3"), HasSubstr("-3 x 2 pixels"));
     EXPECT_THAT(with(&NanoscopeText::samples, "4000000000"), HasSubstr("65536"));
@@ -192,25 +342,15 @@ TEST(NanoscopeReader, RefusesWhatDoesNotFitTogether) {
 
 TEST(NanoscopeReader, RefusalNamesFilePlaceAndExpectation) {
     NanoscopeText text;
-    text.dataLength = "13";
+    text.dataLength = "11";
     EXPECT_THAT(refusalOfNanoscope(text),
                 AllOf(HasSubstr("scan.spm: "), HasSubstr("image list 1: ")));
 }
 
 TEST(NanoscopeReader, RefusesImagesThatShareBytes) {
-    const auto withSecondImageAt = [](const char* offset) {
-        std::string bytes = nanoscopeFile({});
-        const std::size_t begin = bytes.find("\\*Ciao image list");
-        const std::size_t end = bytes.find("\\*File list end");
-        std::string list = bytes.substr(begin, end - begin);
-        list.replace(list.find("1200"), 4, offset);
-        bytes.insert(end, list);
-        bytes.erase(bytes.find('\x1A'), list.size());
-        return bytes + std::string(12, '\0');
-    };
-    EXPECT_EQ(readHeightMapBytes(withSecondImageAt("1212"), "scan").channels.size(), 2U);
-    EXPECT_THROW((void)readHeightMapBytes(withSecondImageAt("1200"), "scan"), InputError);
-    EXPECT_THROW((void)readHeightMapBytes(withSecondImageAt("1204"), "scan"), InputError);
+    EXPECT_EQ(readHeightMapBytes(twoImages(), "scan").channels.size(), 2U);
+    EXPECT_THROW((void)readHeightMapBytes(twoImages("1200"), "scan"), InputError);
+    EXPECT_THROW((void)readHeightMapBytes(twoImages("1204"), "scan"), InputError);
 }
 
 TEST(NanoscopeReader, RefusesForceCurvesAndTextExports) {
@@ -249,14 +389,14 @@ TEST(NanoscopeReader, ForceCurvesWithoutAnImageAreRefusedInWords) {
                 AllOf(HasSubstr("curve.000: "), HasSubstr("force curves, no image")));
 }
 
-TEST(NanoscopeReader, RefusesOldScalesAndSaysHowToGoOn) {
+TEST(NanoscopeReader, RefusesAnImageWithoutAScale) {
     std::string bytes = nanoscopeFile({});
     bytes.replace(bytes.find("@2:Z scale"), 10, "@9:Z scale");
     try {
         (void)readHeightMapBytes(bytes, "old.001");
         FAIL();
     } catch (const InputError& error) {
-        EXPECT_THAT(error.what(), AllOf(HasSubstr("old.001"), HasSubstr("Gwyddion")));
+        EXPECT_THAT(error.what(), AllOf(HasSubstr("old.001"), HasSubstr("before version 4.3")));
     }
 }
 

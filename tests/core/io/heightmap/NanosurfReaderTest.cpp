@@ -111,6 +111,14 @@ TEST(NanosurfReader, LongCurvesAreNoLargeImage) {
     EXPECT_THAT(refusalOfNanosurf({spectrum, {}}), HasSubstr("Points, Lines"));
 }
 
+TEST(NanosurfReader, WholeImagesOfATruncatedFileOpenWithANote) {
+    const std::string bytes = nanosurfFile({{}, {}});
+    const HeightMapFile cut =
+        readHeightMapBytes(std::string_view(bytes).substr(0, bytes.size() - 1), "cut.nid");
+    EXPECT_EQ(cut.channels.size(), 1U);
+    EXPECT_THAT(cut.notes, testing::Contains(HasSubstr("truncated")));
+}
+
 TEST(NanosurfReader, SizeOfZeroIsUnknown) {
     NanosurfChannel channel;
     channel.sizeX = "0";

@@ -103,7 +103,7 @@ TEST(ParkReader, ReadsTheHeaderAndTurnsTheImage) {
     EXPECT_EQ(channel.metadata.at("comment"), "as grown");
     EXPECT_DOUBLE_EQ(channel.map.pitchX, 1e-6);
     EXPECT_DOUBLE_EQ(channel.map.pitchY, 2e-6);
-    EXPECT_DOUBLE_EQ(channel.originX, -7e-6);
+    EXPECT_DOUBLE_EQ(channel.originX, -7e-6 - 1.5e-6);  // the offset is that of the center
     // -2 nm * (count * 0.5 + 10), the first stored row at the bottom.
     EXPECT_NEAR(channel.map.at(1, 0), -21e-9, 1e-20);
     EXPECT_NEAR(channel.map.at(0, 0), -24e-9, 1e-20);

@@ -30,7 +30,7 @@ TEST(PicoviewReader, FirstStoredRowIsTheBottomOfTheImage) {
     EXPECT_EQ(channel.direction, "forward");
     EXPECT_DOUBLE_EQ(channel.map.sizeX(), 30e-9);
     EXPECT_DOUBLE_EQ(channel.map.sizeY(), 20e-9);
-    EXPECT_DOUBLE_EQ(channel.originX, 1e-9);
+    EXPECT_DOUBLE_EQ(channel.originX, 1e-9 - 15e-9);  // the offset is that of the center
     EXPECT_DOUBLE_EQ(channel.map.at(0, 0), 4 * 2e-6 / 2147483648.0);
     EXPECT_DOUBLE_EQ(channel.map.at(1, 2), 3 * 2e-6 / 2147483648.0);
     EXPECT_EQ(channel.metadata.at("version"), "PicoView 0x10c04");
@@ -97,7 +97,13 @@ TEST(PicoviewReader, RefusesWhatDoesNotFit) {
     EXPECT_THAT(refusalOfPicoview(text), HasSubstr("lists no image"));
     text = {};
     text.image += "bufferLabel   Friction\n";
-    EXPECT_THAT(refusalOfPicoview(text), HasSubstr("image 'Friction': its data end at byte"));
+    const std::string cut = picoviewFile(text, SampleType::Int32);
+    const HeightMapFile file = readHeightMapBytes(cut, "cut.mi");
+    EXPECT_EQ(file.channels.size(), 1U);
+    EXPECT_THAT(file.notes, testing::Contains(HasSubstr("not hold all of 'Friction'")));
+    EXPECT_THAT(
+        refusalOf([&] { (void)readHeightMapBytes(cut.substr(0, cut.size() - 1), "cut.mi"); }),
+        HasSubstr("image 'Topography': its data end at byte"));
 }
 
 }  // namespace asperity::test

@@ -95,7 +95,7 @@ TEST(SampleRows, DecodesOnceUnlessThatThrows) {
             }
             return kBytes;
         },
-        kLayout);
+        kLayout, "a file");
     EXPECT_EQ(decoded, 0);
     EXPECT_THROW((void)readRowOf(rows, 0), InputError);
     EXPECT_EQ(readRowOf(rows, 1), (std::vector<double>{4, 5, 6}));

@@ -19,7 +19,7 @@ std::string nanoscopeFile(const NanoscopeText& text, const std::vector<std::int3
         "\r\n\\Data length: " + std::to_string(kDataOffset) +
         "\r\n\\*Scanner list\r\n\\@Sens. Zscan: V 10.00000 nm/V\r\n"
         "\\*Ciao scan list\r\n" +
-        text.scanList + "\\*Ciao image list\r\n\\Data offset: " +
+        text.scanList + text.scanGrid + "\\*Ciao image list\r\n\\Data offset: " +
         (text.dataOffset.empty() ? std::to_string(kDataOffset) : text.dataOffset) +
         "\r\n\\Data length: " + text.dataLength + "\r\n\\Bytes/pixel: " + text.bytesPerPixel +
         "\r\n\\Samps/line: " + text.samples + "\r\n\\Number of lines: " + text.lines +

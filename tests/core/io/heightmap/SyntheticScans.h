@@ -21,6 +21,7 @@ struct NanoscopeText {
     std::string zScale = "V [Sens. ZsensSens] (0.123 V/LSB) 2.000000 V";
     std::string imageData = "S [ZSensor] \"Height Sensor\"";
     std::string extra;
+    std::string scanGrid;  ///< further lines of the scan list
 };
 
 /// The bytes of such a file; the counts are stored as 16 or 32 bits by the version.

@@ -57,7 +57,66 @@ double mean(const HeightMap& map) {
         .mean();
 }
 
+/// As SPIP writes it; values in nm.
+std::string spipText(const std::string& unit = "# z-unit = nm\n", const std::string& more = "") {
+    return "# File Format = ASCII\n# Created by SPIP 6.0\n# Original file: scan.spm\n"
+           "# x-pixels = 3\n# y-pixels = 2\n# x-length = 300,5\n# y-length = 200\n"
+           "# x-offset = 10\n# y-offset = -20\n" +
+           unit + more + "# Start of Data:\n1.5\t2\t3\n4\t5\t6\n";
+}
+
+std::string wsxmMatrix(const std::string& amplitudes) {
+    return "WSxM file copyright UAM\r\nWSxM ASCII Matrix file\r\n" + amplitudes +
+           "\r\n1.5\t2\t3\r\n4\t5\t6\r\n";
+}
+
 }  // namespace
+
+TEST(TextReader, SpipGivesSizeOriginAndUnit) {
+    const ScanChannel channel = textChannel(spipText());
+    EXPECT_EQ(channel.unit, "m");
+    EXPECT_DOUBLE_EQ(channel.map.at(0, 0), 1.5e-9);
+    EXPECT_DOUBLE_EQ(channel.map.at(1, 2), 6e-9);
+    EXPECT_DOUBLE_EQ(channel.map.sizeX(), 300.5e-9);
+    EXPECT_DOUBLE_EQ(channel.map.sizeY(), 200e-9);
+    EXPECT_DOUBLE_EQ(channel.originX, 10e-9);
+    EXPECT_DOUBLE_EQ(channel.originY, -20e-9);
+    EXPECT_EQ(textChannel(spipText("# z-unit = V\n")).unit, "V");
+    EXPECT_EQ(textChannel(spipText("")).unit, "");
+    EXPECT_DOUBLE_EQ(textChannel(spipText("# Bit2nm = 2\n")).map.at(0, 0), 3e-9);
+}
+
+TEST(TextReader, SpipMayListWhichPixelsHoldData) {
+    const ScanChannel channel =
+        textChannel(spipText("# z-unit = nm\n", "# voidpixels = 1\n") + "1\t0\t1\n1\t1\t1\n");
+    EXPECT_EQ(channel.map.rows, 2);
+    EXPECT_TRUE(std::isnan(channel.map.at(0, 1)));
+    EXPECT_DOUBLE_EQ(channel.map.at(1, 1), 5e-9);
+}
+
+TEST(TextReader, SpipMustHoldWhatItPromises) {
+    std::string text = spipText();
+    text.replace(text.find("x-pixels = 3"), 12, "x-pixels = 4");
+    EXPECT_THAT(refusalOfText(text), HasSubstr("promises 4 x 2"));
+    text.replace(text.find("x-pixels = 4"), 12, "x-pixels = q");
+    EXPECT_THAT(refusalOfText(text), HasSubstr("x-pixels"));
+    text = spipText();
+    text.replace(text.find("300,5"), 5, "wide!");
+    EXPECT_THAT(refusalOfText(text), HasSubstr("x-length"));
+}
+
+TEST(TextReader, WsxmMatrixIsInTheUnitOfItsAmplitude) {
+    const ScanChannel channel = textChannel(
+        wsxmMatrix("X Amplitude: 600 nm\r\nY Amplitude: 0,4 \xB5m\r\nZ Amplitude: 35 nm\r\n"));
+    EXPECT_EQ(channel.unit, "m");
+    EXPECT_DOUBLE_EQ(channel.map.at(0, 0), 1.5e-9);
+    EXPECT_DOUBLE_EQ(channel.map.at(1, 2), 6e-9);
+    EXPECT_DOUBLE_EQ(channel.map.sizeX(), 600e-9);
+    EXPECT_DOUBLE_EQ(channel.map.sizeY(), 0.4e-6);
+    EXPECT_EQ(textChannel(wsxmMatrix("Z Amplitude: 3 pA\r\n")).unit, "A");
+    EXPECT_FALSE(textChannel(wsxmMatrix("Z Amplitude: 3 nm\r\n")).hasSize());
+    EXPECT_EQ(textChannel(wsxmMatrix("Z Amplitude: 3 a.u.\r\n")).unit, "");
+}
 
 TEST(TextReader, Matrix3IsTheLeveledHeightSensorOfDi3) {
     ASPERITY_NEEDS_SHARED_DATA();

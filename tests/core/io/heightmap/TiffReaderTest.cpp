@@ -328,6 +328,14 @@ TEST(TiffReader, ImagesThatShareTheirPixelsAreDamaged) {
     EXPECT_THAT(refusalOfTiff(tiffFile(images)), HasSubstr("overlap"));
 }
 
+TEST(TiffReader, WholeImagesOfATruncatedFileOpenWithANote) {
+    const std::string bytes = tiffFile({{}, {}});
+    const HeightMapFile cut =
+        readHeightMapBytes(std::string_view(bytes).substr(0, bytes.size() - 1), "cut.tif");
+    EXPECT_EQ(cut.channels.size(), 1U);
+    EXPECT_THAT(cut.notes, testing::Contains(HasSubstr("truncated")));
+}
+
 TEST(TiffReader, DirectoriesInACircleAreRefused) {
     std::string bytes = tiffFile({{}, {}});
     const std::string first = bytes.substr(4, 4);

@@ -35,7 +35,7 @@ TEST(WsxmReader, RowsAndColumnsAreStoredInReverse) {
     EXPECT_DOUBLE_EQ(channel.map.at(1, 2), 1 * 2e-9);
     EXPECT_DOUBLE_EQ(channel.map.sizeX(), 30e-9);
     EXPECT_DOUBLE_EQ(channel.map.sizeY(), 20e-9);
-    EXPECT_DOUBLE_EQ(channel.originX, -712.919e-9);
+    EXPECT_DOUBLE_EQ(channel.originX, -712.919e-9 - 15e-9);  // the offset is that of the center
 }
 
 TEST(WsxmReader, ReadsEveryTypeOfSamples) {

@@ -186,7 +186,7 @@ TEST(X3pReader, FindsMainXmlInASubFolderBesideThatOfAMac) {
 }
 
 TEST(X3pReader, ReadsAnyNamespacePrefixAndBackslashes) {
-    for (const char* root : {"ISO5436_2", "x3p:ISO5436_2"}) {
+    for (const char* root : {"ISO5436_2", "x3p:ISO5436_2", "ISO5436", "p:ISO5436"}) {
         EXPECT_EQ(readAsX3p(x3pFile({.root = root})).channels.size(), 1U);
     }
     EXPECT_EQ(

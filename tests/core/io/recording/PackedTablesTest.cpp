@@ -74,7 +74,7 @@ TEST_F(PackedTables, HoldTheLogInSinglePrecisionAndChecksOfAllDigits) {
 
 TEST_F(PackedTables, ShareWhatLogAndInputBothHold) {
     pack(kLog);
-    const Hdf5Input input(file);
+    const Hdf5Input input(file, {"force_log"});
     asperity::Hdf5Rows rows(input, "force_log");
     EXPECT_EQ(rows.columns()[1].type, Hdf5Column::Type::Double);
     EXPECT_EQ(rows.columns()[2].type, Hdf5Column::Type::Double) << "nan and inf are alike, too";

@@ -37,6 +37,18 @@ TEST(CsvRows, AreRefusedWithTheirLine) {
     EXPECT_THAT(refusal("# only\n"), HasSubstr("expected a line that names the columns"));
     EXPECT_THAT(refusal("a,b\n1,2\n3\n"), HasSubstr("line 3"));
     EXPECT_THAT(refusal("a,b\n1,\"2\n"), HasSubstr("a quoted cell is not closed"));
+    EXPECT_THAT(refusal((std::string(20'000, ',') + "\n").c_str()),
+                HasSubstr("expected at most 10000 columns, found 20001"));
+}
+
+/// A row of three million commas took a hundred megabytes before it was refused.
+TEST(CsvRows, KeepNoCellBeyondTheColumns) {
+    std::vector<std::string> cells{"of", "an", "earlier", "row"};
+    EXPECT_EQ(splitCells("1, \"2,\", 3,4,5", 2, cells), 5U);
+    EXPECT_THAT(cells, ElementsAre("1", "2,"));
+    EXPECT_EQ(splitCells("1", 2, cells), 1U);
+    EXPECT_THAT(cells, ElementsAre("1"));
+    EXPECT_EQ(splitCells("1,\"", 2, cells), 0U);
 }
 
 }  // namespace

@@ -82,6 +82,16 @@ TEST(CsvWriter, WritesCommentsHeaderAndSeventeenDigits) {
               "# asperity 0.1\ngap_m,state\n0.10000000000000001,\"snap, in\"\nnan,\n");
 }
 
+/// A terminal that shows the table would obey them.
+TEST(CsvWriter, WritesNoCharacterThatATerminalObeys) {
+    std::ostringstream text;
+    CsvWriter csv(text, {}, {"material"});
+    csv.add("gold\x1B[31m\a").endRow();
+    csv.add("größe, µm").endRow();
+    csv.close();
+    EXPECT_EQ(text.str(), "material\ngold\\e[31m\\x07\n\"größe, µm\"\n");
+}
+
 TEST(CsvWriter, RefusesARowOfAnotherLength) {
     std::ostringstream stream;
     CsvWriter writer(stream, {}, {"a", "b"});

@@ -1,4 +1,4 @@
-#include "core/io/heightmap/gwyddion/ProgramRun.h"
+#include "core/ProgramRun.h"
 
 #include "core/Error.h"
 #include "core/FileDescriptor.h"

@@ -1,7 +1,6 @@
-#include "core/io/hdf5/Hdf5File.h"
+#include "core/io/hdf5/Hdf5Output.h"
 
 #include "core/Error.h"
-#include "core/io/FileBytes.h"
 #include "core/io/hdf5/Hdf5Seal.h"
 
 #include <algorithm>
@@ -9,10 +8,6 @@
 namespace asperity {
 
 namespace {
-
-/// No byte of a compressed chunk makes more bytes.
-constexpr std::uint64_t kMaxExpansion = 1032;
-constexpr std::size_t kMaxText = std::size_t{1} << 16U;  // of an attribute [byte]
 
 /// The library says of itself what went wrong, on the terminal, for each thread that does not ask
 /// it to be silent.
@@ -34,18 +29,6 @@ Hdf5Object created(const std::filesystem::path& path) {
     H5Pset_obj_track_times(creation.id(), false);  // the same run, the same bytes
     H5Pset_userblock(creation.id(), kSealBytes);
     return {H5Fcreate(path.c_str(), H5F_ACC_TRUNC, creation.id(), properties.id()), H5Fclose};
-}
-
-Hdf5Object opened(const std::filesystem::path& path) {
-    const Hdf5Object properties = access();
-    return {H5Fopen(path.c_str(), H5F_ACC_RDONLY, properties.id()), H5Fclose};
-}
-
-/// The size of a file that is as it was written. @throw InputError
-std::uint64_t sealedBytes(const std::filesystem::path& path) {
-    const FileBytes bytes(path);
-    requireSeal(bytes);
-    return bytes.size();
 }
 
 Hdf5Object newAttribute(hid_t object, const char* attribute, const Hdf5Object& type) {
@@ -75,23 +58,6 @@ bool setWord(hid_t object, const char* attribute, const std::string& word) {
     const Hdf5Object made = newAttribute(object, attribute, type);
     const char* const text = word.c_str();
     return made.isOpen() && H5Awrite(made.id(), type.id(), &text) >= 0;
-}
-
-std::string textOf(hid_t object, const char* attribute) {
-    const bool isThere = H5Aexists(object, attribute) > 0;
-    const Hdf5Object found(isThere ? H5Aopen(object, attribute, H5P_DEFAULT) : -1, H5Aclose);
-    const Hdf5Object type(found.isOpen() ? H5Aget_type(found.id()) : -1, H5Tclose);
-    const Hdf5Object space(found.isOpen() ? H5Aget_space(found.id()) : -1, H5Sclose);
-    const bool isText = type.isOpen() && space.isOpen() && H5Tget_class(type.id()) == H5T_STRING &&
-                        H5Tis_variable_str(type.id()) == 0 &&
-                        H5Sget_simple_extent_npoints(space.id()) == 1;
-    const std::size_t size = isText ? H5Tget_size(type.id()) : 0;
-    std::string text(size <= kMaxText ? size : 0, '\0');
-    if (text.empty() || H5Aread(found.id(), textType(size).id(), text.data()) < 0) {
-        return {};
-    }
-    text.resize(std::min(text.find('\0'), size));
-    return text;
 }
 
 Hdf5Output::Hdf5Output(const std::filesystem::path& path)
@@ -128,39 +94,6 @@ void Hdf5Output::close() {
         throw Error(name_ + ": not all of it could be written");
     }
     sealHdf5(name_);
-}
-
-Hdf5Input::Hdf5Input(const std::filesystem::path& path)
-    : name_(path.string()), mostBytes_(sealedBytes(path) * kMaxExpansion), file_(opened(path)) {
-    if (!file_.isOpen()) {
-        throw InputError(name_, "", "expected a file in the HDF5 format");
-    }
-}
-
-bool Hdf5Input::has(const std::string& what) const {
-    return H5Lexists(id(), what.c_str(), H5P_DEFAULT) > 0;
-}
-
-std::string Hdf5Input::attribute(const char* attribute) const { return textOf(id(), attribute); }
-
-std::vector<std::uint32_t> Hdf5Input::list(const char* list) const {
-    const Hdf5Object found(has(list) ? H5Dopen2(id(), list, H5P_DEFAULT) : -1, H5Dclose);
-    const Hdf5Object space(found.isOpen() ? H5Dget_space(found.id()) : -1, H5Sclose);
-    hsize_t size = 0;
-    if (!space.isOpen() || H5Sget_simple_extent_ndims(space.id()) != 1 ||
-        H5Sget_simple_extent_dims(space.id(), &size, nullptr) < 0 ||
-        size > mostBytes_ / sizeof(std::uint32_t)) {
-        fail(list, "expected a list of numbers");
-    }
-    std::vector<std::uint32_t> numbers(size);
-    if (H5Dread(found.id(), H5T_NATIVE_UINT32, H5S_ALL, H5S_ALL, H5P_DEFAULT, numbers.data()) < 0) {
-        fail(list, "its numbers cannot be read");
-    }
-    return numbers;
-}
-
-void Hdf5Input::fail(const std::string& place, const std::string& what) const {
-    throw InputError(name_, place, what);
 }
 
 }  // namespace asperity

@@ -1,0 +1,56 @@
+#include "core/io/Base64.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <openssl/evp.h>
+#include <vector>
+
+namespace asperity {
+
+namespace {
+
+constexpr std::size_t kGroup = 4;       // letters
+constexpr std::size_t kGroupBytes = 3;  // that they stand for
+
+/// Of letters without padding but at their end.
+bool appendPart(std::string& bytes, std::string_view letters) {
+    // The library counts padding as bytes, wherever it stands.
+    constexpr std::size_t kMostPadding = 2;
+    const std::size_t digits = letters.find_last_not_of('=') + 1;
+    const std::size_t padding = letters.size() - digits;
+    if (padding > kMostPadding || letters.substr(0, digits).find('=') != std::string_view::npos) {
+        return false;
+    }
+    std::vector<unsigned char> part(kGroupBytes * letters.size() / kGroup);
+    const int count =
+        EVP_DecodeBlock(part.data(), reinterpret_cast<const unsigned char*>(letters.data()),
+                        static_cast<int>(letters.size()));
+    if (count < 0) {
+        return false;
+    }
+    bytes.append(part.begin(), part.end() - static_cast<std::ptrdiff_t>(padding));
+    return true;
+}
+
+}  // namespace
+
+bool appendBase64(std::string& bytes, std::string_view letters) {
+    constexpr std::size_t kMostLetters = std::size_t{1} << 20U;  // at a time
+    if (letters.size() % kGroup != 0) {
+        return false;
+    }
+    while (!letters.empty()) {
+        const std::size_t padding = letters.find('=');
+        const std::size_t end =
+            std::min({padding == std::string_view::npos ? letters.size()
+                                                        : padding - padding % kGroup + kGroup,
+                      kMostLetters});
+        if (!appendPart(bytes, letters.substr(0, end))) {
+            return false;
+        }
+        letters.remove_prefix(end);
+    }
+    return true;
+}
+
+}  // namespace asperity

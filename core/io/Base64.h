@@ -1,0 +1,13 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace asperity {
+
+/// Appends what letters of base64 stand for; padding ends a part, and another one may follow.
+/// @param letters groups of four, nothing else between them
+/// @return whether all of them were such letters; false: `bytes` holds those before
+[[nodiscard]] bool appendBase64(std::string& bytes, std::string_view letters);
+
+}  // namespace asperity

@@ -1,0 +1,121 @@
+#include "core/io/NestedText.h"
+
+#include "core/Error.h"
+
+#include <algorithm>
+#include <cstddef>
+
+namespace asperity {
+
+namespace {
+
+/// Brackets and dots of a key within each other; Asperity's own texts have fewer than ten. A
+/// thousand times as many still fit on the stack of a thread.
+constexpr std::size_t kMostDepth = 64;
+
+struct NestedLimits {
+    std::size_t bytes;
+    std::size_t values;
+};
+
+/// A value of TOML takes up to 250 bytes (a table of one letter), one of JSON up to 100: together
+/// about 100 and 200 MB. A scene has some hundred values, a summary about a hundred a touch.
+NestedLimits limitsOf(NestedSyntax syntax) {
+    constexpr NestedLimits kToml{std::size_t{1} << 24U, std::size_t{1} << 18U};
+    constexpr NestedLimits kJson{std::size_t{1} << 27U, std::size_t{1} << 21U};
+    return syntax == NestedSyntax::Toml ? kToml : kJson;
+}
+
+class NestedScan {
+public:
+    NestedScan(std::string_view text, NestedSyntax syntax, const std::string& file)
+        : text_(text), isToml_(syntax == NestedSyntax::Toml), most_(limitsOf(syntax)), file_(file) {
+        if (text.size() > most_.bytes) {
+            throw InputError(file, "",
+                             "it has " + std::to_string(text.size()) + " bytes; expected at most " +
+                                 std::to_string(most_.bytes));
+        }
+    }
+
+    void check() {
+        while (place_ < text_.size()) {
+            take(text_[place_]);
+        }
+    }
+
+private:
+    void take(char c) {
+        ++place_;
+        if (c == '"' || (isToml_ && c == '\'')) {
+            skipString(c);
+        } else if (isToml_ && c == '#') {
+            place_ = std::min(text_.find('\n', place_), text_.size());
+        } else if (c == '.') {
+            ++dots_;
+            addValue();
+        } else if (c == '[' || c == '{') {
+            dots_ = 0;
+            ++depth_;
+            addValue();
+        } else if (c == ']' || c == '}') {
+            dots_ = 0;
+            depth_ -= std::min<std::size_t>(depth_, 1);
+        } else if (c == ',' || c == '=' || c == ':' || c == '\n') {
+            dots_ = 0;
+            line_ += c == '\n' ? 1 : 0;
+            if (c == ',' || c == '=') {
+                addValue();
+            }
+        }
+    }
+
+    /// Behind its first quotation mark.
+    void skipString(char quote) {
+        const std::string three(3, quote);
+        const bool isLong = isToml_ && text_.substr(place_ - 1).starts_with(three);
+        const std::string_view end = isLong ? std::string_view(three) : std::string_view(&quote, 1);
+        place_ += isLong ? 2 : 0;
+        while (place_ < text_.size() && !text_.substr(place_).starts_with(end)) {
+            if (text_[place_] == '\n') {
+                if (!isLong) {
+                    return;  // never closed: the parser says so
+                }
+                ++line_;
+            }
+            place_ += quote == '"' && text_[place_] == '\\' ? 2 : 1;
+        }
+        place_ = std::min(place_ + end.size(), text_.size());
+    }
+
+    void addValue() {
+        if (depth_ + dots_ > kMostDepth) {
+            fail("values nested deeper than " + std::to_string(kMostDepth));
+        }
+        if (++values_ > most_.values) {
+            fail("more than " + std::to_string(most_.values) + " values");
+        }
+    }
+
+    [[noreturn]] void fail(const std::string& what) const {
+        throw InputError(file_, "line " + std::to_string(line_),
+                         what + ": no file of Asperity's has so many");
+    }
+
+    std::string_view text_;
+    bool isToml_;
+    NestedLimits most_;
+    const std::string& file_;
+    std::size_t place_ = 0;
+    std::size_t line_ = 1;
+    std::size_t depth_ = 0;
+    std::size_t dots_ = 0;  ///< of the present key
+    std::size_t values_ = 0;
+};
+
+}  // namespace
+
+void requireParsable(std::string_view text, NestedSyntax syntax, const std::string& file) {
+    NestedScan(text, syntax, file).check();
+}
+
+}  // namespace asperity

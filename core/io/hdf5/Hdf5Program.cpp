@@ -1,0 +1,144 @@
+#include "core/io/hdf5/Hdf5Program.h"
+
+#include "core/Error.h"
+#include "core/PrivateFolder.h"
+#include "core/ProgramRun.h"
+#include "core/io/FileBytes.h"
+#include "core/io/TextValue.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <optional>
+#include <system_error>
+#include <unistd.h>
+
+namespace asperity {
+
+namespace {
+
+constexpr const char* kProgram = "asperity_hdf5_reader";
+constexpr int kRefused = 3;  // that it exits with, having said why
+constexpr std::uint64_t kMiB = std::uint64_t{1} << 20U;
+/// A chunk of 256 MiB, what it is decompressed from, and the libraries.
+constexpr std::uint64_t kMostMemory = 1024 * kMiB;
+constexpr std::uint64_t kLeastContent = 64 * kMiB;  // paths and shapes
+constexpr std::uint64_t kSlowest = kMiB;            // of a file that it reads in a second
+
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+constexpr bool kIsSanitized = true;
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
+constexpr bool kIsSanitized = true;
+#else
+constexpr bool kIsSanitized = false;
+#endif
+#else
+constexpr bool kIsSanitized = false;
+#endif
+
+bool isProgram(const std::filesystem::path& path) {
+    std::error_code ignored;
+    return std::filesystem::is_regular_file(path, ignored) && access(path.c_str(), X_OK) == 0;
+}
+
+std::string environmentValue(const char* name) {
+    // NOLINTNEXTLINE(concurrency-mt-unsafe): nothing changes the environment after the start
+    const char* const value = std::getenv(name);
+    return value == nullptr ? "" : value;
+}
+
+std::optional<std::filesystem::path> programIn(const std::filesystem::path& folder) {
+    for (const std::filesystem::path& place : {folder, folder.parent_path() / "libexec/asperity"}) {
+        if (isProgram(place / kProgram)) {
+            return place / kProgram;
+        }
+    }
+    return std::nullopt;
+}
+
+class Hdf5Reading {
+public:
+    Hdf5Reading(const ByteSource& file, const std::vector<std::string>& paths)
+        : file_(file)
+        , program_(hdf5Reader(environmentValue("PATH")))
+        , time_(std::chrono::seconds(10 + file.size() / kSlowest))
+        , arguments_{(folder_.path() / "file").string(), (folder_.path() / "content").string()} {
+        arguments_.insert(arguments_.end(), paths.begin(), paths.end());
+    }
+
+    /// The content stays open, and has no name any more when the folder is removed.
+    Hdf5Content read() {
+        if (program_.empty()) {
+            throw Error(std::string("the program ") + kProgram +
+                        ", which reads HDF5 files, is not installed beside this one");
+        }
+        copyTo(file_, arguments_[0]);
+        const ProgramOutcome outcome = run();
+        if (outcome.end == ProgramEnd::TimedOut) {
+            fail("the program that reads HDF5 did not end within " + std::to_string(time_.count()) +
+                 " s");
+        }
+        if (outcome.end == ProgramEnd::Exited && outcome.exitCode == kRefused) {
+            fail(std::string(trimmed(outcome.output)));
+        }
+        if (outcome.end != ProgramEnd::Exited || outcome.exitCode != 0) {
+            fail("the program that reads HDF5 crashed on it, or needed more than " +
+                 std::to_string(kMostMemory / kMiB) + " MiB of memory");
+        }
+        return {std::make_shared<FileBytes>(arguments_[1], file_.name()), file_.name()};
+    }
+
+private:
+    [[nodiscard]] ProgramOutcome run() const {
+        // A sanitizer needs addresses for all memory that there might be, and has a limit itself.
+        const std::string limit =
+            ":hard_rss_limit_mb=" + std::to_string(kMostMemory / kMiB) + ":detect_leaks=0";
+        return runProgram(
+            {.program = program_,
+             .arguments = arguments_,
+             .environment = {"LC_ALL=C.UTF-8", "HDF5_USE_FILE_LOCKING=FALSE",
+                             "ASAN_OPTIONS=" + limit, "TSAN_OPTIONS=" + limit},
+             .folder = folder_.path(),
+             .deadline = std::chrono::steady_clock::now() + time_,
+             .maxFile = kLeastContent + file_.size() * kMaxHdf5Expansion,
+             .maxMemory = kIsSanitized ? std::numeric_limits<std::uint64_t>::max() : kMostMemory});
+    }
+
+    [[noreturn]] void fail(const std::string& why) const {
+        throw InputError(file_.name(), "", "it cannot be read: " + why);
+    }
+
+    const ByteSource& file_;
+    std::filesystem::path program_;
+    std::chrono::seconds time_;
+    PrivateFolder folder_;
+    std::vector<std::string> arguments_;
+};
+
+}  // namespace
+
+std::filesystem::path hdf5Reader(std::string_view folders) {
+    if (const std::string named = environmentValue("ASPERITY_HDF5_READER"); !named.empty()) {
+        return named;
+    }
+    std::error_code unknown;
+    const std::filesystem::path self = std::filesystem::read_symlink("/proc/self/exe", unknown);
+    if (const auto found = programIn(self.parent_path())) {
+        return *found;
+    }
+    while (!folders.empty()) {
+        const std::filesystem::path folder = folders.substr(0, folders.find(':'));
+        // An entry that is not absolute would depend on the folder that the user is in.
+        if (const auto found = programIn(folder); found && folder.is_absolute()) {
+            return *found;
+        }
+        folders.remove_prefix(std::min(folder.native().size() + 1, folders.size()));
+    }
+    return {};
+}
+
+Hdf5Content readHdf5(const ByteSource& file, const std::vector<std::string>& paths) {
+    return Hdf5Reading(file, paths).read();
+}
+
+}  // namespace asperity

@@ -1,0 +1,32 @@
+#include "core/io/heightmap/ScanOrigin.h"
+
+#include "core/io/TextValue.h"
+#include "core/io/heightmap/ScanImage.h"
+
+#include <cmath>
+
+namespace asperity {
+
+void setOrigin(ScanChannel& channel, double x, double y, GivenPoint point) {
+    const HeightMap& map = channel.map;
+    const bool hasSize = map.pitchX > 0.0 && map.pitchY > 0.0;
+    if (point != GivenPoint::Corner && !hasSize) {
+        return;
+    }
+    const double columns = point == GivenPoint::Center ? map.columns : 1;
+    const double rows = point == GivenPoint::Center ? map.rows : 1;
+    const bool isCorner = point == GivenPoint::Corner;
+    channel.originX = finiteOrZero(x) - (isCorner ? 0.0 : 0.5 * columns * map.pitchX);
+    channel.originY = finiteOrZero(y) - (isCorner ? 0.0 : 0.5 * rows * map.pitchY);
+}
+
+void noteRotation(ScanChannel& channel, double degrees) {
+    const double turn = std::remainder(finiteOrZero(degrees), 360.0);
+    if (turn != 0.0) {
+        channel.notes.push_back("the scan was rotated by " + exactText(finiteOrZero(degrees)) +
+                                " degrees at the instrument; the image is as it was scanned, and "
+                                "its origin is that without the rotation");
+    }
+}
+
+}  // namespace asperity

@@ -1,0 +1,345 @@
+#include "core/Error.h"
+#include "core/io/ByteReader.h"
+#include "core/io/TextValue.h"
+#include "core/io/hdf5/Hdf5Program.h"
+#include "core/io/heightmap/HeightMapFormat.h"
+#include "core/io/heightmap/PhysicalUnit.h"
+#include "core/io/heightmap/SampleRows.h"
+#include "core/io/heightmap/ScanImage.h"
+#include "core/io/heightmap/ScanOrigin.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <set>
+
+// Scans in NeXus files (HDF5) by the definitions NXafm, NXstm and NXspm. Each NXdata whose signal
+// has two dimensions is a channel. Source: docs/formats.md 18.
+
+namespace asperity {
+
+namespace {
+
+using Kind = Hdf5Item::Kind;
+
+constexpr std::string_view kHdf5 = "\x89HDF\r\n\x1A\n";
+constexpr std::array<std::string_view, 3> kDefinitions{"NXafm", "NXstm", "NXspm"};
+
+std::string_view parentOf(std::string_view path) { return path.substr(0, path.rfind('/')); }
+std::string_view nameOf(std::string_view path) { return path.substr(path.rfind('/') + 1); }
+
+/// NeXus spells units out: "nanometer".
+PhysicalUnit nexusUnit(const std::string& text) {
+    using Name = std::pair<std::string_view, std::string_view>;
+    constexpr std::array<Name, 9> kPrefixes{{{"femto", "f"},
+                                             {"pico", "p"},
+                                             {"nano", "n"},
+                                             {"micro", "u"},
+                                             {"milli", "m"},
+                                             {"centi", "c"},
+                                             {"kilo", "k"},
+                                             {"mega", "M"},
+                                             {"giga", "G"}}};
+    constexpr std::array<Name, 13> kUnits{{{"meter", "m"},
+                                           {"metre", "m"},
+                                           {"ampere", "A"},
+                                           {"volt", "V"},
+                                           {"hertz", "Hz"},
+                                           {"newton", "N"},
+                                           {"second", "s"},
+                                           {"kelvin", "K"},
+                                           {"pascal", "Pa"},
+                                           {"degree", "deg"},
+                                           {"radian", "rad"},
+                                           {"angstrom", "Å"},
+                                           {"dimensionless", ""}}};
+    std::string_view rest = trimmed(text);
+    const std::string lower = lowerCase(rest);
+    rest = lower;
+    const auto* const prefix = std::ranges::find_if(
+        kPrefixes, [&](const Name& each) { return rest.starts_with(each.first); });
+    if (prefix != kPrefixes.end()) {
+        rest.remove_prefix(prefix->first.size());
+    }
+    if (rest.size() > 1 && rest.ends_with('s')) {
+        rest.remove_suffix(1);
+    }
+    const auto* const unit = std::ranges::find(kUnits, rest, &Name::first);
+    if (unit == kUnits.end()) {
+        return parseUnit(text);
+    }
+    return parseUnit((prefix == kPrefixes.end() ? std::string() : std::string(prefix->second)) +
+                     std::string(unit->second));
+}
+
+/// One axis of the images.
+struct NexusAxis {
+    std::string path;
+    double first = 0.0;  ///< [m]
+    double last = 0.0;   ///< [m]
+    bool isKnown = false;
+
+    [[nodiscard]] bool falls() const { return isKnown && last < first; }
+    /// Of all pixels, whose middles the axis names [m].
+    [[nodiscard]] double size(std::uint64_t pixels) const {
+        const auto count = static_cast<double>(pixels);
+        return isKnown && pixels > 1 ? std::abs(last - first) * count / (count - 1.0) : 0.0;
+    }
+};
+
+class NexusReader {
+public:
+    explicit NexusReader(const ByteSource& bytes) : bytes_(bytes), content_(readHdf5(bytes, {})) {}
+
+    StoredScan read() {
+        const std::vector<std::string> images = imagesOfAll();
+        requireImages(images.size(), bytes_.name(), "NXdata");
+        readAxes(images);
+        for (const std::string& group : images) {
+            addImage(group);
+        }
+        if (scan_.channels.empty()) {
+            content_.fail("NXentry", "it holds no NXdata whose signal is an image");
+        }
+        scan_.provenance.push_back({"format", definition_, "NXentry, definition"});
+        return std::move(scan_);
+    }
+
+private:
+    [[nodiscard]] const Hdf5Item* attribute(const std::string& path,
+                                            const std::string& name) const {
+        return content_.find(Kind::Attribute, path + "@" + name);
+    }
+    [[nodiscard]] std::string textOf(const std::string& path, const std::string& name) const {
+        return content_.text(Kind::Attribute, path + "@" + name);
+    }
+
+    /// The groups of NXdata with an image, of all entries of these definitions.
+    [[nodiscard]] std::vector<std::string> imagesOfAll() {
+        std::vector<std::string> groups;
+        for (const Hdf5Item& item : content_.items()) {
+            if (item.kind != Kind::Group || textOf(item.path, "NX_class") != "NXdata" ||
+                !isInEntry(item.path)) {
+                continue;
+            }
+            const Hdf5Item* const signal = signalOf(item.path);
+            if (signal != nullptr && signal->shape.size() == 2) {
+                groups.push_back(item.path);
+            }
+        }
+        // HDF5 has them in the order of their names, "backward" first.
+        const std::string shown = entry_ + "/" + textOf(entry_, "default");
+        std::ranges::stable_sort(groups, {}, [&](const std::string& group) {
+            const bool isBackward = directionFromName(nameOf(group)) == "backward";
+            return group == shown ? 0 : (isBackward ? 2 : 1);
+        });
+        return groups;
+    }
+
+    /// Whether a group lies in an entry of one of the definitions.
+    [[nodiscard]] bool isInEntry(const std::string& path) {
+        const std::string entry = path.substr(0, path.find('/', 1));
+        const std::string definition(trimmed(content_.text(Kind::Dataset, entry + "/definition")));
+        if (std::ranges::count(kDefinitions, definition) == 0) {
+            return false;
+        }
+        entry_ = entry;
+        definition_ = definition;
+        return true;
+    }
+
+    [[nodiscard]] const Hdf5Item* signalOf(const std::string& group) const {
+        const std::string signal = textOf(group, "signal");
+        return content_.find(Kind::Dataset, group + "/" + (signal.empty() ? "data" : signal));
+    }
+
+    /// Names of the axes, the slow one first.
+    [[nodiscard]] std::array<std::string, 2> axesOf(const std::string& group) const {
+        std::array<std::string, 2> axes{"y", "x"};
+        const Hdf5Item* const item = attribute(group, "axes");
+        if (item != nullptr && item->type == Hdf5Type::Text && item->count == 2 && item->place) {
+            std::string texts(2 * static_cast<std::size_t>(item->bytes), '\0');
+            content_.read(*item, 0, std::span<char>(texts));
+            for (std::size_t i = 0; i < 2; ++i) {
+                const std::string one = texts.substr(i * item->bytes, item->bytes);
+                axes[i] = toUtf8(trimmed(one.substr(0, one.find('\0'))));
+            }
+        }
+        return axes;
+    }
+
+    /// Long axes are no part of what was read first: all of them are read at once.
+    void readAxes(const std::vector<std::string>& groups) {
+        std::set<std::string> paths;
+        for (const std::string& group : groups) {
+            for (const std::string& axis : axesOf(group)) {
+                if (content_.find(Kind::Dataset, group + "/" + axis) != nullptr) {
+                    paths.insert(group + "/" + axis);
+                }
+            }
+        }
+        if (paths.empty()) {
+            return;
+        }
+        const Hdf5Content content = readHdf5(bytes_, {paths.begin(), paths.end()});
+        for (const std::string& path : paths) {
+            const Hdf5Item* const item = content.find(Kind::Dataset, path);
+            if (item == nullptr || !item->place || item->shape.size() != 1 || item->count == 0) {
+                continue;
+            }
+            const double factor = lengthFactor(textOf(path, "units"));
+            NexusAxis axis{.path = path, .isKnown = true};
+            content.read(*item, 0, std::span<double>(&axis.first, 1));
+            content.read(*item, item->count - 1, std::span<double>(&axis.last, 1));
+            axis.first *= factor;
+            axis.last *= factor;
+            axis.isKnown = std::isfinite(axis.first) && std::isfinite(axis.last);
+            axes_[path] = axis;
+        }
+    }
+
+    /// [m]; 1 where it has no unit or another one.
+    [[nodiscard]] static double lengthFactor(const std::string& units) {
+        const PhysicalUnit unit = nexusUnit(units);
+        return unit.base == "m" ? unit.factor : 1.0;
+    }
+
+    /// A number of the entry's scan, by the end of its path [m or degrees]; empty: there is none.
+    [[nodiscard]] std::optional<double> scanNumber(const std::string& name) const {
+        for (const Hdf5Item& item : content_.items()) {
+            if (item.kind == Kind::Dataset && item.path.starts_with(entry_ + "/") &&
+                nameOf(item.path) == name && nameOf(parentOf(item.path)) == "scan_region" &&
+                item.count == 1 && item.place) {
+                double value = 0.0;
+                content_.read(item, 0, std::span<double>(&value, 1));
+                const PhysicalUnit unit = nexusUnit(textOf(item.path, "units"));
+                const double factor = unit.base == "m" || unit.base == "deg" ? unit.factor
+                                      : unit.base == "rad" ? unit.factor * 180.0 / std::numbers::pi
+                                                           : 1.0;
+                return std::isfinite(value) ? std::optional(value * factor) : std::nullopt;
+            }
+        }
+        return std::nullopt;
+    }
+
+    void addImage(const std::string& group) {
+        const Hdf5Item& signal = *signalOf(group);
+        const auto [slow, fast] = axesOf(group);
+        NexusAxis y = axes_[group + "/" + slow];
+        NexusAxis x = axes_[group + "/" + fast];
+        const bool isTurned = runsAlongX(slow, fast);
+        if (isTurned) {
+            std::swap(x, y);
+        }
+        const std::uint64_t rows = signal.shape[isTurned ? 1 : 0];
+        const std::uint64_t columns = signal.shape[isTurned ? 0 : 1];
+        const ImageSize size =
+            checkedImageSize(toSigned(columns), toSigned(rows), bytes_.name(), signal.path);
+        const double width = scanNumber("scan_range_x").value_or(x.size(columns));
+        const double height = scanNumber("scan_range_y").value_or(y.size(rows));
+        const PhysicalUnit unit = nexusUnit(textOf(signal.path, "units"));
+        ScanChannel channel;
+        channel.name = nameOf(signal.path);
+        channel.unit = unit.base;
+        channel.lateralUnit = "m";
+        channel.direction = directionFromName(nameOf(group));
+        channel.map = emptyMap(size, std::abs(width), std::abs(height));
+        setOrigin(channel, scanNumber("scan_offset_value_x").value_or(0.0),
+                  scanNumber("scan_offset_value_y").value_or(0.0), GivenPoint::Center);
+        noteRotation(channel, scanNumber("scan_angle_n").value_or(0.0));
+        channel.metadata["NXdata"] = group;
+        settleSize(channel, scanNumber("scan_range_x") ? "scan_region, scan_range" : "axes");
+        channel.provenance.push_back(
+            {"orientation",
+             y.falls() ? "the top row is stored first" : "the bottom row is stored first",
+             y.isKnown ? "axis " + y.path : "no axis in the file"});
+        channel.provenance.push_back(scaleProvenance(unit.factor, unit.base, signal.path));
+        scan_.channels.push_back({.channel = std::move(channel),
+                                  .factor = unit.factor,
+                                  .readRow = rowsOfSignal(signal, size, x, y, isTurned)});
+    }
+
+    [[nodiscard]] static bool runsAlongX(const std::string& slow, const std::string& fast) {
+        return lowerCase(slow).starts_with('x') && lowerCase(fast).starts_with('y');
+    }
+
+    [[nodiscard]] static long long toSigned(std::uint64_t count) {
+        return static_cast<long long>(std::min<std::uint64_t>(count, 1U << 30U));
+    }
+
+    /// The values are read when they are asked for.
+    [[nodiscard]] ReadRow rowsOfSignal(const Hdf5Item& signal, ImageSize size, const NexusAxis& x,
+                                       const NexusAxis& y, bool isTurned) const {
+        const SampleLayout layout{.size = size,
+                                  .type = SampleType::Float64,
+                                  .order = ByteOrder::Little,
+                                  .bottomFirst = !y.falls(),
+                                  .rightFirst = x.falls()};
+        return rowsOfDecoded(
+            [&bytes = bytes_, path = signal.path, size, isTurned] {
+                const Hdf5Content content = readHdf5(bytes, {path});
+                const Hdf5Item* const item = content.find(Kind::Dataset, path);
+                if (item == nullptr || !item->place || item->count != size.pixels()) {
+                    content.fail(path, "its values cannot be read");
+                }
+                std::vector<double> numbers(size.pixels());
+                content.read(*item, 0, numbers);
+                return samplesOf(numbers, size, isTurned);
+            },
+            layout, bytes_.name());
+    }
+
+    /// @param isTurned column after column
+    [[nodiscard]] static std::string samplesOf(const std::vector<double>& numbers, ImageSize size,
+                                               bool isTurned) {
+        std::string samples;
+        samples.reserve(numbers.size() * sizeof(double));
+        for (int row = 0; row < size.rows; ++row) {
+            for (int column = 0; column < size.columns; ++column) {
+                const auto i = static_cast<std::size_t>(isTurned ? column : row);
+                const auto j = static_cast<std::size_t>(isTurned ? row : column);
+                const auto length = static_cast<std::size_t>(isTurned ? size.rows : size.columns);
+                appendLittleEndian(samples, numbers[i * length + j]);
+            }
+        }
+        return samples;
+    }
+
+    const ByteSource& bytes_;
+    Hdf5Content content_;
+    std::string entry_;
+    std::string definition_;
+    std::map<std::string, NexusAxis> axes_;
+    StoredScan scan_;
+};
+
+/// Whether it is an HDF5 file that names one of the definitions: the library is not asked.
+bool isNexusScan(const ByteSource& bytes) {
+    if (!bytes.startsWith(kHdf5)) {
+        return false;
+    }
+    constexpr std::uint64_t kChunk = std::uint64_t{1} << 20U;
+    constexpr std::uint64_t kOverlap = 16;
+    for (std::uint64_t place = 0; place < bytes.size(); place += kChunk - kOverlap) {
+        const std::string chunk = bytesOf(bytes, {place, std::min(kChunk, bytes.size() - place)});
+        if (std::ranges::any_of(kDefinitions, [&](std::string_view name) {
+                return chunk.find(name) != std::string::npos;
+            })) {
+            return true;
+        }
+    }
+    return false;
+}
+
+constexpr std::array<std::string_view, 1> kNexusExtensions{".nxs"};
+
+}  // namespace
+
+const HeightMapFormat kNexusFormat = {
+    .name = "NeXus NXafm/NXstm .nxs",
+    .extensions = kNexusExtensions,
+    .recognizes = isNexusScan,
+    .read = [](const ByteSource& bytes) { return NexusReader(bytes).read(); }};
+
+}  // namespace asperity

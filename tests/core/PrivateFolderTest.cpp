@@ -1,0 +1,68 @@
+#include "core/PrivateFolder.h"
+
+#include "core/Error.h"
+#include "core/Leftover.h"
+#include "tests/support/ScratchFolder.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <fstream>
+
+namespace asperity {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The folder for temporary files is one of the test's own.
+class PrivateFolderTest : public testing::Test {
+protected:
+    PrivateFolderTest() { setenv("TMPDIR", scratch.path().c_str(), 1); }
+    ~PrivateFolderTest() override {
+        before_.empty() ? unsetenv("TMPDIR") : setenv("TMPDIR", before_.c_str(), 1);
+    }
+
+    static std::string before() {
+        const char* const given = std::getenv("TMPDIR");
+        return given == nullptr ? "" : given;
+    }
+
+    const std::string before_ = before();
+    const test::ScratchFolder scratch;
+};
+
+TEST_F(PrivateFolderTest, IsForItsOwnerAloneAndGoesWithWhatIsInIt) {
+    {
+        const PrivateFolder folder;
+        EXPECT_EQ(folder.path().parent_path(), scratch.path());
+        EXPECT_EQ(fs::status(folder.path()).permissions(), fs::perms::owner_all);
+        std::ofstream(folder.path() / "file") << "text";
+    }
+    EXPECT_TRUE(fs::is_empty(scratch.path()));
+}
+
+TEST_F(PrivateFolderTest, SweepsThoseOfKilledProcessesAndNoOther) {
+    const fs::path left = scratch.file(temporaryName(temporaryPrefix("private")));
+    fs::create_directory(left);
+    std::ofstream(left / "file") << "text";
+    const fs::path mine = scratch.write("mine", "text");
+    const PrivateFolder held;
+    const PrivateFolder other;
+    EXPECT_FALSE(fs::exists(left));
+    EXPECT_TRUE(fs::exists(mine));
+    EXPECT_TRUE(fs::exists(held.path())) << "it is in use";
+}
+
+TEST_F(PrivateFolderTest, SaysWhereItCannotBeMade) {
+    setenv("TMPDIR", scratch.file("none").c_str(), 1);
+    try {
+        const PrivateFolder folder;
+        FAIL();
+    } catch (const FileError& error) {
+        EXPECT_THAT(error.what(), testing::HasSubstr("TMPDIR"));
+    }
+}
+
+}  // namespace
+}  // namespace asperity

@@ -1,0 +1,191 @@
+#include "core/io/hdf5/Hdf5Program.h"
+
+#include "core/Error.h"
+#include "core/io/FileBytes.h"
+#include "core/io/hdf5/Hdf5Object.h"
+#include "core/io/hdf5/Hdf5Output.h"
+#include "tests/support/Places.h"
+#include "tests/support/Refusal.h"
+#include "tests/support/ScratchFolder.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstdlib>
+#include <fstream>
+#include <numeric>
+
+namespace asperity::test {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using Kind = Hdf5Item::Kind;
+
+/// A file as another program writes it.
+class Hdf5Program : public testing::Test {
+protected:
+    Hdf5Program()
+        : output_(H5Fcreate(file.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT), H5Fclose) {}
+
+    void addNumbers(const char* name, hid_t type, const std::vector<hsize_t>& shape,
+                    hid_t properties = H5P_DEFAULT) const {
+        const Hdf5Object space(
+            H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr), H5Sclose);
+        const Hdf5Object made(
+            H5Dcreate2(output_.id(), name, type, space.id(), H5P_DEFAULT, properties, H5P_DEFAULT),
+            H5Dclose);
+        ASSERT_TRUE(made.isOpen());
+        std::vector<double> numbers(
+            static_cast<std::size_t>(H5Sget_simple_extent_npoints(space.id())));
+        std::iota(numbers.begin(), numbers.end(), 0.0);
+        ASSERT_GE(
+            H5Dwrite(made.id(), H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, numbers.data()),
+            0);
+    }
+    void close() { output_ = Hdf5Object(-1, H5Fclose); }
+
+    [[nodiscard]] Hdf5Content read(const std::vector<std::string>& paths = {}) const {
+        return readHdf5(FileBytes(file), paths);
+    }
+    [[nodiscard]] std::string refusal(const std::vector<std::string>& paths = {}) const {
+        return refusalOf([&] { (void)read(paths); });
+    }
+
+    ScratchFolder scratch;
+    std::filesystem::path file = scratch.file("a.h5");
+    Hdf5Object output_;
+};
+
+std::vector<double> numbersOf(const Hdf5Content& content, const char* path) {
+    const Hdf5Item* const item = content.find(Kind::Dataset, path);
+    if (item == nullptr || !item->place) {
+        return {};
+    }
+    std::vector<double> numbers(item->count);
+    content.read(*item, 0, numbers);
+    return numbers;
+}
+
+TEST_F(Hdf5Program, HandsOverNumbersOfAllTypes) {
+    int count = 0;
+    const std::vector<hid_t> types{H5T_IEEE_F32BE, H5T_IEEE_F64LE, H5T_STD_I8LE,  H5T_STD_U16BE,
+                                   H5T_STD_I32BE,  H5T_STD_U32LE,  H5T_STD_I64LE, H5T_STD_U64BE};
+    for (const hid_t type : types) {
+        addNumbers(("n" + std::to_string(count++)).c_str(), type, {2, 3});
+    }
+    close();
+    const Hdf5Content content = read();
+    for (int i = 0; i < count; ++i) {
+        EXPECT_THAT(numbersOf(content, ("/n" + std::to_string(i)).c_str()),
+                    ElementsAre(0, 1, 2, 3, 4, 5))
+            << i;
+    }
+}
+
+TEST_F(Hdf5Program, HandsOverTextsAndAttributesOfAnyLength) {
+    setWord(output_.id(), "default", "entry");
+    setText(output_.id(), "fixed", "größe");
+    close();
+    const Hdf5Content content = read();
+    EXPECT_EQ(content.text(Kind::Attribute, "/@default"), "entry");
+    EXPECT_EQ(content.text(Kind::Attribute, "/@fixed"), "größe");
+}
+
+TEST_F(Hdf5Program, HandsOverLargeValuesWhereTheyAreWanted) {
+    const Hdf5Object chunked(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
+    const std::array<hsize_t, 2> chunk{7, 100};
+    H5Pset_chunk(chunked.id(), 2, chunk.data());
+    H5Pset_deflate(chunked.id(), 6);
+    addNumbers("scan", H5T_IEEE_F32LE, {50, 300}, chunked.id());
+    addNumbers("plain", H5T_IEEE_F64LE, {500, 1000});
+    close();
+    EXPECT_TRUE(numbersOf(read(), "/scan").empty());
+    EXPECT_EQ(read().find(Kind::Dataset, "/scan")->count, 15'000U);
+    const Hdf5Content content = read({"/scan", "/plain"});
+    for (const auto& [path, count] : {std::pair{"/scan", 15'000U}, {"/plain", 500'000U}}) {
+        const std::vector<double> numbers = numbersOf(content, path);
+        ASSERT_EQ(numbers.size(), count);
+        EXPECT_EQ(numbers.back(), count - 1.0);
+        EXPECT_EQ(numbers[count / 2], count / 2.0);
+    }
+    EXPECT_EQ(read({"/plain"}).find(Kind::Dataset, "/scan"), nullptr);
+}
+
+/// A file from somebody else names no file of the reader's, nor goes round in a circle.
+TEST_F(Hdf5Program, FollowsNoLinkToAnotherFileOrBack) {
+    (void)scratch.write("secret", std::string(64, 's'));
+    const Hdf5Object external(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
+    H5Pset_external(external.id(), scratch.file("secret").c_str(), 0, 64);
+    const hsize_t size = 64;
+    const Hdf5Object space(H5Screate_simple(1, &size, nullptr), H5Sclose);
+    H5Dclose(H5Dcreate2(output_.id(), "far", H5T_STD_I8LE, space.id(), H5P_DEFAULT, external.id(),
+                        H5P_DEFAULT));
+    H5Lcreate_external("other.h5", "/x", output_.id(), "link", H5P_DEFAULT, H5P_DEFAULT);
+    H5Lcreate_soft("/nowhere", output_.id(), "lost", H5P_DEFAULT, H5P_DEFAULT);
+    H5Lcreate_hard(output_.id(), "/", output_.id(), "circle", H5P_DEFAULT, H5P_DEFAULT);
+    addNumbers("here", H5T_STD_I8LE, {2});
+    H5Lcreate_soft("/here", output_.id(), "alias", H5P_DEFAULT, H5P_DEFAULT);
+    close();
+    const Hdf5Content content = read();
+    ASSERT_NE(content.find(Kind::Dataset, "/far"), nullptr);
+    EXPECT_FALSE(content.find(Kind::Dataset, "/far")->place);
+    EXPECT_EQ(content.find(Kind::Dataset, "/link"), nullptr);
+    EXPECT_NE(content.find(Kind::Group, "/circle"), nullptr);
+    EXPECT_EQ(content.find(Kind::Group, "/circle/circle"), nullptr);
+    EXPECT_THAT(numbersOf(content, "/alias"), ElementsAre(0, 1));
+}
+
+TEST_F(Hdf5Program, SaysWhatIsWrongInOneSentence) {
+    {
+        const hsize_t huge = hsize_t{1} << 50U;
+        const hsize_t chunk = 100;
+        const Hdf5Object chunked(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
+        H5Pset_chunk(chunked.id(), 1, &chunk);
+        const Hdf5Object space(H5Screate_simple(1, &huge, nullptr), H5Sclose);
+        const Hdf5Object made(H5Dcreate2(output_.id(), "huge", H5T_IEEE_F64LE, space.id(),
+                                         H5P_DEFAULT, chunked.id(), H5P_DEFAULT),
+                              H5Dclose);
+    }
+    close();
+    EXPECT_THAT(refusal({"/huge"}),
+                HasSubstr("a.h5: it cannot be read: /huge: it promises more values than"));
+    std::ofstream(file) << "no HDF5 at all";
+    EXPECT_THAT(refusal(),
+                HasSubstr("a.h5: it cannot be read: expected a file in the HDF5 format"));
+}
+
+/// Stands in for the program.
+class OtherHdf5Reader {
+public:
+    OtherHdf5Reader(const ScratchFolder& scratch, const std::string& script) {
+        const auto program = scratch.write("reader", "#!/bin/sh\n" + script + "\n");
+        std::filesystem::permissions(program, std::filesystem::perms::owner_all);
+        setenv("ASPERITY_HDF5_READER", program.c_str(), 1);
+    }
+    ~OtherHdf5Reader() { unsetenv("ASPERITY_HDF5_READER"); }
+    OtherHdf5Reader(const OtherHdf5Reader&) = delete;
+    OtherHdf5Reader& operator=(const OtherHdf5Reader&) = delete;
+};
+
+TEST_F(Hdf5Program, DiesInOneSentence) {
+    close();
+    for (const char* const script : {"kill -SEGV $$", "exit 1"}) {
+        const OtherHdf5Reader reader(scratch, script);
+        EXPECT_THAT(refusal(), HasSubstr("a.h5: it cannot be read: the program that reads HDF5 "
+                                         "crashed on it"))
+            << script;
+    }
+    const OtherHdf5Reader liar(scratch, "echo nonsense > $2");
+    EXPECT_THAT(refusal(), HasSubstr("a.h5: it is damaged"));
+}
+
+TEST_F(Hdf5Program, IsFoundBesideThisOneAndByAList) {
+    EXPECT_EQ(hdf5Reader("").filename(), "asperity_hdf5_reader");
+    const OtherHdf5Reader named(scratch, "exit 0");
+    EXPECT_EQ(hdf5Reader(""), scratch.file("reader"));
+}
+
+}  // namespace
+}  // namespace asperity::test
