@@ -7,7 +7,10 @@
 #include "core/io/TextValue.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cstdlib>
+#include <limits>
+#include <memory>
 #include <optional>
 #include <system_error>
 #include <unistd.h>

@@ -254,7 +254,7 @@ TEST(ReplayOfACutOffRecording, NamesACorrectionThatIsKnown) {
                           {"complete", false},
                           {"recovered", false}};
     std::string log = test::contentOf(run / "force_log.csv");
-    const std::size_t line = log.find("\n0.05,");
+    const std::size_t line = log.find("\n0.0500");
     ASSERT_NE(line, std::string::npos);
     log.insert(log.find(',', log.find(',', line + 1) + 1), "1");
     std::ofstream(run / "force_log.csv") << log;

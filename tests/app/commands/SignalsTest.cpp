@@ -13,6 +13,7 @@
 #include <fstream>
 #include <functional>
 #include <iterator>
+#include <map>
 #include <optional>
 #include <string>
 #include <thread>
@@ -69,14 +70,17 @@ TEST_F(Signals, EndExploreWhileItRunsAndNothingHalfWrittenIsLeft) {
 }
 
 TEST_F(Signals, EndExploreWhileItDrawsAndAnEarlierRunIsLeftWhole) {
-    for (const char* name : {"force_log.csv", "deformation.png", "deformation.exr", "forces.png"}) {
-        std::ofstream(folder / name) << "earlier";
-    }
+    ASSERT_EQ(test::ChildProgram(explore("0.2")).wait().exitCode, 0);
+    const auto content = [this] {
+        std::map<std::filesystem::path, std::string> files;
+        for (const auto& file : std::filesystem::directory_iterator(folder)) {
+            files[file.path()] = file.is_regular_file() ? test::contentOf(file.path()) : "folder";
+        }
+        return files;
+    };
+    const auto earlier = content();
     expectEndedWhereItMakes("deformation.png", explore("0.1"));
-    EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder), {}), 4);
-    for (const auto& file : std::filesystem::directory_iterator(folder)) {
-        EXPECT_EQ(test::contentOf(file.path()), "earlier") << file.path();
-    }
+    EXPECT_EQ(content(), earlier);
 }
 
 TEST_F(Signals, EndReportAndAnEarlierPageIsLeftWhole) {
