@@ -3,6 +3,7 @@
 #include "core/io/TextValue.h"
 #include "core/io/heightmap/ScanImage.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace asperity {
@@ -20,12 +21,15 @@ void setOrigin(ScanChannel& channel, double x, double y, GivenPoint point) {
     channel.originY = finiteOrZero(y) - (isCorner ? 0.0 : 0.5 * rows * map.pitchY);
 }
 
-void noteRotation(ScanChannel& channel, double degrees) {
-    const double turn = std::remainder(finiteOrZero(degrees), 360.0);
-    if (turn != 0.0) {
-        channel.notes.push_back("the scan was rotated by " + exactText(finiteOrZero(degrees)) +
-                                " degrees at the instrument; the image is as it was scanned, and "
-                                "its origin is that without the rotation");
+void noteRotation(std::vector<std::string>& notes, double degrees) {
+    if (std::remainder(finiteOrZero(degrees), 360.0) == 0.0) {
+        return;
+    }
+    const std::string note = "the scan was rotated by " + exactText(degrees) +
+                             " degrees at the instrument; the image is as it was scanned, and its "
+                             "origin is that without the rotation";
+    if (std::ranges::count(notes, note) == 0) {
+        notes.push_back(note);
     }
 }
 

@@ -3,6 +3,8 @@
 #include "core/io/heightmap/HeightMapFile.h"
 
 #include <cstdint>
+#include <string>
+#include <vector>
 
 namespace asperity {
 
@@ -21,9 +23,10 @@ enum class GivenPoint : std::uint8_t {
 /// @param y likewise [m]
 void setOrigin(ScanChannel& channel, double x, double y, GivenPoint point);
 
-/// Adds a note where the instrument turned its scan: images are shown as they were scanned, and an
-/// origin is that of the image before it was turned about its center.
-/// @param degrees counterclockwise; what is not finite counts as 0
-void noteRotation(ScanChannel& channel, double degrees);
+/// Adds a note, once, where the instrument turned its scan: images are shown as they were scanned,
+/// and an origin is that of the image before it was turned about its center.
+/// @param notes   on the file
+/// @param degrees what is not finite counts as 0
+void noteRotation(std::vector<std::string>& notes, double degrees);
 
 }  // namespace asperity

@@ -47,6 +47,9 @@ public:
             samples.place += samples.bytes();
         }
         whole.finish(result);
+        if (const auto angle = note_.find("ScanAngle"); angle != note_.end()) {
+            noteRotation(result.notes, parseNumber(angle->second).value_or(0.0));
+        }
         noteCut(result);
         addProvenance(result);
         return result;
@@ -141,9 +144,6 @@ private:
                                wave_.steps[1] * y.factor * size.rows);
         setOrigin(channel, wave_.starts[0] * x.factor, wave_.starts[1] * y.factor,
                   GivenPoint::Corner);
-        if (const auto angle = note_.find("ScanAngle"); angle != note_.end()) {
-            noteRotation(channel, parseNumber(angle->second).value_or(0.0));
-        }
     }
 
     void addProvenance(StoredScan& scan) const {

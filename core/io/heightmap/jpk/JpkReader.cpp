@@ -114,7 +114,6 @@ private:
                                scan_.number(kJpkSizeY).value_or(0.0));
         setOrigin(channel, scan_.number(kJpkOriginX).value_or(0.0),
                   scan_.number(kJpkOriginY).value_or(0.0), GivenPoint::Corner);
-        noteRotation(channel, scan_.number(kRotation).value_or(0.0) * 180.0 / std::numbers::pi);
         channel.metadata = metadata_;
         settleSize(channel, "tags 32834 and 32835");
         return channel;
@@ -170,6 +169,8 @@ private:
             {"orientation",
              isReflected_ ? "first stored row on top" : "first stored row at the bottom",
              "tag 32837 (Reflect)"});
+        noteRotation(result_.notes,
+                     scan_.number(kRotation).value_or(0.0) * 180.0 / std::numbers::pi);
     }
 
     const ByteSource& bytes_;

@@ -222,7 +222,7 @@ private:
         const auto [x, y] = pair("SCAN_OFFSET").value_or(std::pair{0.0, 0.0});
         channel.map = emptyMap(samples_.size, width, height);
         setOrigin(channel, x, y, GivenPoint::Center);
-        noteRotation(channel, angle());
+        noteRotation(result_.notes, angle());
         channel.metadata = tags_.all();
         settleSize(channel, "SCAN_RANGE");
         samples_.rightFirst = direction == "backward";

@@ -149,6 +149,7 @@ private:
         }
         takeSamples(samples, place);
         addNotes(image, channel, layout.sampleBytes);
+        noteRotation(result_.notes, image.rotation());
         addProvenance(image, channel, scale, place);
         result_.channels.push_back({.channel = std::move(channel),
                                     .factor = scale.factor,
@@ -172,7 +173,6 @@ private:
 
     static void addNotes(const NanoscopeImage& image, ScanChannel& channel, int sampleBytes) {
         channel.notes = image.notes();
-        noteRotation(channel, image.rotation());
         if (image.bytesPerPixel() != sampleBytes) {
             channel.notes.push_back("the header names " + std::to_string(image.bytesPerPixel()) +
                                     " bytes a sample, but this version stores " +

@@ -147,6 +147,9 @@ public:
         for (std::size_t i = 0; i < titles_.size(); ++i) {
             result.channels.push_back(channelOf(i, layout));
         }
+        if (!images_.empty()) {
+            noteRotation(result.notes, imageOf(0).rotation());
+        }
         const std::string version = images_.empty() ? "" : imageOf(0).ofFile("Version");
         if (!version.empty()) {
             result.provenance.push_back({"format version", version, "File list, Version"});
@@ -296,7 +299,6 @@ private:
         if (const std::optional<NanoscopePlace> center = image.center()) {
             setOrigin(channel, center->x, center->y, GivenPoint::Center);
         }
-        noteRotation(channel, image.rotation());
     }
 
     static constexpr std::size_t kShown = 32;

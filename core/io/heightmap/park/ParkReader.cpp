@@ -66,6 +66,7 @@ public:
         StoredChannel stored{.channel = channelOf(layout.size), .readRow = rowsOf(bytes_, layout)};
         takeScale(stored);
         StoredScan result;
+        noteRotation(result.notes, at<double>(kParkAngle));
         result.provenance = {{"format version", std::to_string(version_), "tag 50433"},
                              {"orientation", "first stored row at the bottom", "as Park's own"}};
         result.channels.push_back(std::move(stored));
@@ -138,7 +139,6 @@ private:
             emptyMap(size, at<double>(kParkSizeX) * 1.0_um, at<double>(kParkSizeY) * 1.0_um);
         setOrigin(channel, at<double>(kParkOriginX) * 1.0_um, at<double>(kParkOriginY) * 1.0_um,
                   GivenPoint::Center);
-        noteRotation(channel, at<double>(kParkAngle));
         channel.metadata = {{"mode", text(kMode, kShortLength)},
                             {"software", tags_.text(number(TiffTag::Software))},
                             {"date", tags_.text(number(TiffTag::DateTime))},

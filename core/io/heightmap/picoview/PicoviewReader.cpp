@@ -42,6 +42,7 @@ public:
         if (const std::string* const version = scan_.find("version")) {
             result.provenance.push_back({"format version", *version, "version"});
         }
+        noteRotation(result.notes, scan_.number("scanAngle").value_or(0.0));
         WholeImages whole;
         for (const HeaderFields& image : images_) {
             StoredChannel stored = channelOf(image);
@@ -117,7 +118,6 @@ private:
             setOrigin(channel, scan_.number("xOffset").value_or(0.0),
                       scan_.number("yOffset").value_or(0.0), GivenPoint::Center);
         }
-        noteRotation(channel, scan_.number("scanAngle").value_or(0.0));
         channel.metadata = image.all();
         channel.metadata.insert(scan_.all().begin(), scan_.all().end());
         settleSize(channel, "xLength and yLength");

@@ -64,6 +64,9 @@ public:
         requireSamples(bytes_, samples, "image");
         StoredScan result;
         result.channels.push_back(channelOf(samples));
+        const std::string turned = control_.text("Angle");
+        const std::optional<LeadingNumber> angle = parseLeadingNumber(turned);
+        noteRotation(result.notes, angle ? angle->value : 0.0);
         const std::string version = section("Miscellaneous").text("Version");
         if (!version.empty()) {
             result.provenance.push_back({"format version", version, "[Miscellaneous] Version"});
@@ -147,8 +150,6 @@ private:
         if (x || y) {
             setOrigin(channel, x.value_or(0.0), y.value_or(0.0), GivenPoint::Center);
         }
-        const std::optional<LeadingNumber> angle = parseLeadingNumber(control_.text("Angle"));
-        noteRotation(channel, angle ? angle->value : 0.0);
         channel.metadata = metadata();
         settleSize(channel, "[Control] X Amplitude, Y Amplitude");
         channel.provenance.push_back({"orientation", "rows and columns are stored in reverse order",

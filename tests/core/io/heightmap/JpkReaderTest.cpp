@@ -108,7 +108,7 @@ TEST(JpkReader, TheDefaultSlotsOwnFactorsTurnCountsIntoHeights) {
     EXPECT_DOUBLE_EQ(channel.originX, -1e-6);
     EXPECT_DOUBLE_EQ(channel.originY, 2e-6);
     EXPECT_NEAR(channel.map.at(2, 0), 102e-9, 1e-20);
-    EXPECT_THAT(channel.notes, Contains(HasSubstr("rotated")));
+    EXPECT_THAT(file.notes, Contains(HasSubstr("rotated")));
     JpkTestChannel volts;
     volts.defaultSlot = "volts";
     EXPECT_EQ(readAsJpk(jpkFile({volts})).channels[0].unit, "V");

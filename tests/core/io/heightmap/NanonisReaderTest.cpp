@@ -122,10 +122,10 @@ TEST(NanonisReader, WholeImagesOfATruncatedFileOpenWithANote) {
 
 TEST(NanonisReader, RotationOfTheScanIsNoted) {
     NanonisText text;
-    EXPECT_TRUE(readAsNanonis(text).channels.at(0).notes.empty());
+    EXPECT_TRUE(readAsNanonis(text).notes.empty());
     text.comment = "turned\n:SCAN_ANGLE:\n            -2.500E+1";
-    EXPECT_THAT(readAsNanonis(text).channels.at(0).notes,
-                testing::Contains(HasSubstr("rotated by -25 degrees")));
+    EXPECT_THAT(readAsNanonis(text).notes,
+                testing::ElementsAre(HasSubstr("rotated by -25 degrees")));
 }
 
 TEST(NanonisReader, ScanThatWasStoppedHasPixelsWithoutData) {

@@ -187,9 +187,9 @@ TEST(NanoscopeReader, DataMayBeLongerThanTheSamplesNeed) {
 TEST(NanoscopeReader, OffsetIsThatOfTheCenterAndARotationIsNoted) {
     NanoscopeText text;
     text.scanGrid = "\\Rotate Ang.: 30\r\n";
-    const ScanChannel channel = nanoscopeChannel(text);
-    EXPECT_DOUBLE_EQ(channel.originX, -8e-9);
-    EXPECT_THAT(channel.notes, testing::Contains(HasSubstr("rotated by 30 degrees")));
+    const HeightMapFile file = readHeightMapBytes(nanoscopeFile(text), "scan.spm");
+    EXPECT_DOUBLE_EQ(file.channels.at(0).originX, -8e-9);
+    EXPECT_THAT(file.notes, testing::Contains(HasSubstr("rotated by 30 degrees")));
 }
 
 TEST(NanoscopeReader, FirstLineMayNameElectrochemistry) {

@@ -49,14 +49,15 @@ TEST(ScanOrigin, NumberThatIsNotFiniteCountsAsZero) {
     EXPECT_EQ(channel.originY, 1e-6);
 }
 
-TEST(ScanOrigin, RotationIsNotedUnlessItIsAWholeTurn) {
-    ScanChannel channel = smallChannel();
-    noteRotation(channel, 0.0);
-    noteRotation(channel, -360.0);
-    noteRotation(channel, std::numeric_limits<double>::infinity());
-    EXPECT_TRUE(channel.notes.empty());
-    noteRotation(channel, 33.5);
-    EXPECT_THAT(channel.notes, testing::ElementsAre(testing::HasSubstr("33.5 degrees")));
+TEST(ScanOrigin, RotationIsNotedOnceUnlessItIsAWholeTurn) {
+    std::vector<std::string> notes;
+    noteRotation(notes, 0.0);
+    noteRotation(notes, -360.0);
+    noteRotation(notes, std::numeric_limits<double>::infinity());
+    EXPECT_TRUE(notes.empty());
+    noteRotation(notes, 33.5);
+    noteRotation(notes, 33.5);
+    EXPECT_THAT(notes, testing::ElementsAre(testing::HasSubstr("33.5 degrees")));
 }
 
 }  // namespace asperity::test
