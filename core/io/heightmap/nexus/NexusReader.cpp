@@ -247,7 +247,7 @@ private:
         channel.map = emptyMap(size, std::abs(width), std::abs(height));
         setOrigin(channel, scanNumber("scan_offset_value_x").value_or(0.0),
                   scanNumber("scan_offset_value_y").value_or(0.0), GivenPoint::Center);
-        noteRotation(channel, scanNumber("scan_angle_n").value_or(0.0));
+        noteRotation(scan_.notes, scanNumber("scan_angle_n").value_or(0.0));
         channel.metadata["NXdata"] = group;
         settleSize(channel, scanNumber("scan_range_x") ? "scan_region, scan_range" : "axes");
         channel.provenance.push_back(
