@@ -14,6 +14,6 @@
         if (ci != nullptr && std::string(ci) == "true") {                                          \
             FAIL() << "CI=true, but no X display answers";                                         \
         }                                                                                          \
-        GTEST_SKIP() << "no X display answers (run under xvfb-run)";                      \
+        GTEST_SKIP() << "no X display answers (run under xvfb-run)";                               \
     }                                                                                              \
     static_assert(true)

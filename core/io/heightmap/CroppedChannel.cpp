@@ -34,9 +34,9 @@ StoredChannel croppedChannel(const StoredChannel& stored, const PixelRectangle& 
                           .readRow = {},
                           .firstColumn = stored.firstColumn + part.column,
                           .firstRow = stored.firstRow + part.row};
-    const HeightMap& whole = stored.channel.map;
-    cropped.channel.originX += part.column * whole.pitchX;
-    cropped.channel.originY += (whole.rows - part.row - part.rows) * whole.pitchY;
+    const HeightMap& all = stored.channel.map;
+    cropped.channel.originX += part.column * all.pitchX;
+    cropped.channel.originY += (all.rows - part.row - part.rows) * all.pitchY;
     cropped.channel.map.columns = part.columns;
     cropped.channel.map.rows = part.rows;
     cropped.readRow = [&stored, part](int row, RowRoom& room, double* numbers) {

@@ -14,8 +14,7 @@
 
 /// Skips the calling test where the program is not installed.
 #define ASPERITY_NEEDS_GWYDDION()                                                                  \
-    if (installedGwyddion().program.empty())                                                       \
-    GTEST_SKIP() << "the program gwyddion is not installed"
+    if (installedGwyddion().program.empty()) GTEST_SKIP() << "gwyddion is not installed"
 
 namespace asperity::test {
 

@@ -1,5 +1,6 @@
 #include "core/io/recording/PackedTables.h"
 
+#include "core/io/hdf5/Hdf5Output.h"
 #include "core/io/hdf5/Hdf5Rows.h"
 #include "core/io/recording/ColumnUnit.h"
 #include "core/io/recording/RowChecks.h"
