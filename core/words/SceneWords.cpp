@@ -27,8 +27,10 @@ std::string pixelWords(double pixels) {
 
 /// What no deviation of a result holds: docs/uncertainty.md 1.6.
 std::string noisyWords(const Scene& scene) {
-    const SceneDescription& description = scene.description;
-    return description.tip.radius * scene.curvatureNoise > description.tolerance
+    // At 0.09 (30 pm and a low-pass of one pixel of 1 nm, a tip of 15 nm) readings lie within their
+    // deviations, at 0.3 they are half of what they should be.
+    constexpr double kNoisy = 0.15;  // of the tip's own curvature
+    return scene.description.tip.radius * scene.curvatureNoise > kNoisy
                ? "; the tip touches the highest of noisy places first: pull-off and stiffness come "
                  "out too low, by more than their deviations say"
                : "";

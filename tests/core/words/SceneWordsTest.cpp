@@ -68,6 +68,8 @@ TEST(SceneWords, SayByWhatAScanIsSmoothed) {
         "highest of noisy places first: pull-off and stiffness come out too low, by more than "
         "their deviations say");
     scene.description.sample.smoothingPixels = 1.0;
+    EXPECT_NE(smoothingNote(scene).find("too low"), std::string::npos) << "too little";
+    scene.curvatureNoise = 0.09 / scene.description.tip.radius;
     EXPECT_EQ(smoothingNote(scene),
               "smoothing: 1 pixel, as the scene states; 30 pm of height noise");
     scene.curvatureNoise = 0.0;

@@ -78,8 +78,8 @@ TEST(HeightMapFile, FormatsAreListedByTheirUsualExtensions) {
                 ElementsAre(".gwy", ".spm", ".di", ".0*", ".1*", ".2*", ".3*", ".gsf", ".tiff",
                             ".tif", ".jpk", ".jpk-qi-image", ".sxm", ".nid", ".ezd", ".stp", ".top",
                             ".mi", ".sur", ".sdf", ".bcr", ".bcrf", ".ibw", ".jpk-qi-data",
-                            ".jpk-force-map", ".x3p", ".exr", ".png", ".vti", ".txt", ".xyz",
-                            ".asc", ".csv", ".dat"));
+                            ".jpk-force-map", ".x3p", ".exr", ".png", ".vti", ".nxs", ".txt",
+                            ".xyz", ".asc", ".csv", ".dat"));
     EXPECT_THAT(heightMapExtensions(),
                 ElementsAre(".gwy", ".gsf", ".exr", ".tiff", ".tif", ".png", ".vti", ".txt"));
 }
