@@ -20,13 +20,13 @@ POWERS = {"pull_off_force": 2, "adhesion_force": 2, "snap_in_distance": 1, "sepa
 
 
 class Sample:
-    """The part of the scan, and the scene, at a scale."""
+    """A part of a scan, and the scene, at a scale."""
 
-    def __init__(self, program, scale):
-        rows, pitch = read_scan(DATA / "samples/particles.gsf")
+    def __init__(self, program, scale, scan="particles", first=60, tip_radius=15e-9):
+        rows, pitch = read_scan(DATA / f"samples/{scan}.gsf")
         self.program, self.scale = program, scale
         self.pitch = pitch * scale
-        part = [row[60:60 + SIDE] for row in rows[60:60 + SIDE]]
+        part = [row[first:first + SIDE] for row in rows[first:first + SIDE]]
         self.top = max(map(max, part)) * scale
         program.write_scan("part.gsf", [[height * scale for height in row] for row in part],
                            self.pitch)
@@ -34,7 +34,7 @@ class Sample:
             "sample": {"file": "part.gsf", "level": "none", "smoothing_px": 1,
                        "youngs_modulus_pa": 2e9, "poisson_ratio": 0.4, "friction_coefficient": 0,
                        "work_of_adhesion_j_m2": 0.066 * scale},
-            "tip": {"radius_m": 15e-9 * scale},
+            "tip": {"radius_m": tip_radius * scale},
             "probe": {"length_m": 150e-6 * scale, "width_m": 30e-6 * scale,
                       "tip_height_m": 12e-6 * scale, "stiffness_n_m": 14 * scale},
             "physics": {"law": "md", "cohesive_range_m": 0.35678e-9 * scale},
@@ -70,6 +70,24 @@ class Sample:
                 for key, power in POWERS.items()}
 
 
+def check_map(checks, name, pixels, expected):
+    for key, values in pixels.items():
+        size = max(abs(value) for value in expected[key] if not math.isnan(value))
+        same = [math.isnan(a) == math.isnan(b) for a, b in zip(values, expected[key])]
+        off = max(abs(a - b) / max(abs(b), 0.01 * size) for a, b in zip(values, expected[key])
+                  if not math.isnan(a) and not math.isnan(b))
+        checks.holds(f"{name}, worst {key}", all(same) and off < QUANTITY, f"{off:.2g}")
+
+
+def check_several_contacts(checks, program):
+    """A film's hollows, where several places hold the tip, also at scales that round the heights."""
+    def map_at(scale):
+        return Sample(program, scale, "granular_film", 200, 30e-9).map()
+    expected = map_at(1)
+    for scale in (1 / 8, 3.3, 16, 64):
+        check_map(checks, f"several contacts, scale {scale:g}: map", map_at(scale), expected)
+
+
 def worst(values, expected):
     return max(math.dist(value, other) for value, other in zip(values, expected))
 
@@ -94,12 +112,8 @@ def main(path):
         off = max(max(abs(a - c) / deepest, abs(b - d) / strongest)
                   for (a, b), (c, d) in zip(other, curve))
         checks.holds(name + "curve, worst place or force", off < FORCE, f"{off:.2g} of the largest")
-        for key, values in sample.map().items():
-            size = max(abs(value) for value in pixels[key] if not math.isnan(value))
-            same = [math.isnan(a) == math.isnan(b) for a, b in zip(values, pixels[key])]
-            off = max(abs(a - b) / max(abs(b), 0.01 * size) for a, b in zip(values, pixels[key])
-                      if not math.isnan(a) and not math.isnan(b))
-            checks.holds(f"{name}map, worst {key}", all(same) and off < QUANTITY, f"{off:.2g}")
+        check_map(checks, f"{name}map", sample.map(), pixels)
+    check_several_contacts(checks, program)
     checks.finish()
 
 
