@@ -159,7 +159,7 @@ Converted convertFiltered(const ConvertOptions& options, const ConvertedFile& fi
     return {summaryOf(scan.channel, rows, scan.map.invalid), std::move(scan.notes)};
 }
 
-/// Whether a file is written as a surface, of which nothing is left without heights.
+/// Returns whether a file's format holds a surface, which needs heights, and not an image.
 bool isShape(const std::string& file) {
     const std::string extension = lowerCase(std::filesystem::path(file).extension().string());
     return std::ranges::any_of(surfaceFormats(), [&](const HeightMapFormat* format) {

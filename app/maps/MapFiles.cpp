@@ -70,7 +70,7 @@ public:
 private:
     const MapPlan& plan_;
     double originX_;  ///< of the region in the instrument's frame [m]
-    double originY_;  ///< likewise [m]
+    double originY_;  ///< its y [m]
     std::map<std::string, std::string> metadata_;
     std::vector<WrittenImage> images_;
 };

@@ -49,7 +49,8 @@ private:
 /// @param compared as in mapFits() @throw Error unless it does
 void requireMapFits(const MapPlan& plan, std::size_t compared = 0);
 
-/// Whether the .gwy that is there is of this map, by its key. What cannot be read is no map.
+/// Returns whether the .gwy in place is the result of this map, by the key that it carries; false
+/// where it cannot be read.
 [[nodiscard]] bool holdsMap(const MapFiles& files, const LoadedScene& loaded, const MapPlan& plan);
 
 /// Writes every quantity as a channel with its unit to .gwy, .vti and .exr, one row after the other

@@ -25,7 +25,7 @@ struct LoadedScene {
     std::vector<std::string> channels = {};  ///< of the file, those that can be taken instead
     std::size_t filledPixels = 0;            ///< of the map as loaded that held no data
     double originX = 0.0;  ///< lower left corner of the scan in the instrument's frame [m]
-    double originY = 0.0;  ///< likewise [m]
+    double originY = 0.0;  ///< its y [m]
 };
 
 /// All that was decided about a scene: its notes, and those on the force.

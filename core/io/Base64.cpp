@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <openssl/evp.h>
 #include <vector>
 
@@ -12,7 +13,7 @@ namespace {
 constexpr std::size_t kGroup = 4;       // letters
 constexpr std::size_t kGroupBytes = 3;  // that they stand for
 
-/// Of letters without padding but at their end.
+/// Decodes letters whose padding, if they have any, stands at their end.
 bool appendPart(std::string& bytes, std::string_view letters) {
     // The library counts padding as bytes, wherever it stands.
     constexpr std::size_t kMostPadding = 2;
@@ -33,6 +34,25 @@ bool appendPart(std::string& bytes, std::string_view letters) {
 }
 
 }  // namespace
+
+std::string base64(std::string_view bytes) {
+    static constexpr std::string_view kDigits =
+        "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    std::string text;
+    text.reserve((bytes.size() + 2) / 3 * 4);
+    for (std::size_t i = 0; i < bytes.size(); i += 3) {
+        const auto byteAt = [&](std::size_t place) {
+            return place < bytes.size() ? static_cast<std::uint8_t>(bytes[place]) : 0U;
+        };
+        const std::uint32_t three =
+            byteAt(i) << 16U | byteAt(i + 1) << 8U | static_cast<std::uint32_t>(byteAt(i + 2));
+        for (std::size_t digit = 0; digit < 4; ++digit) {
+            const bool isThere = i + digit <= bytes.size();
+            text += isThere ? kDigits[three >> (18U - 6U * digit) & 63U] : '=';
+        }
+    }
+    return text;
+}
 
 bool appendBase64(std::string& bytes, std::string_view letters) {
     constexpr std::size_t kMostLetters = std::size_t{1} << 20U;  // at a time

@@ -1,10 +1,10 @@
 #include "app/reports/page/HtmlPage.h"
 
-#include "app/reports/page/Base64.h"
 #include "app/reports/page/StyleColor.h"
 #include "app/reports/page/SvgPlot.h"
 #include "core/FormattedText.h"
 #include "core/PrintableText.h"
+#include "core/io/Base64.h"
 
 #include <cctype>
 

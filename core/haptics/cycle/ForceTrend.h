@@ -39,7 +39,8 @@ public:
     /// one half is measured without bias by the other.
     /// @param sign 1: of the force, -1: of its opposite
     [[nodiscard]] std::array<HalfForce, 2> halves(double sign) const noexcept;
-    /// Whether the sample pushes: by more than white noise of these deviations does in days.
+    /// Returns whether the sample pushes: the force exceeds five standard deviations, which white
+    /// noise alone does once in days.
     [[nodiscard]] bool pushes() const noexcept { return force() > kSure * sigma(); }
     [[nodiscard]] bool pulls() const noexcept { return force() < -kSure * sigma(); }
 

@@ -11,7 +11,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <set>
 
 // Scans in NeXus files (HDF5) by the definitions NXafm, NXstm and NXspm. Each NXdata whose signal
@@ -79,12 +78,13 @@ struct NexusAxis {
     double first = 0.0;  ///< [m]
     double last = 0.0;   ///< [m]
     bool isKnown = false;
+    bool isLength = false;  ///< else first and last have no unit that is one
 
     [[nodiscard]] bool falls() const { return isKnown && last < first; }
     /// Of all pixels, whose middles the axis names [m].
     [[nodiscard]] double size(std::uint64_t pixels) const {
         const auto count = static_cast<double>(pixels);
-        return isKnown && pixels > 1 ? std::abs(last - first) * count / (count - 1.0) : 0.0;
+        return isLength && pixels > 1 ? std::abs(last - first) * count / (count - 1.0) : 0.0;
     }
 };
 
@@ -129,22 +129,26 @@ private:
             }
         }
         // HDF5 has them in the order of their names, "backward" first.
-        const std::string shown = entry_ + "/" + textOf(entry_, "default");
         std::ranges::stable_sort(groups, {}, [&](const std::string& group) {
+            const std::string entry = entryOf(group);
+            const std::string shown = entry + "/" + textOf(entry, "default");
             const bool isBackward = directionFromName(nameOf(group)) == "backward";
             return group == shown ? 0 : (isBackward ? 2 : 1);
         });
         return groups;
     }
 
+    [[nodiscard]] static std::string entryOf(const std::string& path) {
+        return path.substr(0, path.find('/', 1));
+    }
+
     /// Whether a group lies in an entry of one of the definitions.
     [[nodiscard]] bool isInEntry(const std::string& path) {
-        const std::string entry = path.substr(0, path.find('/', 1));
-        const std::string definition(trimmed(content_.text(Kind::Dataset, entry + "/definition")));
+        const std::string definition(
+            trimmed(content_.text(Kind::Dataset, entryOf(path) + "/definition")));
         if (std::ranges::count(kDefinitions, definition) == 0) {
             return false;
         }
-        entry_ = entry;
         definition_ = definition;
         return true;
     }
@@ -188,36 +192,32 @@ private:
             if (item == nullptr || !item->place || item->shape.size() != 1 || item->count == 0) {
                 continue;
             }
-            const double factor = lengthFactor(textOf(path, "units"));
-            NexusAxis axis{.path = path, .isKnown = true};
+            const PhysicalUnit unit = nexusUnit(textOf(path, "units"));
+            NexusAxis axis{.path = path};
             content.read(*item, 0, std::span<double>(&axis.first, 1));
             content.read(*item, item->count - 1, std::span<double>(&axis.last, 1));
-            axis.first *= factor;
-            axis.last *= factor;
+            axis.first *= unit.factor;
+            axis.last *= unit.factor;
             axis.isKnown = std::isfinite(axis.first) && std::isfinite(axis.last);
+            axis.isLength = axis.isKnown && unit.base == "m";
             axes_[path] = axis;
         }
     }
 
-    /// [m]; 1 where it has no unit or another one.
-    [[nodiscard]] static double lengthFactor(const std::string& units) {
-        const PhysicalUnit unit = nexusUnit(units);
-        return unit.base == "m" ? unit.factor : 1.0;
-    }
-
-    /// A number of the entry's scan, by the end of its path [m or degrees]; empty: there is none.
-    [[nodiscard]] std::optional<double> scanNumber(const std::string& name) const {
+    /// A number of an entry's scan, by the end of its path, in this unit or one of its kind; empty:
+    /// there is none.
+    [[nodiscard]] std::optional<double>
+    scanNumber(const std::string& entry, const std::string& name, std::string_view base) const {
         for (const Hdf5Item& item : content_.items()) {
-            if (item.kind == Kind::Dataset && item.path.starts_with(entry_ + "/") &&
+            if (item.kind == Kind::Dataset && item.path.starts_with(entry + "/") &&
                 nameOf(item.path) == name && nameOf(parentOf(item.path)) == "scan_region" &&
                 item.count == 1 && item.place) {
                 double value = 0.0;
                 content_.read(item, 0, std::span<double>(&value, 1));
                 const PhysicalUnit unit = nexusUnit(textOf(item.path, "units"));
-                const double factor = unit.base == "m" || unit.base == "deg" ? unit.factor
-                                      : unit.base == "rad" ? unit.factor * 180.0 / std::numbers::pi
-                                                           : 1.0;
-                return std::isfinite(value) ? std::optional(value * factor) : std::nullopt;
+                return std::isfinite(value) && unit.base == base
+                           ? std::optional(value * unit.factor)
+                           : std::nullopt;
             }
         }
         return std::nullopt;
@@ -236,8 +236,10 @@ private:
         const std::uint64_t columns = signal.shape[isTurned ? 0 : 1];
         const ImageSize size =
             checkedImageSize(toSigned(columns), toSigned(rows), bytes_.name(), signal.path);
-        const double width = scanNumber("scan_range_x").value_or(x.size(columns));
-        const double height = scanNumber("scan_range_y").value_or(y.size(rows));
+        const std::string entry = entryOf(group);
+        const auto length = [&](const char* name) { return scanNumber(entry, name, "m"); };
+        const double width = length("scan_range_x").value_or(x.size(columns));
+        const double height = length("scan_range_y").value_or(y.size(rows));
         const PhysicalUnit unit = nexusUnit(textOf(signal.path, "units"));
         ScanChannel channel;
         channel.name = nameOf(signal.path);
@@ -245,11 +247,11 @@ private:
         channel.lateralUnit = "m";
         channel.direction = directionFromName(nameOf(group));
         channel.map = emptyMap(size, std::abs(width), std::abs(height));
-        setOrigin(channel, scanNumber("scan_offset_value_x").value_or(0.0),
-                  scanNumber("scan_offset_value_y").value_or(0.0), GivenPoint::Center);
-        noteRotation(scan_.notes, scanNumber("scan_angle_n").value_or(0.0));
+        setOrigin(channel, length("scan_offset_value_x").value_or(0.0),
+                  length("scan_offset_value_y").value_or(0.0), GivenPoint::Center);
+        noteRotation(scan_.notes, scanNumber(entry, "scan_angle_n", "deg").value_or(0.0));
         channel.metadata["NXdata"] = group;
-        settleSize(channel, scanNumber("scan_range_x") ? "scan_region, scan_range" : "axes");
+        settleSize(channel, length("scan_range_x") ? "scan_region, scan_range" : "axes");
         channel.provenance.push_back(
             {"orientation",
              y.falls() ? "the top row is stored first" : "the bottom row is stored first",
@@ -308,7 +310,6 @@ private:
 
     const ByteSource& bytes_;
     Hdf5Content content_;
-    std::string entry_;
     std::string definition_;
     std::map<std::string, NexusAxis> axes_;
     StoredScan scan_;

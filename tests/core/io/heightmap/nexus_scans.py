@@ -17,11 +17,12 @@ IMAGE = numpy.array([[100.0 * row + column for column in range(COLUMNS)] for row
 
 
 def write_scan(path, *, definition="NXafm", axes=("y", "x"), falls=("y",), unit="nanometer",
-               region=True, dtype=">f4", compression=None):
+               region=True, dtype=">f4", compression=None, places="micrometer", mode="w",
+               name="entry", width=80.0):
     """The image along these axes, the slow one first, each rising or falling."""
-    with h5py.File(path, "w") as file:
+    with h5py.File(path, mode) as file:
         file.attrs["NX_class"] = "NXroot"
-        entry = file.create_group("entry")
+        entry = file.create_group(name)
         entry.attrs["NX_class"] = "NXentry"
         entry["definition"] = definition
         group = entry.create_group("z_backward")
@@ -33,20 +34,20 @@ def write_scan(path, *, definition="NXafm", axes=("y", "x"), falls=("y",), unit=
         values = values.T if axes[0] == "x" else values
         signal = group.create_dataset("z", data=values.astype(dtype), compression=compression)
         signal.attrs["units"] = unit
-        for name, count in (("x", COLUMNS), ("y", ROWS)):
-            places = 2e-3 * numpy.arange(count)  # um
-            group[name] = places[::-1] if name in falls else places
-            group[name].attrs["units"] = "micrometer"
+        for axis, count in (("x", COLUMNS), ("y", ROWS)):
+            rising = 2e-3 * numpy.arange(count)
+            group[axis] = rising[::-1] if axis in falls else rising
+            group[axis].attrs["units"] = places
         line = entry.create_group("spectrum")
         line.attrs["NX_class"] = "NXdata"
         line.attrs["signal"] = "current"
         line["current"] = [1.0, 2.0]
         if region:
             scan = entry.create_group("instrument/scan_environment/scan_control/scan_region")
-            for name, value in (("scan_range_x", 80.0), ("scan_range_y", 25.0),
-                                ("scan_offset_value_x", 100.0), ("scan_offset_value_y", -7.5)):
-                scan[name] = value
-                scan[name].attrs["units"] = "nanometer"
+            for key, value in (("scan_range_x", width), ("scan_range_y", 25.0),
+                               ("scan_offset_value_x", 100.0), ("scan_offset_value_y", -7.5)):
+                scan[key] = value
+                scan[key].attrs["units"] = "nanometer"
 
 
 class Files:
@@ -96,6 +97,12 @@ def check_facts(files):
     write_scan(path, region=False, definition="NXstm")
     width, height = sizes(files.info(path))
     assert abs(width / 16e-9 - 1) < 1e-9 and abs(height / 10e-9 - 1) < 1e-9, (width, height)
+    write_scan(path, region=False, places="volt")
+    assert not files.info(path)["channels"][0]["size_known"], "axes in volts say no size"
+    write_scan(path)
+    write_scan(path, mode="a", name="second", width=40.0)
+    widths = sorted(channel["size_x_m"] for channel in files.info(path)["channels"])
+    assert numpy.allclose(widths, [40e-9, 80e-9], rtol=1e-9), "each entry has its own range"
 
 
 def sizes(info):
