@@ -1,6 +1,7 @@
 #include "core/uncertainty/PlaceBudgets.h"
 
 #include "core/scene/Scene.h"
+#include "core/uncertainty/CycleBudgets.h"
 #include "core/uncertainty/FitResponse.h"
 #include "tests/support/TestScenes.h"
 
@@ -171,6 +172,22 @@ TEST_F(ImagedBump, WasSmoothedBeforeItWasEroded) {
                                   UncertaintyInput::Smoothing);
     EXPECT_GT(expected, 0.005);
     EXPECT_NEAR(share, expected, 0.3 * expected) << "a fourth derivative between wide pixels";
+}
+
+/// The law's pull-off does not depend on the lever; a reading of its signals does.
+TEST(PlaceBudgets, OfReadingsHoldTheLever) {
+    const Scene scene = buildScene(softScene(), test::flatMap());
+    const PlaceBudgets budgets = budgetsAt(scene, kMiddle, 2e-9);
+    ContactCycle cycle;
+    cycle.pullOff = Reading{5e-9, 0.1e-9};
+    cycle.adhesionWork = 1e-18;
+    for (const char* key : {"pull_off_force_n", "adhesion_work_j"}) {
+        const std::optional<Budget> read = budgetNamed(cycleBudgets(budgets, cycle), key);
+        ASSERT_TRUE(read) << key;
+        EXPECT_GE(read->share(UncertaintyInput::Stiffness), 0.095 * read->value) << key;
+        EXPECT_GE(read->share(UncertaintyInput::InvOls), 0.029 * read->value) << key;
+    }
+    EXPECT_NEAR(relative(budgets, Landmark::AdhesionForce, UncertaintyInput::Stiffness), 0.0, 1e-6);
 }
 
 /// A sharp asperity's law hardly depends on how blunt the tip is; what attracts beside it goes as
