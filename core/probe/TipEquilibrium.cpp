@@ -110,9 +110,17 @@ private:
     /// How far the tip may move from where closest points are looked for [m]. A lever bends by less
     /// than its base moves, as long as nothing jumps.
     [[nodiscard]] double marginFor(const EquilibriumMemory& memory) const {
-        const double narrow = kNarrowLook * system_.tipRadius();
         const double moved = (base_.position - (memory.tip - memory.deflection)).norm();
-        return memory.pointCount > 0 && moved <= narrow ? narrow : kWideLook * system_.tipRadius();
+        const double narrow = kNarrowLook * lookScale();
+        return memory.pointCount > 0 && moved <= narrow ? narrow : kWideLook * lookScale();
+    }
+
+    /// What is wide for a look [m]: the tip's radius, but for a blunt tip what is beyond the range
+    /// of its attraction many times bears nothing.
+    [[nodiscard]] double lookScale() const {
+        constexpr double kManyRanges = 50.0;  // a wide look doubles the range
+        const double radius = system_.tipRadius();
+        return range_ > 0.0 ? std::min(radius, kManyRanges * range_) : radius;
     }
 
     /// How far from the tip's center a closest point bears a force, where nothing bonds it [m].
@@ -184,12 +192,29 @@ private:
         return points_.size() < before;
     }
 
+    /// Looks no farther than as the points can be told apart: of too many near a blunt tip those
+    /// that bear could be missed.
+    ContactPoints lookWith(std::span<const SearchGuess> known) {
+        constexpr int kMaxNarrower = 4;
+        constexpr double kNarrower = 0.25;
+        const auto look = [&] {
+            return surface_.contactPoints({lookedFrom_, system_.tipRadius()}, range_ + margin_,
+                                          known, tracker_);
+        };
+        ContactPoints found = look();
+        for (int i = 0; i < kMaxNarrower && found.proof == SearchProof::TooManyPoints; ++i) {
+            margin_ *= kNarrower;
+            found = look();
+        }
+        return found;
+    }
+
     void addPoints(std::span<const SearchGuess> known, const EquilibriumMemory& memory) {
         lookedFrom_ = center();
+        const ContactPoints found = lookWith(known);
         freeToMove_ = margin_;
-        const ContactPoints found = surface_.contactPoints({lookedFrom_, system_.tipRadius()},
-                                                           range_ + margin_, known, tracker_);
         state_.proof = found.proof;
+        joined_ = found.joined;
         for (const ClosestPoint& place : found.list.all()) {
             if (!isKnown(place, points_.size())) {
                 addPoint(place, memory);
@@ -352,6 +377,9 @@ private:
                                            closest.contact.contactRadius / closest.radius.radius);
         }
         state_.points = std::max(1, state_.points);
+        if (joined_ && state_.proof == SearchProof::Nearest) {
+            state_.proof = SearchProof::TooManyPoints;
+        }
         for (const TipContactPoint& closest : points_) {
             reportNeighbors(closest);
         }
@@ -417,7 +445,8 @@ private:
     ClosestPointTracker& tracker_;
     Vector3 deflection_ = Vector3::Zero();
     std::array<bool, kMaxContactPoints>
-        taken_{};  ///< which of the remembered closest points have been found again
+        taken_{};          ///< which of the remembered closest points have been found again
+    bool joined_ = false;  ///< closest points that stand apart count as one
     Vector3 lookedFrom_ =
         Vector3::Zero();       ///< the tip's center when closest points were last looked for
     double freeToMove_ = 0.0;  ///< from there, until another closest point may bear [m]

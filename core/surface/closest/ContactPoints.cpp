@@ -24,6 +24,19 @@ ClosestPointList bearing(const ClosestPointList& points, double same, double far
     return apart;
 }
 
+/// Whether a closest point is left out of the list that a tip may touch beside it: a spline has no
+/// two bumps in half a pixel.
+bool joinsBumps(const ClosestPointList& minima, const ClosestPointList& apart, double pitch,
+                double farthest) {
+    constexpr double kPixels = 0.5;
+    return std::ranges::any_of(minima.all(), [&](const ClosestPoint& closest) {
+        const auto isNear = [&](const ClosestPoint& other) {
+            return (other.point - closest.point).norm() <= kPixels * pitch;
+        };
+        return std::abs(closest.distance) <= farthest && std::ranges::none_of(apart.all(), isNear);
+    });
+}
+
 /// Which closest points a tip may press on or be attracted by: all that lie in its sphere or within
 /// `reach` of it, however much nearer another one is. Below the surface there is no out of reach:
 /// however deep the center lies, the nearest way out is what pushes it.
@@ -57,6 +70,8 @@ ContactPoints pointsOf(const BSplineSurface& surface, const TipSphere& tip, doub
     const double nearest = std::abs(minima.all().front().distance);
     const double farthest = within.limit(nearest);
     points.list = bearing(minima, same, farthest);
+    const double pitch = std::min(surface.grid().pitchX, surface.grid().pitchY);
+    points.joined = same > pitch && joinsBumps(minima, points.list, pitch, farthest);
     if (minima.hasLeftOut(farthest)) {
         points.proof = SearchProof::TooManyPoints;
     }

@@ -29,6 +29,9 @@ struct ContactPoints {
     /// Nearest: these are all; TooManyPoints: there may be more, or are more than kMaxMinima;
     /// Likely, NotSought: there may be more, with less effort than Certified.
     SearchProof proof = SearchProof::NotSought;
+    /// Some of those within reach stand more than half a pixel from one that counts for them, too:
+    /// a blunt tip may bear on both.
+    bool joined = false;
 };
 
 /// All closest points of the sphere's center that lie within `reach` of the sphere's surface, or,

@@ -359,5 +359,31 @@ TEST(ClosestPointList, OrdersPointsOfOneDistanceByTheirPlace) {
     }
 }
 
+/// Of two spikes nearer to each other than a fiftieth of the tip's radius one counts, and it says
+/// so.
+TEST(ContactPoints, SaysThatOneCountsForItsNeighbor) {
+    const auto spikes = [](double apart) {
+        return surfaceOf([apart](double x, double y) {
+            const auto spike = [&](double at) {
+                const double away = std::hypot(x - at, y) / 3.0_nm;
+                return 5.0_nm * std::exp(-away * away);
+            };
+            return spike(-0.5 * apart) + spike(0.5 * apart);
+        });
+    };
+    constexpr double kBlunt = 1000.0_nm;
+    const auto under = [&](double apart) {
+        return contactPoints(spikes(apart),
+                             {.center = {kMiddle, kMiddle, kBlunt + 6.0_nm}, .radius = kBlunt},
+                             3.0_nm, {});
+    };
+    const ContactPoints near = under(16.0_nm);
+    EXPECT_EQ(near.list.all().size(), 1U);
+    EXPECT_TRUE(near.joined);
+    const ContactPoints apart = under(30.0_nm);
+    EXPECT_EQ(apart.list.all().size(), 2U);
+    EXPECT_FALSE(apart.joined);
+}
+
 }  // namespace
 }  // namespace asperity
