@@ -16,23 +16,32 @@ constexpr int kMaxJumpHalvings = 60;
 
 enum class Way : std::int8_t { Down = -1, Up = 1 };
 
-/// A length that is small for a tip of 15 nm, and for another one in proportion: right at a jump
-/// the force goes as the root of the distance, so that a fixed one would show at another scale [m].
-double smallFor(const VerticalPath& path, double length) {
-    constexpr double kUsualRadius = 15e-9;  // [m]
-    return length * path.instrument().system().tipRadius() / kUsualRadius;
+/// What is long beside a search at a place: how far apart the base's positions at both jumps of the
+/// tip are by the law there; where it does not jump, how far it is attracted, or its radius [m].
+/// The tip's own radius says nothing of it: a blunt tip may stand on a sharp asperity.
+double jumpScale(const VerticalPath& path, const TipAtHeight& tip) {
+    const ContactModel law = contactModelAt(path.instrument().system(), tip.state);
+    const double compliance = path.compliance(tip.state);
+    const double loop = law.jumpInApproach(compliance) - law.pullOffApproach(compliance);
+    const double range = law.attractionRange();
+    return loop > 0.0 ? loop : range > 0.0 ? range : law.pair().tipRadius;
 }
 
-/// How near the base goes to a jump where the law knows the rest [m]. On a way that is sampled
-/// nearer than its shortest step: from farther off that step would go on from there, and back, and
-/// rounding would say at which of the two the search ends.
-double nearOn(const VerticalPath& path, double maxStep) {
+/// How near the base goes to a jump where the law knows the rest [m]: right at a jump the force
+/// goes as the root of the distance. On a way that is sampled nearer than its shortest step: from
+/// farther off that step would go on from there, and back, and rounding would say at which of the
+/// two the search ends.
+double nearOn(const VerticalPath& path, const TipAtHeight& tip, double maxStep) {
     constexpr double kOfStep = 0.5 * kShortest;
-    return std::isfinite(maxStep) ? kOfStep * std::abs(maxStep) : smallFor(path, 2e-11);
+    constexpr double kOfScale = 1.0 / 64.0;
+    return std::isfinite(maxStep) ? kOfStep * std::abs(maxStep) : kOfScale * jumpScale(path, tip);
 }
 
 /// Where it does not [m].
-double resolutionOn(const VerticalPath& path) { return smallFor(path, 1e-13); }
+double resolutionOn(const VerticalPath& path, const TipAtHeight& tip) {
+    constexpr double kOfScale = 1e-4;
+    return kOfScale * jumpScale(path, tip);
+}
 
 /// Of the undeflected tip towards the surface, along the normal [m].
 double approachOf(const VerticalPath& path, const TipAtHeight& tip) {
@@ -79,7 +88,7 @@ std::optional<TipJump> jumpOfLaw(const VerticalPath& path, const TipState& state
 /// @param lost a height at which it is not any more
 FoundJump narrowed(VerticalPath& path, TipAtHeight before, double lost, TipAtHeight after) {
     const bool wasBonded = before.isBonded();
-    const double resolution = resolutionOn(path);
+    const double resolution = resolutionOn(path, before);
     for (int i = 0; i < kMaxJumpHalvings && std::abs(lost - before.base) > resolution; ++i) {
         TipAtHeight middle = path.at(std::midpoint(before.base, lost), before.memory);
         const bool changed = middle.isBonded() != wasBonded;
@@ -132,22 +141,22 @@ TipAtHeight moved(VerticalPath& path, const TipAtHeight& from, double step, doub
 template <class Visit>
 std::optional<FoundJump> findJump(VerticalPath& path, TipAtHeight now, Way way, double maxStep,
                                   const Visit& visit) {
-    const double near = nearOn(path, maxStep);
-    const double there = smallFor(path, 1e-15);  // of the base at its distance from the jump [m]
+    constexpr double kThere = 1e-4;  // of the distance `near`
     constexpr int kCorrections = 6;
     const bool wasBonded = now.isBonded();
     // Steps of a way that is sampled are as long as it, those of one that is not begin small.
-    double push = std::isfinite(maxStep) ? kShortest * maxStep : 2.0 * near;
+    double push = 2.0 * nearOn(path, now, maxStep);
     int corrections = 0;
     TipAtHeight found = now;  // the last one in equilibrium
     double lost = now.base;   // the next height, at which there was none
     for (int i = 0; i < kMaxJumpSteps; ++i) {
         visit(now);
+        const double near = nearOn(path, now, maxStep);
         const double left = wayToJump(path, now, way);
         const bool knowsWay = isOfMainPoint(now, left, way, near);
         double step = stepTowards(left, maxStep, near);
         corrections += knowsWay && step < near ? 1 : 0;
-        const bool isThere = std::abs(step) <= there || corrections > kCorrections;
+        const bool isThere = std::abs(step) <= kThere * near || corrections > kCorrections;
         if (isThere || !knowsWay) {
             step = push;
             push = std::min(2.0 * push, std::max(push, maxStep));

@@ -9,8 +9,9 @@
 namespace asperity {
 
 /// Where the tip changes between free and bonded. On one contact point the contact law knows the
-/// jump: `before` is 20 pm away from it, or half of the shortest sampled step. On several, or where
-/// a lever that bends to the side loses the equilibrium first, they lie 0.1 pm apart: the last
+/// jump: `before` is a 64th of the base's way between both jumps away from it, or half of the
+/// shortest sampled step. On several, or where a lever that bends to the side loses the equilibrium
+/// first, they lie 1e-4 of that way apart: the last
 /// equilibrium, and the state beyond it. Where the search began from no equilibrium, and found
 /// none, `before` is none.
 struct FoundJump {

@@ -33,12 +33,9 @@ bool hasDeviations(const MapPlan& plan) {
 }
 
 void takeDeviations(const Scene& scene, const TipState& setpoint, MapValues& values) {
-    if (setpoint.points > 1) {
-        return;  // the budget is of one contact
-    }
     const PlaceBudgets budgets = budgetsAt(scene, setpoint, setpoint.normalForce);
     for (const DeviationRow& row : kDeviations) {
-        // Of a landmark that is missing it is not a number, too.
+        // Of a landmark that is missing, and of several contacts, it is not a number, too.
         values[row.deviation] =
             budgetOf(budgets, row.landmark).of(values[row.quantity], 0.0).modelAboutValue();
     }

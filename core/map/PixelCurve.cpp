@@ -94,8 +94,9 @@ void takeRetract(const VerticalPath& path, const RetractCurve& states, PixelCurv
         points.push_back(curvePointOf(path, *strongest));
         points.back().base = std::min(points.back().base, before.base);
     }
-    // Near to the jump its search goes back and forth by some picometers.
-    std::ranges::stable_sort(points, {}, &PixelCurvePoint::base);
+    // Near to the jump its search goes back and forth by some picometers. At the setpoint friction
+    // turns while the base stands still: rounding must not put that before the end of the approach.
+    std::ranges::stable_sort(points.begin() + 1, points.end(), {}, &PixelCurvePoint::base);
     if (states.pullOff.jumps()) {
         curve.pullOff = before;
         points.push_back(after);
