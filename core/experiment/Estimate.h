@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <span>
 
@@ -13,6 +14,10 @@ struct Estimate {
     double low = 0.0;        ///< of the interval
     double high = 0.0;       ///< of the interval
 
+    /// Whether the values are enough for an interval.
+    [[nodiscard]] bool hasInterval() const noexcept {
+        return std::isfinite(low) && std::isfinite(high) && count > 1;
+    }
     [[nodiscard]] bool isAbove(double value) const noexcept { return low > value; }
     [[nodiscard]] bool isBelow(double value) const noexcept { return high < value; }
 };

@@ -9,7 +9,9 @@ namespace asperity {
 namespace {
 
 std::string textOf(const Estimate& estimate, const char* unit) {
-    return formatted("%.3g (%.3g to %.3g) %s", estimate.mean, estimate.low, estimate.high, unit);
+    return estimate.hasInterval() ? formatted("%.3g (%.3g to %.3g) %s", estimate.mean, estimate.low,
+                                              estimate.high, unit)
+                                  : "–";
 }
 
 /// What is measured of both of two conditions.
@@ -32,7 +34,7 @@ public:
                 const Measure& measure) {
         const Estimate difference = differenceOf(more, less, measure.value);
         add(paper, "difference " + textOf(difference, measure.unit),
-            difference.count < 2      ? FindingVerdict::NotTested
+            !difference.hasInterval() ? FindingVerdict::NotTested
             : difference.isAbove(0.0) ? FindingVerdict::Agrees
             : difference.isBelow(0.0) ? FindingVerdict::Differs
                                       : FindingVerdict::Open);
@@ -44,7 +46,7 @@ public:
         std::string ours;
         FindingVerdict verdict = FindingVerdict::NotTested;
         for (const Estimate& value : values) {
-            if (value.count < 2) {
+            if (!value.hasInterval()) {
                 continue;
             }
             ours += (ours.empty() ? "" : "; ") + textOf(value, unit);

@@ -99,5 +99,18 @@ TEST(StudyFindings, AgreeOrDifferWhereTheIntervalLeavesOutZero) {
     EXPECT_EQ(verdictOf({}, finding), FindingVerdict::NotTested);
 }
 
+/// A single repeat has no slope.
+TEST(StudyFindings, AreNotTestedByWhatHasNoNumber) {
+    std::vector<TrialRecord> trials;
+    for (const int participant : {1, 2, 3, 4}) {
+        trials.push_back(record(participant, 1, 0, 1, 3.0 + participant, 4.0));
+    }
+    EXPECT_EQ(verdictOf(trials, "error does not change from repeat to repeat"),
+              FindingVerdict::NotTested);
+    for (const StudyFinding& finding : findingsOf(smallStudy(), trials)) {
+        EXPECT_EQ(finding.ours.find("nan"), std::string::npos) << finding.ours;
+    }
+}
+
 }  // namespace
 }  // namespace asperity::test
