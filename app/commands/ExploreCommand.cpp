@@ -17,6 +17,7 @@
 #include "app/runs/RunFolder.h"
 #include "app/runs/RunSummary.h"
 #include "core/Error.h"
+#include "core/FormattedText.h"
 #include "core/PrintableText.h"
 #include "core/SiFormat.h"
 #include "core/haptics/ApproachDevice.h"
@@ -244,9 +245,24 @@ Prepared prepare(const ExploreOptions& options) {
     return {std::move(loaded), std::move(plan)};
 }
 
+/// Says why no more than the noise is known of what a cycle shows.
+void takeUnknown(const ContactCycle& cycle, std::vector<std::string>& remarks) {
+    const std::string touch = formatted("touch at %.4g s", cycle.touchTime);
+    if (cycle.contacts > 1) {
+        remarks.push_back(touch + formatted(": up to %d contacts at once; what model and "
+                                            "calibration leave open is known of one contact only",
+                                            cycle.contacts));
+    }
+    if (cycle.interrupted) {
+        remarks.push_back(touch + ": ticks without a state of the model are left out, and the "
+                                  "touch may have been stronger there");
+    }
+}
+
 /// Says of each cycle what was read, and what is open in it.
 void takeResults(const Scene& scene, const std::vector<ContactCycle>& cycles, FinishedRun& run) {
     for (const ContactCycle& cycle : cycles) {
+        takeUnknown(cycle, run.remarks);
         for (const auto& [key, name, unit, budget] : cycleBudgets(scene, cycle)) {
             run.results.push_back(std::string(name) + " " + budgetText(budget, unit));
             std::string remark = resolutionText(budget, name, scene.description.tolerance);

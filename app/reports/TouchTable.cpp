@@ -17,7 +17,10 @@ const std::vector<std::string>& columns() {
                                                    "y_m",
                                                    "snap_in_force_n",
                                                    "snap_in_force_sigma_n",
+                                                   "snap_in_force_model_sigma_n",
                                                    "snap_in_distance_m",
+                                                   "snap_in_distance_sigma_m",
+                                                   "snap_in_distance_model_sigma_m",
                                                    "pull_off_force_n",
                                                    "pull_off_force_sigma_n",
                                                    "pull_off_force_model_sigma_n",
@@ -25,6 +28,7 @@ const std::vector<std::string>& columns() {
                                                    "hysteresis_j",
                                                    "area_sigma_j",
                                                    "adhesion_work_model_sigma_j",
+                                                   "hysteresis_model_sigma_j",
                                                    "contact_stiffness_n_m",
                                                    "contact_stiffness_sigma_n_m",
                                                    "contact_stiffness_model_sigma_n_m",
@@ -32,6 +36,7 @@ const std::vector<std::string>& columns() {
                                                    "max_force_sigma_n",
                                                    "max_force_model_sigma_n",
                                                    "max_indentation_m",
+                                                   "max_indentation_sigma_m",
                                                    "max_indentation_model_sigma_m",
                                                    "material",
                                                    "scan"};
@@ -54,7 +59,7 @@ public:
     /// What model and calibration leave open in a reading.
     void addModel(const Touch& touch, const char* key) {
         const std::optional<Budget> budget = budgetNamed(touch.budgets, key);
-        addIf(budget.has_value(), budget ? budget->modelAboutValue() : 0.0);
+        addIf(budget && budget->isModelKnown(), budget ? budget->modelAboutValue() : 0.0);
     }
     void add(const std::optional<Reading>& reading) {
         addIf(reading.has_value(), reading ? reading->value : 0.0);
@@ -72,7 +77,8 @@ void writeTouches(const std::filesystem::path& file, const std::vector<Touch>& t
                   {"touches of the tip, SI units; x and y from the scan's lower left corner; an "
                    "empty cell: no such value beyond the noise",
                    "sigma: standard deviation by noise; model_sigma: by what model and calibration "
-                   "leave open, empty as long as the touch goes on"},
+                   "leave open, empty as long as the touch goes on, with "
+                   "several contacts at once, or where a part has no state of the model"},
                   columns());
     for (std::size_t i = 0; i < touches.size(); ++i) {
         const Touch& touch = touches[i];
@@ -84,7 +90,9 @@ void writeTouches(const std::filesystem::path& file, const std::vector<Touch>& t
         row.add(cycle.place.x());
         row.add(cycle.place.y());
         row.add(cycle.snapIn);
-        row.addIf(cycle.snapIn.has_value(), cycle.snapInBaseDistance);
+        row.addModel(touch, "snap_in_force_n");
+        row.add(cycleReading("snap_in_distance_m").of(cycle));
+        row.addModel(touch, "snap_in_distance_m");
         row.add(cycle.pullOff);
         row.addModel(touch, "pull_off_force_n");
         row.add(cycle.adhesionWork);
@@ -92,11 +100,12 @@ void writeTouches(const std::filesystem::path& file, const std::vector<Touch>& t
         row.addIf(hysteresis.has_value(), hysteresis ? hysteresis->value : 0.0);
         row.add(cycle.areaSigma);
         row.addModel(touch, "adhesion_work_j");
+        row.addModel(touch, "hysteresis_j");
         row.add(cycle.stiffness);
         row.addModel(touch, "contact_stiffness_n_m");
         row.add(std::optional(cycle.maxForce));
         row.addModel(touch, "max_force_n");
-        row.add(cycle.maxIndentation);
+        row.add(std::optional(cycle.maxIndentation));
         row.addModel(touch, "max_indentation_m");
         row.add(touch.material.toStdString());
         row.add(touch.scan.toStdString());

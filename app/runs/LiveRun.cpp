@@ -177,6 +177,7 @@ void LiveRun::adoptModel(const LoadedScene& fitted) {
     const bool isAnother = loaded_->scene.model != fitted.scene.model;
     loaded_->needs = fitted.needs;
     loaded_->scene.model = fitted.scene.model;
+    loaded_->scene.leftOut = fitted.scene.leftOut;
     loaded_->scene.belief = fitted.scene.belief;
     halfSpace_ = newHalfSpace();
     if (isAnother) {

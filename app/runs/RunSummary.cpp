@@ -22,6 +22,8 @@ namespace {
 
 using OrderedJson = nlohmann::ordered_json;
 
+constexpr const char* kLeftOut = "terms_left_out";
+
 OrderedJson sceneJson(const SceneDescription& scene) {
     std::ostringstream text;
     text << toml::json_formatter(toml::parse(sceneText(scene)));
@@ -150,19 +152,30 @@ OrderedJson readingJson(const std::optional<Reading>& reading) {
     return reading ? OrderedJson(reading->value) : OrderedJson(nullptr);
 }
 
+/// What leaves most open: an input, or the terms left out. Null: nothing, or it is not known.
+OrderedJson dominantJson(const Budget& budget) {
+    const std::optional<UncertaintyInput> dominant = budget.dominant();
+    const double largest = dominant ? budget.share(*dominant) : 0.0;
+    if (budget.isModelKnown() && budget.leftOut > largest) {
+        return kLeftOut;
+    }
+    return dominant ? OrderedJson(keyOf(*dominant)) : OrderedJson(nullptr);
+}
+
+/// A deviation that is not known is null.
 OrderedJson budgetJson(const CycleBudget& one) {
     const Budget& budget = one.budget;
     OrderedJson shares = OrderedJson::object();
     for (const UncertaintyInput input : kValues<UncertaintyInput>) {
         shares[keyOf(input)] = budget.share(input);
     }
-    const std::optional<UncertaintyInput> dominant = budget.dominant();
     return {{"text", budgetText(budget, one.unit)},
             {"value", budget.value},
             {"shift", budget.shift},
             {"noise_sigma", budget.noise},
             {"model_sigma", budget.model()},
-            {"dominant", dominant ? OrderedJson(keyOf(*dominant)) : OrderedJson(nullptr)},
+            {kLeftOut, budget.leftOut},
+            {"dominant", dominantJson(budget)},
             {"shares", shares}};
 }
 
@@ -188,7 +201,9 @@ OrderedJson cycleJson(const Scene& scene, const ContactCycle& cycle) {
             {"snap_in_force_sigma_n",
              cycle.snapIn ? OrderedJson(cycle.snapIn->sigma) : OrderedJson(nullptr)},
             {"snap_in_distance_m",
-             cycle.snapIn ? OrderedJson(cycle.snapInBaseDistance) : OrderedJson(nullptr)},
+             cycle.snapIn ? OrderedJson(cycle.snapInBaseDistance.value) : OrderedJson(nullptr)},
+            {"snap_in_distance_sigma_m",
+             cycle.snapIn ? OrderedJson(cycle.snapInBaseDistance.sigma) : OrderedJson(nullptr)},
             {"pull_off_force_n", readingJson(cycle.pullOff)},
             {"pull_off_force_sigma_n",
              cycle.pullOff ? OrderedJson(cycle.pullOff->sigma) : OrderedJson(nullptr)},
@@ -198,7 +213,10 @@ OrderedJson cycleJson(const Scene& scene, const ContactCycle& cycle) {
             {"contact_stiffness_n_m", readingJson(cycle.stiffness)},
             {"max_force_n", cycle.maxForce.value},
             {"max_force_sigma_n", cycle.maxForce.sigma},
-            {"max_indentation_m", cycle.maxIndentation},
+            {"max_indentation_m", cycle.maxIndentation.value},
+            {"max_indentation_sigma_m", cycle.maxIndentation.sigma},
+            {"contacts", cycle.contacts},
+            {"interrupted", cycle.interrupted},
             {"uncertainty", budgetsJson(scene, cycle)}};
 }
 

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "core/fidelity/JudgedQuantity.h"
 #include "core/fidelity/ModelRun.h"
 #include "core/fidelity/SampledCycle.h"
 #include "core/scene/ForceModelOptions.h"
+#include "core/scene/JudgedQuantity.h"
 
 #include <list>
 #include <optional>

@@ -268,6 +268,9 @@ SceneNeeds fitModel(Scene& scene, double longestTick, Progress* progress) {
         need.on = has(needs.model, need.term);
     }
     setModel(scene, needs.model);
+    if (needs.measured) {
+        scene.leftOut = needs.totalErrors();
+    }
     return needs;
 }
 

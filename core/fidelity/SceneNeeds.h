@@ -1,16 +1,27 @@
 #pragma once
 
 #include "core/Progress.h"
-#include "core/fidelity/JudgedQuantity.h"
 #include "core/fidelity/SurfaceNeeds.h"
+#include "core/scene/JudgedQuantity.h"
 #include "core/scene/ModelTerm.h"
 
+#include <cmath>
 #include <optional>
 #include <vector>
 
 namespace asperity {
 
 struct Scene;
+
+/// The error to two digits, the next larger ones; >= 0.
+[[nodiscard]] inline double roundedUp(double error) noexcept {
+    constexpr double kRounding = 1e-9;  // of binary numbers: 0.054 is 0.054
+    if (!(error > 0.0)) {
+        return 0.0;
+    }
+    const double unit = std::pow(10.0, std::floor(std::log10(error)) - 1.0);
+    return std::ceil((error / unit) - kRounding) * unit;
+}
 
 /// The quantities of a scene and a run of it that decide about a term, see factOf().
 struct TermFact {
@@ -69,7 +80,7 @@ struct SceneNeeds {
 inline constexpr double kLongestTick = 1e-3;  ///< of scenes whose model is fitted [s]
 
 /// Finds the terms that change any of the judged quantities, or displacements, by more than the
-/// scene's tolerance, and gives the scene the model of these alone.
+/// scene's tolerance, and gives the scene the model of these alone, and its error.
 ///
 /// On sampled runs and cycles (SampledRuns) it leaves out one term after another, the least effect
 /// first, as long as each alone and all together stay within the tolerance in every quantity. Terms

@@ -252,6 +252,7 @@ Scene withDescription(const Scene& scene, const SceneDescription& description) {
 void setModel(Scene& scene, const ForceModelOptions& model) {
     scene.belief = believedSystem(scene.description, model);
     scene.model = model;
+    scene.leftOut.reset();
     scene.belief.field = believedField(scene);
     scene.belief.beside = model.bodyAttraction ? scene.moments : nullptr;
 }

@@ -5,6 +5,7 @@
 #include "core/probe/ProbeSystem.h"
 #include "core/probe/TipEquilibrium.h"
 #include "core/scene/ForceModelOptions.h"
+#include "core/scene/JudgedQuantity.h"
 #include "core/scene/ScanSmoothing.h"
 #include "core/scene/SceneDescription.h"
 #include "core/scene/Settings.h"
@@ -46,7 +47,10 @@ struct Scene {
     SceneMaps maps;                            ///< of materials that are not the same everywhere
     /// Of the surface, where the tip is blunt on it, see AsperityValidity.h; else null.
     std::shared_ptr<const HeightMoments> moments = nullptr;
-    ForceModelOptions model;       ///< with which the believed force is computed
+    ForceModelOptions model;  ///< with which the believed force is computed
+    /// What the terms that the model leaves out, or its law has no room for, change each quantity
+    /// by, where fitModel() has found it.
+    std::optional<QuantityErrors> leftOut = std::nullopt;
     ProbeSystem belief;            ///< what the operator's side takes tip, lever and sample to be
     ProbeSystem truth;             ///< what they are inside the simulated instrument
     LeverSignals signalSigma;      ///< noise of the signals as the estimator takes it [rad]
@@ -94,7 +98,7 @@ struct Scene {
 /// @throw Error as buildScene()
 [[nodiscard]] Scene withDescription(const Scene& scene, const SceneDescription& description);
 
-/// Sets another model. @throw Error as believedSystem()
+/// Sets another model, of whose error nothing is known. @throw Error as believedSystem()
 void setModel(Scene& scene, const ForceModelOptions& model);
 
 }  // namespace asperity

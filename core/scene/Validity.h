@@ -187,6 +187,16 @@ private:
     std::uint32_t bits_ = 0;
 };
 
+/// Whether one of the flags says that there is no result to rely on.
+[[nodiscard]] inline bool isInvalid(ValidityFlags flags) noexcept {
+    for (const ValidityTraits& traits : kValidityTraits) {
+        if (traits.severity == Severity::Invalid && flags.has(traits.flag)) {
+            return true;
+        }
+    }
+    return false;
+}
+
 /// Keys joined by '|', or "-" when none is set.
 [[nodiscard]] std::string validityText(ValidityFlags flags);
 

@@ -2,13 +2,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 namespace asperity {
 
-double Budget::model() const noexcept {
+double Budget::inputs() const noexcept {
     return std::sqrt(std::inner_product(shares.begin(), shares.end(), shares.begin(), 0.0));
 }
+
+double Budget::model() const noexcept { return std::hypot(inputs(), leftOut); }
+
+bool Budget::isModelKnown() const noexcept { return std::isfinite(model()); }
 
 double Budget::modelAboutValue() const noexcept { return std::hypot(model(), shift); }
 
@@ -16,16 +21,20 @@ double Budget::total() const noexcept { return std::hypot(noise, model()); }
 
 std::optional<UncertaintyInput> Budget::dominant() const noexcept {
     const auto largest = std::ranges::max_element(shares);
-    return *largest > 0.0 ? std::optional(static_cast<UncertaintyInput>(largest - shares.begin()))
-                          : std::nullopt;
+    return isModelKnown() && *largest > 0.0
+               ? std::optional(static_cast<UncertaintyInput>(largest - shares.begin()))
+               : std::nullopt;
 }
 
 std::vector<UncertaintyInput> Budget::mainInputs() const {
     constexpr double kMain = 0.9;
+    if (!isModelKnown()) {
+        return {};
+    }
     std::vector<UncertaintyInput> inputs(kValues<UncertaintyInput>.begin(),
                                          kValues<UncertaintyInput>.end());
     std::ranges::stable_sort(inputs, std::greater(), [this](auto input) { return share(input); });
-    const double all = model() * model();
+    const double all = this->inputs() * this->inputs();
     double sum = 0.0;
     std::size_t count = 0;
     while (count < inputs.size() && sum < kMain * all) {
@@ -48,9 +57,16 @@ Budget Budget::of(double reading, double deviation) const noexcept {
     budget.value = reading;
     budget.noise = deviation;
     budget.shift *= scale;
+    budget.leftOut *= scale;
     for (double& one : budget.shares) {
         one *= scale;
     }
+    return budget;
+}
+
+Budget budgetByNoise(double value, double noise) noexcept {
+    Budget budget{.value = value, .noise = noise};
+    budget.shares.fill(std::numeric_limits<double>::quiet_NaN());
     return budget;
 }
 

@@ -8,31 +8,27 @@ namespace asperity {
 
 namespace {
 
-/// A reading, and the landmark of the law that it reads.
-struct CycleReading {
-    const char* key;
-    const char* name;
-    Landmark landmark;
-    std::optional<Reading> (*of)(const ContactCycle& cycle);
-};
-
 constexpr auto kReadings = std::to_array<CycleReading>(
-    {{"pull_off_force_n", "pull-off force", Landmark::AdhesionForce,
-      [](const ContactCycle& cycle) { return cycle.pullOff; }},
-     {"adhesion_work_j", "work of adhesion", Landmark::SeparationWork,
+    {{"snap_in_force_n", "snap-in force", Landmark::SnapInForce,
+      [](const ContactCycle& cycle) { return cycle.snapIn; }, true},
+     {"snap_in_distance_m", "snap-in distance", Landmark::SnapInDistance,
       [](const ContactCycle& cycle) {
-          return std::optional(Reading{cycle.adhesionWork, cycle.areaSigma});
+          return cycle.snapIn ? std::optional(cycle.snapInBaseDistance) : std::nullopt;
       }},
+     {"pull_off_force_n", "pull-off force", Landmark::AdhesionForce,
+      [](const ContactCycle& cycle) { return cycle.pullOff; }, true},
+     {"adhesion_work_j", "work of adhesion", Landmark::SeparationWork,
+      [](const ContactCycle& cycle) { return cycle.workOfAdhesion(); }, true},
+     {"hysteresis_j", "hysteresis", Landmark::Hysteresis,
+      [](const ContactCycle& cycle) { return cycle.closedHysteresis(); }, true},
      {"contact_stiffness_n_m", "contact stiffness", Landmark::Stiffness,
       [](const ContactCycle& cycle) { return cycle.stiffness; }},
      {"max_force_n", "largest force", Landmark::NormalForce,
       [](const ContactCycle& cycle) { return std::optional(cycle.maxForce); }},
      {"max_indentation_m", "largest indentation", Landmark::Indentation,
-      [](const ContactCycle& cycle) {
-          return std::optional(Reading{cycle.maxIndentation, 0.0});
-      }}});
+      [](const ContactCycle& cycle) { return std::optional(cycle.maxIndentation); }}});
 
-/// A reading of the signals, which goes as k and InvOLS, as the force at the setpoint does.
+/// With what k and InvOLS move the signals by.
 Budget withInstrument(Budget budget, const Budget& force) {
     for (const UncertaintyInput input : {UncertaintyInput::Stiffness, UncertaintyInput::InvOls}) {
         double& share = budget.shares[static_cast<std::size_t>(input)];
@@ -42,23 +38,35 @@ Budget withInstrument(Budget budget, const Budget& force) {
     return budget;
 }
 
+/// Whether a cycle is that of one contact, as the budgets are, and none of it is missing.
+bool isOfOneContact(const ContactCycle& cycle) { return cycle.contacts <= 1 && !cycle.interrupted; }
+
+Budget budgetOf(const CycleReading& row, const Reading& reading, const PlaceBudgets& budgets,
+                bool isKnown) {
+    if (!isKnown && row.landmark != Landmark::NormalForce) {
+        return budgetByNoise(reading.value, reading.sigma);
+    }
+    const Budget budget = budgetOf(budgets, row.landmark).of(reading.value, reading.sigma);
+    return row.isOfSignals ? withInstrument(budget, budgetOf(budgets, Landmark::NormalForce))
+                           : budget;
+}
+
 }  // namespace
 
 std::vector<CycleBudget> cycleBudgets(const PlaceBudgets& budgets, const ContactCycle& cycle) {
     std::vector<CycleBudget> list;
-    const Budget& force = budgetOf(budgets, Landmark::NormalForce);
     for (const CycleReading& row : kReadings) {
         const std::optional<Reading> reading = row.of(cycle);
-        const Budget& ofLaw = budgetOf(budgets, row.landmark);
-        if (reading && std::isfinite(ofLaw.value)) {
-            const bool isOfSignals =
-                row.landmark == Landmark::AdhesionForce || row.landmark == Landmark::SeparationWork;
-            const Budget budget = ofLaw.of(reading->value, reading->sigma);
-            list.push_back({row.key, row.name, rowOf(row.landmark)->unit,
-                            isOfSignals ? withInstrument(budget, force) : budget});
+        if (reading && std::isfinite(budgetOf(budgets, row.landmark).value)) {
+            list.push_back({row.key, row.name, row.unit(),
+                            budgetOf(row, *reading, budgets, isOfOneContact(cycle))});
         }
     }
     return list;
+}
+
+const CycleReading& cycleReading(std::string_view key) noexcept {
+    return *std::ranges::find(kReadings, key, &CycleReading::key);
 }
 
 std::optional<Budget> budgetNamed(const std::vector<CycleBudget>& budgets, std::string_view key) {

@@ -29,24 +29,17 @@ double pullingArea(const ContactModel& model, double compliance, double fold, do
     return area * reach / (3.0 * kIntervals);
 }
 
-void takeAdhesion(const ContactModel& model, double compliance, Landmarks& landmarks) {
-    constexpr double kNearlyNone = 1e-4;  // of the strongest pull
-    const std::optional<ForceCurvePoint> strongest = strongestPullOf(model, compliance);
-    const std::optional<TipJump> pullOff = pullOffOf(model, compliance);
-    if (!strongest || !pullOff) {
-        return;
-    }
-    const double pull = -strongest->state.force;
-    at(landmarks, Landmark::AdhesionForce) = pull;
-    at(landmarks, Landmark::PullOffForce) = -pullOff->before.force;
-    const std::optional<double> zero = basePositionAt(model, compliance, kNearlyNone * pull);
-    if (zero) {
-        at(landmarks, Landmark::SeparationWork) =
-            pullingArea(model, compliance, pullOff->basePosition, *zero);
+void takeSnapIn(const ContactModel& model, double compliance, const TipJump& pullOff,
+                Landmarks& landmarks) {
+    if (const std::optional<TipJump> snapIn = snapInOf(model, compliance)) {
+        at(landmarks, Landmark::SnapInForce) = -snapIn->after.force;
+        at(landmarks, Landmark::SnapInDistance) = 0.0 - snapIn->basePosition;  // not -0
+        at(landmarks, Landmark::Hysteresis) = snapIn->after.energyLost + pullOff.after.energyLost;
     }
 }
 
-void takeSetpoint(const ContactModel& model, double compliance, double force,
+/// @param pullOff the base's position there [m]
+void takeSetpoint(const ContactModel& model, double compliance, double force, double pullOff,
                   Landmarks& landmarks) {
     const std::optional<double> base = basePositionAt(model, compliance, force);
     if (!base) {
@@ -57,6 +50,24 @@ void takeSetpoint(const ContactModel& model, double compliance, double force,
     at(landmarks, Landmark::Indentation) = state.indentation;
     at(landmarks, Landmark::Stiffness) = state.stiffness;
     at(landmarks, Landmark::ContactRadius) = state.contactRadius;
+    at(landmarks, Landmark::ContactTravel) = *base - pullOff;
+}
+
+void takeAdhesion(const ContactModel& model, double compliance, const TipJump& pullOff,
+                  Landmarks& landmarks) {
+    constexpr double kNearlyNone = 1e-4;  // of the strongest pull
+    const std::optional<ForceCurvePoint> strongest = strongestPullOf(model, compliance);
+    if (!strongest) {
+        return;
+    }
+    const double pull = -strongest->state.force;
+    at(landmarks, Landmark::AdhesionForce) = pull;
+    at(landmarks, Landmark::PullOffForce) = -pullOff.before.force;
+    const std::optional<double> zero = basePositionAt(model, compliance, kNearlyNone * pull);
+    if (zero) {
+        at(landmarks, Landmark::SeparationWork) =
+            pullingArea(model, compliance, pullOff.basePosition, *zero);
+    }
 }
 
 }  // namespace
@@ -64,9 +75,15 @@ void takeSetpoint(const ContactModel& model, double compliance, double force,
 Landmarks landmarksOf(const ContactModel& model, double compliance, double force) {
     Landmarks landmarks;
     landmarks.fill(std::numeric_limits<double>::quiet_NaN());
-    takeAdhesion(model, compliance, landmarks);
+    const std::optional<TipJump> pullOff = pullOffOf(model, compliance);
+    if (pullOff) {
+        takeAdhesion(model, compliance, *pullOff, landmarks);
+        takeSnapIn(model, compliance, *pullOff, landmarks);
+    }
     if (force > 0.0) {
-        takeSetpoint(model, compliance, force, landmarks);
+        takeSetpoint(model, compliance, force,
+                     pullOff ? pullOff->basePosition : std::numeric_limits<double>::quiet_NaN(),
+                     landmarks);
     }
     return landmarks;
 }

@@ -2,10 +2,12 @@
 
 #include "core/EnumTable.h"
 #include "core/contact/laws/ContactModel.h"
+#include "core/scene/JudgedQuantity.h"
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 
 namespace asperity {
 
@@ -18,6 +20,10 @@ enum class Landmark : std::uint8_t {
     Indentation,     ///< there
     Stiffness,       ///< of the contact, there
     ContactRadius,   ///< there
+    SnapInForce,     ///< just after snap-in, > 0 pulls
+    SnapInDistance,  ///< gap that the undeflected tip has at snap-in
+    Hysteresis,      ///< lost in both jumps
+    ContactTravel,   ///< of the base from the setpoint to the pull-off
 };
 
 /// What there is to say of a landmark.
@@ -26,17 +32,30 @@ struct LandmarkRow {
     const char* key;   ///< in summaries
     const char* name;  ///< for people
     const char* unit;  ///< SI
+    /// Whose error a term that is left out makes it; none: that is not judged.
+    std::optional<JudgedQuantity> judged;
 };
 
 template <>
 inline constexpr auto kEnumTable<Landmark> = std::to_array<LandmarkRow>(
-    {{Landmark::AdhesionForce, "adhesion_force_n", "adhesion force", "N"},
-     {Landmark::PullOffForce, "pull_off_force_n", "pull-off force", "N"},
-     {Landmark::SeparationWork, "adhesion_work_j", "work of separation", "J"},
-     {Landmark::NormalForce, "normal_force_n", "normal force", "N"},
-     {Landmark::Indentation, "indentation_m", "indentation", "m"},
-     {Landmark::Stiffness, "contact_stiffness_n_m", "contact stiffness", "N/m"},
-     {Landmark::ContactRadius, "contact_radius_m", "contact radius", "m"}});
+    {{Landmark::AdhesionForce, "adhesion_force_n", "adhesion force", "N",
+      JudgedQuantity::PullOffForce},
+     {Landmark::PullOffForce, "pull_off_force_n", "pull-off force", "N",
+      JudgedQuantity::PullOffForce},
+     {Landmark::SeparationWork, "adhesion_work_j", "work of separation", "J",
+      JudgedQuantity::SeparationWork},
+     {Landmark::NormalForce, "normal_force_n", "normal force", "N", std::nullopt},
+     {Landmark::Indentation, "indentation_m", "indentation", "m", JudgedQuantity::Indentation},
+     {Landmark::Stiffness, "contact_stiffness_n_m", "contact stiffness", "N/m",
+      JudgedQuantity::Stiffness},
+     {Landmark::ContactRadius, "contact_radius_m", "contact radius", "m",
+      JudgedQuantity::Indentation},
+     {Landmark::SnapInForce, "snap_in_force_n", "snap-in force", "N", JudgedQuantity::SnapInForce},
+     {Landmark::SnapInDistance, "snap_in_distance_m", "snap-in distance", "m",
+      JudgedQuantity::SnapInPosition},
+     {Landmark::Hysteresis, "hysteresis_j", "hysteresis", "J", JudgedQuantity::SeparationWork},
+     {Landmark::ContactTravel, "contact_travel_m", "travel from setpoint to pull-off", "m",
+      JudgedQuantity::PullOffPosition}});
 static_assert(isComplete<Landmark>());
 
 inline constexpr std::size_t kLandmarkCount = kEnumTable<Landmark>.size();

@@ -81,6 +81,35 @@ private:
     double noise_;  ///< of the heights [m]
 };
 
+/// A position's error is a share of the base's travel, see QuantityErrors.
+bool isPosition(JudgedQuantity quantity) noexcept {
+    return quantity == JudgedQuantity::SnapInPosition ||
+           quantity == JudgedQuantity::PullOffPosition;
+}
+
+PlaceBudgets withLeftOut(PlaceBudgets budgets, const QuantityErrors& errors) {
+    const double travel = budgetOf(budgets, Landmark::ContactTravel).value;
+    for (const LandmarkRow& row : kEnumTable<Landmark>) {
+        Budget& budget = budgets[static_cast<std::size_t>(row.value)];
+        if (row.judged && std::isfinite(budget.value)) {
+            const double whole = isPosition(*row.judged) ? travel : budget.value;
+            budget.leftOut = std::abs(whole) * errors[*row.judged];
+        }
+    }
+    return budgets;
+}
+
+/// The law is of one contact; the force that the lever holds is that of all.
+PlaceBudgets ofSeveralContacts(PlaceBudgets budgets) {
+    for (const LandmarkRow& row : kEnumTable<Landmark>) {
+        Budget& budget = budgets[static_cast<std::size_t>(row.value)];
+        if (row.value != Landmark::NormalForce) {
+            budget = budgetByNoise(budget.value, 0.0);
+        }
+    }
+    return budgets;
+}
+
 }  // namespace
 
 double usedHeightNoise(const Scene& scene) noexcept {
@@ -95,18 +124,22 @@ PlaceBudgets budgetsAt(const Scene& scene, const TipState& state, double force) 
     const Uncertainty& given = scene.description.uncertainty;
     BudgetBuilder builder(
         given, [&law](const PlaceNumbers& numbers) { return law.at(numbers); }, law.shown());
-    if (given.enabled) {
-        builder.takeInstrument();
-        builder.takeMaterial(hasCohesiveRange(scene.belief.contact));
-        builder.takeNormal();
-        if (!scene.shape) {
-            if (scene.description.sample.imagingTipRadius > 0.0) {
-                builder.takeImagingTip();
-            }
-            HeightShares(scene, scan, places.touched, builder).take();
-        }
+    if (!given.enabled) {
+        return builder.budgets();
     }
-    return builder.budgets();
+    builder.takeInstrument();
+    if (state.points > 1) {
+        return ofSeveralContacts(builder.budgets());
+    }
+    builder.takeMaterial(hasCohesiveRange(scene.belief.contact));
+    builder.takeNormal();
+    if (!scene.shape) {
+        if (scene.description.sample.imagingTipRadius > 0.0) {
+            builder.takeImagingTip();
+        }
+        HeightShares(scene, scan, places.touched, builder).take();
+    }
+    return scene.leftOut ? withLeftOut(builder.budgets(), *scene.leftOut) : builder.budgets();
 }
 
 PlaceBudgets budgetsAt(const Scene& scene, const Vector2& place, double force) {

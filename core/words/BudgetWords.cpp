@@ -10,6 +10,8 @@ namespace asperity {
 
 namespace {
 
+const char* const kLeftOut = "terms left out";
+
 /// To one digit, to two where that is a 1: more is not known of a deviation.
 std::string digitsOf(double deviation) {
     const double power = std::pow(10.0, std::floor(std::log10(deviation)));
@@ -34,6 +36,13 @@ std::string shiftText(const Budget& budget, double factor) {
            " (imaging tip)";
 }
 
+/// Where it raises the deviation of the model by more than a twentieth.
+std::string leftOutText(const Budget& budget, double factor) {
+    constexpr double kSeen = 0.32;  // of the inputs' deviation
+    return budget.leftOut > kSeen * budget.inputs() ? partText(budget.leftOut, factor, kLeftOut)
+                                                    : std::string();
+}
+
 std::string inputList(const Budget& budget) {
     constexpr std::size_t kMost = 4;
     std::string list;
@@ -52,8 +61,16 @@ std::string inputList(const Budget& budget) {
 std::string budgetText(const Budget& budget, const char* unit) {
     const SiScale scale = siScaleFor(budget.value, unit);
     return formatSi(budget.value, unit) + partText(budget.noise, scale.factor, "noise") +
-           partText(budget.model(), scale.factor, inputList(budget)) +
-           shiftText(budget, scale.factor);
+           partText(budget.inputs(), scale.factor, inputList(budget)) +
+           leftOutText(budget, scale.factor) + shiftText(budget, scale.factor);
+}
+
+std::string mostBy(const Budget& budget) {
+    const std::optional<UncertaintyInput> dominant = budget.dominant();
+    if (budget.isModelKnown() && budget.leftOut > (dominant ? budget.share(*dominant) : 0.0)) {
+        return kLeftOut;
+    }
+    return dominant ? nameOf(*dominant) : "–";
 }
 
 std::string resolutionText(const Budget& budget, const char* name, double tolerance) {

@@ -7,10 +7,14 @@
 namespace asperity {
 
 /// A result with what is open in it, by prefix, and the inputs that make up most of the second
-/// deviation: "16.9 nN ± 0.2 (noise) ± 4 (heights, smoothing, k)". A part that is 0 is left out. A
-/// shift that matters beside the deviations follows: ", too high by 2 (imaging tip)".
+/// deviation: "16.9 nN ± 0.2 (noise) ± 4 (heights, smoothing, k)". A part that is 0 or not known is
+/// left out. What matters beside them follows: " ± 3 (terms left out)" of the model, and a shift,
+/// ", too high by 2 (imaging tip)".
 /// @param unit SI
 [[nodiscard]] std::string budgetText(const Budget& budget, const char* unit);
+
+/// What leaves most of a result open, for people; "–": nothing, or it is not known.
+[[nodiscard]] std::string mostBy(const Budget& budget);
 
 /// What smoothing and pixels move a result by, where that is more than the tolerance; else empty:
 /// "smoothing and pixels move the pull-off force by 31 %, more than the tolerance of 5 %".

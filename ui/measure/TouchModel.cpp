@@ -4,7 +4,6 @@
 #include "ui/Steady.h"
 
 #include <optional>
-#include <string_view>
 
 namespace asperity {
 
@@ -63,21 +62,25 @@ const std::array<ColumnTexts, TouchModel::ColumnCount> kTexts{{
 
 const ColumnTexts& textsOf(int column) { return kTexts.at(static_cast<std::size_t>(column)); }
 
-std::optional<Reading> readingOf(const ContactCycle& cycle, int column) {
+/// What of the cycle a column shows; null: it is no reading.
+const CycleReading* readingIn(int column) {
     switch (column) {
     case TouchModel::SnapIn:
-        return cycle.snapIn;
+        return &cycleReading("snap_in_force_n");
+    case TouchModel::SnapInDistance:
+        return &cycleReading("snap_in_distance_m");
     case TouchModel::PullOff:
-        return cycle.pullOff;
+        return &cycleReading("pull_off_force_n");
     case TouchModel::Work:
-        return cycle.pullOff ? std::optional(Reading{cycle.adhesionWork, cycle.areaSigma})
-                             : std::nullopt;
+        return &cycleReading("adhesion_work_j");
     case TouchModel::Stiffness:
-        return cycle.stiffness;
+        return &cycleReading("contact_stiffness_n_m");
     case TouchModel::MaxForce:
-        return cycle.maxForce;
+        return &cycleReading("max_force_n");
+    case TouchModel::MaxIndentation:
+        return &cycleReading("max_indentation_m");
     default:
-        return std::nullopt;
+        return nullptr;
     }
 }
 
@@ -90,14 +93,12 @@ std::optional<double> valueOf(const ContactCycle& cycle, int column) {
         return cycle.place.x();
     case TouchModel::Y:
         return cycle.place.y();
-    case TouchModel::SnapInDistance:
-        return cycle.snapIn ? std::optional(cycle.snapInBaseDistance) : std::nullopt;
-    case TouchModel::MaxIndentation:
-        return cycle.maxIndentation;
     default:
-        const std::optional<Reading> reading = readingOf(cycle, column);
-        return reading ? std::optional(reading->value) : std::nullopt;
+        break;
     }
+    const CycleReading* const shown = readingIn(column);
+    const std::optional<Reading> reading = shown != nullptr ? shown->of(cycle) : std::nullopt;
+    return reading ? std::optional(reading->value) : std::nullopt;
 }
 
 QString numberText(double value, const ColumnTexts& texts) {
@@ -125,48 +126,15 @@ QVariant sorted(const Touch& touch, int row, int column) {
     return value ? QVariant(*value) : QVariant();
 }
 
-/// Of the budgets of a cycle; empty: the column has none.
-std::string_view keyOf(int column) {
-    switch (column) {
-    case TouchModel::PullOff:
-        return "pull_off_force_n";
-    case TouchModel::Work:
-        return "adhesion_work_j";
-    case TouchModel::Stiffness:
-        return "contact_stiffness_n_m";
-    case TouchModel::MaxForce:
-        return "max_force_n";
-    case TouchModel::MaxIndentation:
-        return "max_indentation_m";
-    default:
-        return {};
-    }
-}
-
-/// Of a column that has a standard deviation.
-const char* siUnitOf(int column) {
-    switch (column) {
-    case TouchModel::Work:
-        return "J";
-    case TouchModel::Stiffness:
-        return "N/m";
-    case TouchModel::MaxIndentation:
-        return "m";
-    default:
-        return "N";
-    }
-}
-
 /// With what is open in the value: the noise alone where no more is known.
 QString toolTip(const Touch& touch, int column) {
-    const ColumnTexts& texts = textsOf(column);
-    QString text = TouchModel::tr(texts.meaning);
-    std::optional<Budget> budget = budgetNamed(touch.budgets, keyOf(column));
-    if (const std::optional<Reading> reading = readingOf(touch.cycle, column); reading && !budget) {
-        budget = Budget{.value = reading->value, .noise = reading->sigma};
-    }
-    if (budget) {
-        text += QLatin1Char('\n') + QString::fromStdString(budgetText(*budget, siUnitOf(column)));
+    QString text = TouchModel::tr(textsOf(column).meaning);
+    const CycleReading* const shown = readingIn(column);
+    const std::optional<Reading> reading = shown != nullptr ? shown->of(touch.cycle) : std::nullopt;
+    if (reading) {
+        const Budget budget = budgetNamed(touch.budgets, shown->key)
+                                  .value_or(budgetByNoise(reading->value, reading->sigma));
+        text += QLatin1Char('\n') + QString::fromStdString(budgetText(budget, shown->unit()));
     }
     return text;
 }

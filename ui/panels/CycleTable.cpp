@@ -36,7 +36,7 @@ QString readingText(const std::optional<Reading>& reading, const SiScale& scale)
 /// Of which no more is known than the noise.
 QString withNoise(const std::optional<Reading>& reading, const char* unit) {
     return reading ? QString::fromStdString(
-                         budgetText({.value = reading->value, .noise = reading->sigma}, unit))
+                         budgetText(budgetByNoise(reading->value, reading->sigma), unit))
                    : kNothing;
 }
 
@@ -55,15 +55,11 @@ QString nameOf(int column) {
     }
 }
 
-std::optional<Reading> workOf(const ContactCycle& cycle) {
-    return cycle.pullOff ? std::optional(Reading{cycle.adhesionWork, cycle.areaSigma})
-                         : std::nullopt;
-}
-
 /// What model and calibration leave open in a reading.
 std::optional<double> modelSigmaOf(const std::vector<CycleBudget>& budgets, std::string_view key) {
     const std::optional<Budget> budget = budgetNamed(budgets, key);
-    return budget ? std::optional(budget->modelAboutValue()) : std::nullopt;
+    return budget && budget->isModelKnown() ? std::optional(budget->modelAboutValue())
+                                            : std::nullopt;
 }
 
 /// An open loop has no area, and one that could be nothing but noise is none.
@@ -106,7 +102,7 @@ QString CycleTable::text(int row, Column column) const {
     case PullOff:
         return readingText(cycle.pullOff, kNanonewtons);
     case Work:
-        return readingText(workOf(cycle), energies());
+        return readingText(cycle.workOfAdhesion(), energies());
     case Hysteresis:
         return readingText(hysteresisOf(cycle), energies());
     case Stiffness:
@@ -132,12 +128,14 @@ QString CycleTable::details(int row) const {
     };
     return tr("%1\nPull-off force: %2\nWork of adhesion: %3\nHysteresis: %4\nContact stiffness: "
               "%5\nMaximum force: %6\nMaximum indentation: %7")
-        .arg(shown.material, reading("pull_off_force_n", cycle.pullOff, "N"),
-             cycle.pullOff ? reading("adhesion_work_j", workOf(cycle), "J") : kNothing,
-             withNoise(hysteresisOf(cycle), "J"),
-             reading("contact_stiffness_n_m", cycle.stiffness, "N/m"),
-             reading("max_force_n", cycle.maxForce, "N"),
-             budgetedReading(budgets, "max_indentation_m", siText(cycle.maxIndentation, "m")));
+               .arg(shown.material, reading("pull_off_force_n", cycle.pullOff, "N"),
+                    reading("adhesion_work_j", cycle.workOfAdhesion(), "J"),
+                    hysteresisOf(cycle) ? reading("hysteresis_j", hysteresisOf(cycle), "J")
+                                        : kNothing,
+                    reading("contact_stiffness_n_m", cycle.stiffness, "N/m"),
+                    reading("max_force_n", cycle.maxForce, "N"),
+                    reading("max_indentation_m", cycle.maxIndentation, "m")) +
+           (cycle.contacts > 1 ? tr("\nSeveral contacts at once: noise alone") : QString());
 }
 
 ShownNumbers CycleTable::numbers() const {
@@ -155,7 +153,7 @@ ShownNumbers CycleTable::numbers() const {
             }
         };
         add(PullOff, cycle.pullOff, QStringLiteral("N"), "pull_off_force_n");
-        add(Work, workOf(cycle), QStringLiteral("J"), "adhesion_work_j");
+        add(Work, cycle.workOfAdhesion(), QStringLiteral("J"), "adhesion_work_j");
         add(Hysteresis, hysteresisOf(cycle), QStringLiteral("J"), "hysteresis_j");
         add(Stiffness, cycle.stiffness, QStringLiteral("N/m"), "contact_stiffness_n_m");
     }

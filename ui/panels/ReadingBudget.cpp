@@ -1,5 +1,6 @@
 #include "ui/panels/ReadingBudget.h"
 
+#include "core/scene/Scene.h"
 #include "core/uncertainty/ForceBudget.h"
 #include "core/words/BudgetWords.h"
 

@@ -42,7 +42,11 @@ std::string shortNameOf(const SampleDescription& sample) {
 }
 
 std::string meanText(const std::optional<TouchMean>& mean, const SiScale& scale) {
-    return mean ? measuredText(mean->reading, scale) : kNoValue;
+    if (!mean) {
+        return kNoValue;
+    }
+    return mean->isModelKnown ? measuredText(mean->reading, scale)
+                              : noisyText(mean->reading, scale);
 }
 
 std::vector<PageCell> rowOf(const IndexedRun& run, const IndexScales& scales) {

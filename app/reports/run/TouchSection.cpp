@@ -7,6 +7,7 @@
 #include <cmath>
 #include <functional>
 #include <iterator>
+#include <limits>
 #include <string>
 
 namespace asperity {
@@ -14,11 +15,7 @@ namespace asperity {
 namespace {
 
 const char* const kNoReading = "–";
-
-std::optional<Reading> workOf(const ContactCycle& cycle) {
-    return cycle.pullOff ? std::optional(Reading{cycle.adhesionWork, cycle.areaSigma})
-                         : std::nullopt;
-}
+constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
 /// The mean of one reading over the touches that have it. @param key of the reading's budgets
 template <class ReadingOf>
@@ -30,7 +27,7 @@ std::optional<TouchMean> meanOf(const std::vector<BudgetedTouch>& touches, const
         if (const std::optional<Reading> reading = readingOf(touch.cycle)) {
             readings.push_back(*reading);
             const std::optional<Budget> budget = budgetNamed(touch.budgets, key);
-            model += budget ? budget->modelAboutValue() : 0.0;
+            model += budget ? budget->modelAboutValue() : kUnknown;
         }
     }
     if (readings.empty()) {
@@ -48,8 +45,10 @@ std::optional<TouchMean> meanOf(const std::vector<BudgetedTouch>& touches, const
             variance += (reading.value - mean) * (reading.value - mean) / (count - 1.0);
         }
     }
-    return TouchMean{{mean, std::hypot(std::sqrt(variance), model / count)},
-                     static_cast<long>(readings.size())};
+    const bool isKnown = std::isfinite(model);
+    return TouchMean{{mean, std::hypot(std::sqrt(variance), isKnown ? model / count : 0.0)},
+                     static_cast<long>(readings.size()),
+                     isKnown};
 }
 
 /// A column of a table of touches.
@@ -57,22 +56,23 @@ struct TouchColumn {
     const char* title;
     const char* unit;
     std::function<std::optional<Reading>(const ContactCycle&)> reading;
-    const char* key = "";  ///< of its budget; empty: it has none
+    const char* key;  ///< of its budget
 };
-
-std::optional<Reading> plain(double value) { return Reading{value, 0.0}; }
 
 const std::vector<TouchColumn>& contactColumns() {
     static const std::vector<TouchColumn> kColumns{
         {"max. force", "N", [](const ContactCycle& cycle) { return std::optional(cycle.maxForce); },
          "max_force_n"},
         {"max. indentation", "m",
-         [](const ContactCycle& cycle) { return plain(cycle.maxIndentation); },
+         [](const ContactCycle& cycle) { return std::optional(cycle.maxIndentation); },
          "max_indentation_m"},
-        {"snap-in force", "N", [](const ContactCycle& cycle) { return cycle.snapIn; }},
-        {"snap-in at gap", "m", [](const ContactCycle& cycle) {
-             return cycle.snapIn ? plain(cycle.snapInBaseDistance) : std::nullopt;
-         }}};
+        {"snap-in force", "N", [](const ContactCycle& cycle) { return cycle.snapIn; },
+         "snap_in_force_n"},
+        {"snap-in at gap", "m",
+         [](const ContactCycle& cycle) {
+             return cycle.snapIn ? std::optional(cycle.snapInBaseDistance) : std::nullopt;
+         },
+         "snap_in_distance_m"}};
     return kColumns;
 }
 
@@ -80,8 +80,10 @@ const std::vector<TouchColumn>& adhesionColumns() {
     static const std::vector<TouchColumn> kColumns{
         {"pull-off force", "N", [](const ContactCycle& cycle) { return cycle.pullOff; },
          "pull_off_force_n"},
-        {"work of adhesion", "J", workOf, "adhesion_work_j"},
-        {"hysteresis", "J", [](const ContactCycle& cycle) { return cycle.closedHysteresis(); }},
+        {"work of adhesion", "J", [](const ContactCycle& cycle) { return cycle.workOfAdhesion(); },
+         "adhesion_work_j"},
+        {"hysteresis", "J", [](const ContactCycle& cycle) { return cycle.closedHysteresis(); },
+         "hysteresis_j"},
         {"contact stiffness", "N/m", [](const ContactCycle& cycle) { return cycle.stiffness; },
          "contact_stiffness_n_m"}};
     return kColumns;
@@ -105,7 +107,7 @@ std::string cellOf(const TouchColumn& column, const BudgetedTouch& touch, const 
         return kNoReading;
     }
     const std::optional<Budget> budget = budgetNamed(touch.budgets, column.key);
-    if (!budget || budget->model() <= 0.0) {
+    if (!budget || !(budget->model() > 0.0)) {
         return noisyText(*reading, scale);
     }
     return measuredText({reading->value, std::hypot(budget->noise, budget->modelAboutValue())},
@@ -122,6 +124,8 @@ std::string remarkOn(const ContactCycle& cycle) {
     add(cycle.fromStart, "in contact from the start");
     add(!cycle.complete(), "still in contact at the end");
     add(cycle.slid, "slid: approach and retract at different places");
+    add(cycle.contacts > 1, "several contacts at once");
+    add(cycle.interrupted, "a part without a state of the model is left out");
     return remark;
 }
 
@@ -183,8 +187,8 @@ std::string meanSentence(const std::vector<BudgetedTouch>& touches) {
             sentence += std::string(sentence.empty() ? "" : " ") + name + " of " +
                         std::to_string(mean->touches) +
                         " touches: " + measuredText(mean->reading, unit) +
-                        ", mean and standard deviation of one touch, by scatter, model and "
-                        "calibration together.";
+                        ", mean and standard deviation of one touch, by scatter" +
+                        (mean->isModelKnown ? ", model and calibration together." : " alone.");
         }
     };
     add("Pull-off force", pullOffOf(touches), "N");
@@ -208,13 +212,14 @@ std::optional<TouchMean> pullOffOf(const std::vector<BudgetedTouch>& touches) {
 }
 
 std::optional<TouchMean> adhesionWorkOf(const std::vector<BudgetedTouch>& touches) {
-    return meanOf(touches, "adhesion_work_j", workOf);
+    return meanOf(touches, "adhesion_work_j",
+                  [](const ContactCycle& cycle) { return cycle.workOfAdhesion(); });
 }
 
 double maxIndentationOf(const std::vector<BudgetedTouch>& touches) {
     double largest = 0.0;
     for (const BudgetedTouch& touch : touches) {
-        largest = std::max(largest, touch.cycle.maxIndentation);
+        largest = std::max(largest, touch.cycle.maxIndentation.value);
     }
     return largest;
 }
@@ -236,7 +241,8 @@ void addTouches(PageContent& page, const std::vector<BudgetedTouch>& touches) {
         "retract curve and zero force, where it pulls; hysteresis: area between approach and "
         "retract. ± is one standard deviation, by noise, model and calibration together; where it "
         "says noise it is that of the signals alone, and what model and calibration leave open is "
-        "not known. – means: no such value beyond the noise.");
+        "not known: several contacts at once, or a part without a state of the model. – means: no "
+        "such value beyond the noise.");
 }
 
 }  // namespace asperity

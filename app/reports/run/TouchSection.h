@@ -23,6 +23,7 @@ struct BudgetedTouch {
 struct TouchMean {
     Reading reading;
     long touches = 0;
+    bool isModelKnown = true;  ///< false: the deviation is by noise or scatter alone
 };
 
 [[nodiscard]] std::optional<TouchMean> pullOffOf(const std::vector<BudgetedTouch>& touches);

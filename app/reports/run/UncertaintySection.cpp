@@ -4,7 +4,6 @@
 #include "core/words/BudgetWords.h"
 
 #include <cstddef>
-#include <optional>
 #include <string>
 
 namespace asperity {
@@ -17,20 +16,19 @@ void addUncertainty(PageContent& page, const Scene& scene,
     PageTable table{.columns = {{"touch", true}, {"What"}, {"Value"}, {"Most by"}}, .rows = {}};
     for (std::size_t i = 0; i < touches.size(); ++i) {
         for (const auto& [key, name, unit, budget] : touches[i].budgets) {
-            const std::optional<UncertaintyInput> dominant = budget.dominant();
-            table.rows.push_back({{std::to_string(i + 1)},
-                                  {name},
-                                  {budgetText(budget, unit)},
-                                  {dominant ? nameOf(*dominant) : "–"}});
+            table.rows.push_back(
+                {{std::to_string(i + 1)}, {name}, {budgetText(budget, unit)}, {mostBy(budget)}});
         }
     }
     page.addHeading("Uncertainty");
     page.addTable(table);
-    page.addParagraph("The first deviation is the noise of the signals. The second is what lever, "
-                      "tip, material, calibration and the way from the scan to the effective "
-                      "radius leave open, by the scene's section [uncertainty]; in brackets the "
-                      "inputs that make up most of it. Both are one standard deviation, about the "
-                      "value less what it is said to be too high by.");
+    page.addParagraph(
+        "The first deviation is the noise of the signals. The second is what lever, "
+        "tip, material, calibration and the way from the scan to the effective "
+        "radius leave open, by the scene's section [uncertainty]; in brackets the "
+        "inputs that make up most of it. A third, where it matters, is what the "
+        "terms do that the model leaves out. All are one standard deviation, about the "
+        "value less what it is said to be too high by.");
 }
 
 }  // namespace asperity

@@ -32,16 +32,20 @@ struct ContactCycle {
     double offTime = 0.0;             ///< first tick after it [s]
     /// The tip was in contact when the run began: there is no approach, and its touch is not seen.
     bool fromStart = false;
-    Reading maxForce;             ///< repulsive [N]
-    double maxIndentation = 0.0;  ///< of the undeformed surface, >= 0 [m]
+    Reading maxForce;  ///< repulsive [N]
+    /// Of the undeformed surface where that was; 0: the sample never pushed [m]
+    Reading maxIndentation;
     /// Strongest pull of the first approach, > 0; none: no pull beyond the noise [N]
     std::optional<Reading> snapIn;
-    double snapInSeparation = 0.0;    ///< where that was [m]
-    double snapInBaseDistance = 0.0;  ///< gap that the undeflected tip had there [m]
+    Reading snapInBaseDistance;  ///< gap that the undeflected tip had there [m]
     /// Strongest pull of the last retract branch, > 0; none: no pull beyond the noise [N]
     std::optional<Reading> pullOff;
     double pullOffSeparation = 0.0;    ///< where that was [m]
     double pullOffBaseDistance = 0.0;  ///< [m]
+    int contacts = 0;                  ///< most that the model had at once
+    /// In contact the model had no state for some ticks, which are left out: areas and the
+    /// strongest forces are of the rest.
+    bool interrupted = false;
     /// Work of adhesion: area between the last retract branch and zero force, where it pulls [J]
     double adhesionWork = 0.0;
     double hysteresis = 0.0;  ///< area between approach and retract so far [J]
@@ -55,10 +59,14 @@ struct ContactCycle {
     [[nodiscard]] bool touched() const noexcept { return phase != CyclePhase::Apart; }
     [[nodiscard]] bool complete() const noexcept { return phase == CyclePhase::Complete; }
     /// The energy dissipated. None where approach and retract are no closed loop at one place: the
-    /// tip has not come off, slid, or was in contact from the start [J]
+    /// tip has not come off, slid, or was in contact from the start, or a part is missing [J]
     [[nodiscard]] std::optional<Reading> closedHysteresis() const noexcept {
-        return complete() && !slid && !fromStart ? std::optional(Reading{hysteresis, areaSigma})
-                                                 : std::nullopt;
+        const bool isClosed = complete() && !slid && !fromStart && !interrupted;
+        return isClosed ? std::optional(Reading{hysteresis, areaSigma}) : std::nullopt;
+    }
+    /// None: the retract does not pull beyond the noise [J]
+    [[nodiscard]] std::optional<Reading> workOfAdhesion() const noexcept {
+        return pullOff ? std::optional(Reading{adhesionWork, areaSigma}) : std::nullopt;
     }
 };
 

@@ -24,13 +24,14 @@ bool slides(const BaseMotion& base) noexcept {
 
 void CycleDetector::take(double time, const TickInput& input, const TickOutput& out) noexcept {
     if (!hasPoint(out)) {
+        cycle_.interrupted = cycle_.interrupted || cycle_.phase == CyclePhase::Contact;
         return;
     }
     const CurveBranch branchBefore = branch_.branch();
     const ForceDistancePoint before = point_;
     const double forceBefore = trend_.force();
     point_ = forceDistancePoint(out);
-    trend_.take(point_.force, point_.sigma);
+    takeTrends();
     const bool turned = branch_.take(input, out) != branchBefore;
     slides_ = slides(out.base);
     place_ = out.base.position.head<2>();
@@ -50,14 +51,28 @@ void CycleDetector::take(double time, const TickInput& input, const TickOutput& 
         cycle_.fromStart = (cycle_.fromStart || !started_) && (bonded || trend_.pushes());
     }
     if (cycle_.phase == CyclePhase::Contact) {
+        cycle_.contacts = std::max(cycle_.contacts, out.model.points);
         takeContact(time, turned, bonded || trend_.pushes() || stillPulls);
     } else {
         takeApart(time, turned, trend_.pushes() || (bonded && acts));
     }
+    takeSnapIn(before);
     if (started_ && (acts || cycle_.phase == CyclePhase::Contact)) {
         takeAreas(before, forceBefore);
     }
     started_ = true;
+}
+
+void CycleDetector::takeTrends() noexcept {
+    const double deflection = point_.separation - point_.baseDistance;
+    deflectionTimesForce_ += deflection * point_.force;
+    forceSquares_ += point_.force * point_.force;
+    trend_.take(point_.force, point_.sigma);
+    depth_.take(-point_.separation, compliance() * point_.sigma);
+}
+
+double CycleDetector::compliance() const noexcept {
+    return forceSquares_ > 0.0 ? std::abs(deflectionTimesForce_ / forceSquares_) : 0.0;
 }
 
 void CycleDetector::begin() noexcept {
@@ -75,7 +90,6 @@ void CycleDetector::takeApart(double time, bool turned, bool touches) noexcept {
     if (anew || (touches && cycle_.complete())) {
         begin();
     }
-    takeSnapIn();
     if (touches) {
         cycle_.phase = CyclePhase::Contact;
         cycle_.touchTime = time;
@@ -98,13 +112,12 @@ void CycleDetector::takeContact(double time, bool turned, bool held) noexcept {
     cycle_.slid = cycle_.slid || (place_ - touched_).norm() > kSlide ||
                   (tip_ - tipTouched_).norm() > kTipSlide;
     if (trend_.push() > 0.0) {
-        (void)push_.take(trend_.halves(1.0), trend_.push());
+        (void)push_.take(trend_.halves(1.0), trend_.push(), depth_.halves(1.0));
         cycle_.maxForce = *push_.reading();
+        cycle_.maxIndentation = push_.readingBeside();
     }
-    cycle_.maxIndentation = std::max(cycle_.maxIndentation, -point_.separation);
     takeUnloading();
     if (branch_.branch() != CurveBranch::Retract) {
-        takeSnapIn();
         return;
     }
     retracted_ = true;
@@ -117,8 +130,9 @@ void CycleDetector::takeContact(double time, bool turned, bool held) noexcept {
 }
 
 /// An attraction that comes before contact counts, too: instrument and model seldom snap in at the
-/// same tick.
-void CycleDetector::takeSnapIn() noexcept {
+/// same tick. The place lies between two ticks, and the noise lets a weaker pull further on seem
+/// the strongest.
+void CycleDetector::takeSnapIn(const ForceDistancePoint& before) noexcept {
     const bool approaches =
         !cycle_.fromStart && !retracted_ && branch_.branch() == CurveBranch::Approach;
     if (!approaches || !trend_.pulls()) {
@@ -127,8 +141,10 @@ void CycleDetector::takeSnapIn() noexcept {
     const bool isStrongest = snapInPull_.take(trend_.halves(-1.0), trend_.pull());
     cycle_.snapIn = snapInPull_.reading();
     if (isStrongest) {
-        cycle_.snapInSeparation = point_.separation;
-        cycle_.snapInBaseDistance = point_.baseDistance;
+        const double step = started_ ? point_.baseDistance - before.baseDistance : 0.0;
+        cycle_.snapInBaseDistance = {
+            .value = point_.baseDistance,
+            .sigma = std::hypot(step / std::sqrt(12.0), compliance() * trend_.sigma())};
     }
 }
 

@@ -22,7 +22,7 @@ namespace asperity {
 /// O(1) a tick, allocation-free.
 class CycleDetector {
 public:
-    /// A tick without a point (no equilibrium, values that are not finite) is left out.
+    /// A tick without a point (no state of the model, values that are not finite) is left out.
     void take(double time, const TickInput& input, const TickOutput& out) noexcept;
 
     /// The present cycle, or the last one as long as the tip does not approach anew.
@@ -34,9 +34,12 @@ public:
     [[nodiscard]] const ForceDistancePoint& point() const noexcept { return point_; }
 
 private:
+    void takeTrends() noexcept;
+    /// Of the lever along the normal [m/N].
+    [[nodiscard]] double compliance() const noexcept;
     void takeApart(double time, bool turned, bool touches) noexcept;
     void takeContact(double time, bool turned, bool held) noexcept;
-    void takeSnapIn() noexcept;
+    void takeSnapIn(const ForceDistancePoint& before) noexcept;
     void takePullOff() noexcept;
     void takeAreas(const ForceDistancePoint& before, double forceBefore) noexcept;
     void takeUnloading() noexcept;
@@ -46,6 +49,10 @@ private:
     std::int64_t number_ = 0;
     BranchTracker branch_;
     ForceTrend trend_;
+    ForceTrend depth_;  ///< of the indentation, in meters for newtons
+    /// Sums over all ticks, of deflection times force and of the force's square: see compliance().
+    double deflectionTimesForce_ = 0.0;
+    double forceSquares_ = 0.0;
     ForceDistancePoint point_;
     UnloadingFit unloading_;
     StrongestForce push_{StrongestForce::kGrowing};         ///< in contact

@@ -7,10 +7,10 @@ namespace asperity {
 
 bool hasPoint(const TickOutput& out) noexcept {
     const TipState& model = out.model;
-    return model.contact.solved() && std::isfinite(model.contact.indentation) &&
-           model.tip.allFinite() && model.normal.allFinite() && out.base.position.allFinite() &&
-           out.tip.allFinite() && out.estimate.force.allFinite() &&
-           out.estimate.covariance.allFinite();
+    return !isInvalid(out.flags) && model.contact.solved() &&
+           std::isfinite(model.contact.indentation) && model.tip.allFinite() &&
+           model.normal.allFinite() && out.base.position.allFinite() && out.tip.allFinite() &&
+           out.estimate.force.allFinite() && out.estimate.covariance.allFinite();
 }
 
 ForceDistancePoint forceDistancePoint(const TickOutput& out) noexcept {

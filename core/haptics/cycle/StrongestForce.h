@@ -25,16 +25,23 @@ public:
     explicit StrongestForce(double caution) noexcept : caution_(caution) {}
 
     /// Takes the next tick. @param force of both halves together, see ForceTrend::pull() [N]
+    /// @param beside another signal of the same ticks, by the same halves
     /// @return whether that is the strongest so far: the place of the strongest force
-    bool take(const std::array<HalfForce, 2>& halves, double force) noexcept;
+    bool take(const std::array<HalfForce, 2>& halves, double force,
+              const std::array<HalfForce, 2>& beside = {}) noexcept;
     /// None: nothing was taken. [N]
     [[nodiscard]] const std::optional<Reading>& reading() const noexcept { return reading_; }
+    /// What the signal beside it was there, without that bias, too.
+    [[nodiscard]] Reading readingBeside() const noexcept { return meanOf(measuredBeside_); }
 
 private:
+    [[nodiscard]] static Reading meanOf(const std::array<HalfForce, 2>& halves) noexcept;
+
     double caution_;
     double strongestForce_ = 0.0;          ///< of both halves together [N]
     std::array<double, 2> strongest_{};    ///< by each half, less caution [N]
     std::array<HalfForce, 2> measured_{};  ///< by the other half at the same tick [N]
+    std::array<HalfForce, 2> measuredBeside_{};
     std::optional<Reading> reading_;
 };
 

@@ -32,6 +32,26 @@ TEST(Budget, NamesTheInputsThatMatter) {
     EXPECT_TRUE(Budget{}.mainInputs().empty());
 }
 
+TEST(Budget, CountsTermsThatAreLeftOut) {
+    Budget budget = someBudget();
+    budget.leftOut = 12.0;
+    EXPECT_NEAR(budget.inputs(), 5.001, 1e-5);
+    EXPECT_NEAR(budget.model(), std::hypot(5.001, 12.0), 1e-5);
+    EXPECT_NEAR(budget.of(5.0, 0.0).leftOut, 6.0, 1e-12);
+    const std::vector<UncertaintyInput> expected{UncertaintyInput::Smoothing,
+                                                 UncertaintyInput::TipRadius};
+    EXPECT_EQ(budget.mainInputs(), expected) << "of the inputs";
+}
+
+TEST(Budget, SaysWhereNoMoreIsKnownThanTheNoise) {
+    const Budget budget = budgetByNoise(10.0, 1.2);
+    EXPECT_FALSE(budget.isModelKnown());
+    EXPECT_TRUE(someBudget().isModelKnown());
+    EXPECT_FALSE(budget.of(5.0, 1.0).isModelKnown());
+    EXPECT_FALSE(budget.dominant());
+    EXPECT_TRUE(budget.mainInputs().empty());
+}
+
 TEST(Budget, KeepsRelativeSharesForAnotherReading) {
     const Budget reading = someBudget().of(-20.0, 0.5);
     EXPECT_EQ(reading.value, -20.0);

@@ -45,6 +45,29 @@ TEST(Landmarks, WorkIsTheAreaOfTheCurve) {
     EXPECT_NEAR(of(landmarksOf(model, kLever, 1e-9), Landmark::SeparationWork), area, 1e-3 * area);
 }
 
+TEST(Landmarks, HoldBothJumps) {
+    constexpr double kLever = 1.0 / 14.0;  // [m/N]
+    constexpr double kSetpoint = 5e-9;     // [N]
+    const ContactModel model(ContactLaw::Maugis, kPair);
+    const ForceCurve curve = forceCurve(model, kLever, curvePlan(model, kLever));
+    const Landmarks found = landmarksOf(model, kLever, kSetpoint);
+    ASSERT_TRUE(curve.snapIn && curve.pullOff);
+    EXPECT_EQ(of(found, Landmark::SnapInForce), -curve.snapIn->after.force);
+    EXPECT_EQ(of(found, Landmark::SnapInDistance), -curve.snapIn->basePosition);
+    EXPECT_GT(of(found, Landmark::SnapInDistance), 0.0) << "a gap";
+    double area = 0.0;  // between both ways; the lever is elastic
+    for (const auto* way : {&curve.approach, &curve.retract}) {
+        for (std::size_t i = 1; i < way->size(); ++i) {
+            const ForceCurvePoint& a = (*way)[i - 1];
+            const ForceCurvePoint& b = (*way)[i];
+            area += 0.5 * (a.state.force + b.state.force) * (b.basePosition - a.basePosition);
+        }
+    }
+    EXPECT_NEAR(of(found, Landmark::Hysteresis), area, 0.02 * area);
+    EXPECT_NEAR(of(found, Landmark::ContactTravel),
+                *basePositionAt(model, kLever, kSetpoint) - curve.pullOff->basePosition, 1e-18);
+}
+
 TEST(Landmarks, AreMissingWhereTheLawHasNone) {
     const Landmarks found = landmarksOf(ContactModel(ContactLaw::Hertz, kPair), 0.1, 0.0);
     for (const double value : found) {

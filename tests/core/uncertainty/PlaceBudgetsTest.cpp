@@ -76,7 +76,7 @@ TEST(PlaceBudgets, AreOffOnRequest) {
     const Scene scene = buildScene(description, test::hillyMap());
     for (const Budget& budget : budgetsAt(scene, kMiddle, 2e-9)) {
         EXPECT_EQ(budget.model(), 0.0);
-        EXPECT_GT(budget.value, 0.0);
+        EXPECT_GE(budget.value, 0.0);
     }
 }
 
@@ -188,6 +188,55 @@ TEST(PlaceBudgets, OfReadingsHoldTheLever) {
         EXPECT_GE(read->share(UncertaintyInput::InvOls), 0.029 * read->value) << key;
     }
     EXPECT_NEAR(relative(budgets, Landmark::AdhesionForce, UncertaintyInput::Stiffness), 0.0, 1e-6);
+}
+
+/// What the output says of its model's error is in each deviation.
+TEST(PlaceBudgets, HoldTheErrorOfTheModel) {
+    SceneDescription description = test::plainScene();
+    Scene scene = buildScene(description, test::flatMap());
+    const PlaceBudgets before = budgetsAt(scene, kMiddle, 2e-9);
+    scene.leftOut.emplace();
+    (*scene.leftOut)[JudgedQuantity::PullOffForce] = 1.16;
+    (*scene.leftOut)[JudgedQuantity::SnapInPosition] = 0.02;
+    const PlaceBudgets budgets = budgetsAt(scene, kMiddle, 2e-9);
+    const Budget& pull = budgetOf(budgets, Landmark::AdhesionForce);
+    EXPECT_NEAR(pull.leftOut, 1.16 * pull.value, 1e-9 * pull.value);
+    EXPECT_NEAR(pull.model(),
+                std::hypot(1.16 * pull.value, budgetOf(before, Landmark::AdhesionForce).model()),
+                1e-9 * pull.value);
+    EXPECT_NEAR(budgetOf(budgets, Landmark::SnapInDistance).leftOut,
+                0.02 * budgetOf(budgets, Landmark::ContactTravel).value, 1e-18);
+    EXPECT_EQ(budgetOf(budgets, Landmark::NormalForce).leftOut, 0.0) << "the lever says it";
+    setModel(scene, scene.model);
+    EXPECT_FALSE(scene.leftOut) << "of another model";
+}
+
+/// The law is of one contact: of several only the force that the lever holds is known.
+TEST(PlaceBudgets, AreNotKnownOfSeveralContacts) {
+    const Scene scene = buildScene(softScene(), test::flatMap());
+    const BaseMotion tip{.position = Vector3(kMiddle.x(), kMiddle.y(), 0.0)};
+    TipState state = heldTip(scene.believedSurface(), scene.belief, tip, {});
+    state.points = 2;
+    const PlaceBudgets budgets = budgetsAt(scene, state, 2e-9);
+    EXPECT_FALSE(budgetOf(budgets, Landmark::AdhesionForce).isModelKnown());
+    EXPECT_FALSE(budgetOf(budgets, Landmark::Indentation).isModelKnown());
+    EXPECT_NEAR(relative(budgets, Landmark::NormalForce, UncertaintyInput::Stiffness), 0.1, 5e-3);
+
+    const PlaceBudgets ofOne = budgetsAt(scene, kMiddle, 2e-9);
+    ContactCycle cycle;
+    cycle.pullOff = Reading{5e-9, 0.1e-9};
+    cycle.maxForce = {2e-9, 0.1e-9};
+    const auto knows = [&](const char* key) {
+        return budgetNamed(cycleBudgets(ofOne, cycle), key).value().isModelKnown();
+    };
+    cycle.contacts = 1;
+    EXPECT_TRUE(knows("pull_off_force_n"));
+    cycle.contacts = 2;
+    EXPECT_FALSE(knows("pull_off_force_n"));
+    EXPECT_TRUE(knows("max_force_n"));
+    cycle.contacts = 1;
+    cycle.interrupted = true;
+    EXPECT_FALSE(knows("pull_off_force_n"));
 }
 
 /// A sharp asperity's law hardly depends on how blunt the tip is; what attracts beside it goes as

@@ -34,6 +34,22 @@ TEST(BudgetWords, StateAShiftThatMatters) {
     EXPECT_EQ(budgetText(budget, "N"), "16.9 nN ± 0.2 (noise) ± 4 (heights, smoothing)");
 }
 
+TEST(BudgetWords, StateWhatTermsDoThatAreLeftOut) {
+    Budget budget = pullOff();
+    budget.leftOut = 19.6e-9;
+    EXPECT_EQ(budgetText(budget, "N"),
+              "16.9 nN ± 0.2 (noise) ± 4 (heights, smoothing) ± 20 (terms left out)");
+    EXPECT_EQ(mostBy(budget), "terms left out");
+    budget.leftOut = 0.5e-9;
+    EXPECT_EQ(budgetText(budget, "N"), "16.9 nN ± 0.2 (noise) ± 4 (heights, smoothing)");
+    EXPECT_EQ(mostBy(budget), "heights");
+}
+
+TEST(BudgetWords, StateTheNoiseAloneWhereNoMoreIsKnown) {
+    EXPECT_EQ(budgetText(budgetByNoise(5e-9, 0.2e-9), "N"), "5 nN ± 0.2 (noise)");
+    EXPECT_EQ(mostBy(budgetByNoise(5e-9, 0.2e-9)), "–");
+}
+
 TEST(BudgetWords, NameSmoothingThatMattersMoreThanTheTolerance) {
     EXPECT_EQ(resolutionText(pullOff(), "pull-off force", 0.05),
               "smoothing and pixels move the pull-off force by 15 %, more than the tolerance of "

@@ -118,7 +118,7 @@ TEST_P(CycleOfScene, SnapInIsThatOfTheLaw) {
     ASSERT_TRUE(cycle.snapIn);
     const double pull = -lawSnapIn().state.force;
     EXPECT_NEAR(cycle.snapIn->value, pull, noisy() ? 5.0 * cycle.snapIn->sigma : 0.02 * pull);
-    EXPECT_NEAR(cycle.snapInBaseDistance, -lawSnapIn().basePosition,
+    EXPECT_NEAR(cycle.snapInBaseDistance.value, -lawSnapIn().basePosition,
                 noisy() ? 0.02_nm : 0.02 * std::abs(lawSnapIn().basePosition));
 }
 
@@ -139,7 +139,7 @@ TEST_P(CycleOfScene, HysteresisIsWhatTheJumpsDissipate) {
 TEST_P(CycleOfScene, IndentationAndForceAreThoseAtTheTurn) {
     const ContactState& deepest = law.retract.front().state;
     EXPECT_NEAR(cycle.maxForce.value, deepest.force, noisy() ? 0.2e-9 : 0.01 * deepest.force);
-    EXPECT_NEAR(cycle.maxIndentation, deepest.indentation,
+    EXPECT_NEAR(cycle.maxIndentation.value, deepest.indentation,
                 noisy() ? 0.05_nm : 0.01 * deepest.indentation);
 }
 

@@ -77,31 +77,4 @@ private:
     std::array<double, kEnumTable<JudgedQuantity>.size()> errors_{};
 };
 
-/// The error to two digits, the next larger ones; >= 0.
-[[nodiscard]] inline double roundedUp(double error) noexcept {
-    constexpr double kRounding = 1e-9;  // of binary numbers: 0.054 is 0.054
-    if (!(error > 0.0)) {
-        return 0.0;
-    }
-    const double unit = std::pow(10.0, std::floor(std::log10(error)) - 1.0);
-    return std::ceil((error / unit) - kRounding) * unit;
-}
-
-/// Squares of the difference of two forces along a run or a curve, and of the reference itself, in
-/// any unit.
-struct ForceSquares {
-    double heldAlike = 0.0;  ///< of the difference where both hold the tip, or both do not
-    double heldByOne = 0.0;  ///< where one has jumped and the other has not
-    double reference = 0.0;
-
-    /// The error of the rms force as a share: the root mean square of the difference over that of
-    /// the reference, and of a jump that comes earlier or later the share of the mean square that
-    /// lies between the two. That is as small as the jump's displacement. The root of it is not: it
-    /// would make 10 % of the force of a displacement that nobody sees, 1 % of the curve.
-    /// 0 where there is no force.
-    [[nodiscard]] double share() const noexcept {
-        return reference > 0.0 ? std::sqrt(heldAlike / reference) + (heldByOne / reference) : 0.0;
-    }
-};
-
 }  // namespace asperity
