@@ -86,6 +86,15 @@ std::string unknownContent(const ByteSource& bytes) {
     return "byte 0: this is " + std::string(format->name) + ", which is not read natively";
 }
 
+/// Where Gwyddion may read the content, that it does; of a format that it does not read, nothing.
+std::string gwyddionHint(const ByteSource& bytes) {
+    const std::optional<UnreadFormat> format = unreadFormat(bytes);
+    if (!format) {
+        return "; with the Debian package gwyddion many more formats are read";
+    }
+    return format->byGwyddion ? "; with the Debian package gwyddion it is read" : "";
+}
+
 /// What reading its values needs.
 ScanChannel essentialsOf(const ScanChannel& channel) {
     return {.name = channel.name,
@@ -153,8 +162,7 @@ HeightMapContents contentsOf(const ByteSource& bytes, const Gwyddion& gwyddion,
     }
     const std::string unknown = unknownContent(bytes);
     if (gwyddion.program.empty()) {
-        throw InputError(bytes.name(), "",
-                         unknown + "; with the Debian package gwyddion many more formats are read");
+        throw InputError(bytes.name(), "", unknown + gwyddionHint(bytes));
     }
     GwyddionScan converted = readThroughGwyddion(bytes, gwyddion, unknown);
     return contentsOf(std::move(converted.format), std::move(converted.scan), given, bytes.name());

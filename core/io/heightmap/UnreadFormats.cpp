@@ -15,8 +15,11 @@ constexpr std::array kUnread{
     UnreadFormat{"\x89HDF\r\n\x1A\n"sv, "an HDF5 file (as .h5-jpk or .nhf)"sv},
     UnreadFormat{"\x1F\x8B"sv, "a gzip file (unpack it first)"sv},
     UnreadFormat{"PK\3\4"sv, "a zip archive of neither JPK nor X3P data"sv},
-    UnreadFormat{"\x01\xB0\x93\xFF"sv, "an NT-MDT file (.mdt)"sv},
-    UnreadFormat{"ISO/TC 201 SPM data transfer format"sv, "an ISO 28600 file (.spm)"sv},
+    UnreadFormat{
+        .mark = "\x01\xB0\x93\xFF"sv, .name = "an NT-MDT file (.mdt)"sv, .byGwyddion = true},
+    UnreadFormat{.mark = "ISO/TC 201 SPM data transfer format"sv,
+                 .name = "an ISO 28600 file (.spm)"sv,
+                 .byGwyddion = true},
     UnreadFormat{"\xFF\xD8\xFF"sv, "JPEG"sv, true},
     UnreadFormat{"GIF8"sv, "GIF"sv, true},
     UnreadFormat{"%PDF-"sv, "PDF"sv, true}};

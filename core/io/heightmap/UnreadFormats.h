@@ -13,6 +13,7 @@ struct UnreadFormat {
     std::string_view mark;  ///< at the front
     std::string_view name;  ///< with its article: "an HDF5 file (...)"; of a picture without it
     bool isPicture = false;
+    bool byGwyddion = false;  ///< the Gwyddion program reads it
 };
 
 /// Empty: the content is of none of these.

@@ -132,6 +132,11 @@ TEST(GwyddionImport, NamesFormatsThatAreKnownButNotRead) {
     EXPECT_THAT(refusalOfImport({}, "\x01\xB0\x93\xFF"), HasSubstr("this is an NT-MDT file"));
     EXPECT_THAT(refusalOfImport({}, "ISO/TC 201 SPM data transfer format\r\n"),
                 HasSubstr("this is an ISO 28600 file"));
+    // That Gwyddion reads more is said only of what it reads.
+    EXPECT_THAT(refusalOfImport({}, "ISO/TC 201 SPM data transfer format\r\n"),
+                HasSubstr("gwyddion it is read"));
+    EXPECT_THAT(refusalOfImport({}, "\x89HDF\r\n\x1A\n"), Not(HasSubstr("package")));
+    EXPECT_THAT(refusalOfImport({}, "\x1F\x8B packed"), Not(HasSubstr("package")));
     const FakeGwyddion fake("echo \"$2: Unknown\"; exit 1", "exit 1");
     EXPECT_THAT(refusalOfImport(fake.program(), "\x89HDF\r\n\x1A\n"),
                 AllOf(HasSubstr("this is an HDF5 file"), HasSubstr("Gwyddion does not recognize")));
