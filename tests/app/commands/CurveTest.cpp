@@ -153,7 +153,12 @@ TEST_F(CurveCommand, SaysWhatModelAndCalibrationLeaveOpen) {
     EXPECT_NE(said.find("  adhesion force 17.9 nN ± 2 (tip radius, adhesion)"), std::string::npos)
         << said;
     EXPECT_NE(said.find("  normal force 5 nN ± 0.5 (k)"), std::string::npos) << said;
-    EXPECT_NE(said.find("  contact stiffness "), std::string::npos) << said;
+    for (const char* what : {"contact stiffness", "snap-in force", "snap-in distance", "hysteresis",
+                             "work of separation"}) {
+        const std::size_t line = said.find("  " + std::string(what) + " ");
+        ASSERT_NE(line, std::string::npos) << what << '\n' << said;
+        EXPECT_LT(said.find("±", line), said.find('\n', line)) << what;
+    }
     const auto scene = scratch.file("certain.toml");
     std::ofstream(scene) << "[sample]\nshape = \"plane\"\n[uncertainty]\nenabled = false\n";
     (void)tableOf(scene.string() + " --points 20");
@@ -241,6 +246,16 @@ TEST_F(CurveCommand, TakesTipAndLeverOfAScene) {
     (void)tableOf(scene + " --points 5 --radius 20e-9 --law dmt");
     EXPECT_NE(said.find("R 20 nm"), std::string::npos) << said;
     EXPECT_NE(said.find("law dmt"), std::string::npos) << said;
+}
+
+TEST_F(CurveCommand, SaysThatItLeavesOutAShape) {
+    const auto saysSo = [this](const std::string& shape) {
+        const auto scene = scratch.write("scene.toml", "[sample]\nshape = \"" + shape + "\"\n");
+        (void)tableOf(scene.string() + " --points 5");
+        return said.find("note: the curve is that of a flat sample") != std::string::npos;
+    };
+    EXPECT_TRUE(saysSo("sphere"));
+    EXPECT_FALSE(saysSo("plane"));
 }
 
 TEST_F(CurveCommand, TakesAMaterialByNameOrFile) {

@@ -263,6 +263,35 @@ TEST(ExploreModel, TellsTheWholeErrorOfItsForces) {
     EXPECT_EQ(run.output.find("of the whole"), std::string::npos);
 }
 
+/// Between two walls the law of one contact says nothing of what is open.
+TEST(ExploreUncertainty, IsNotStatedOfSeveralContacts) {
+    const test::ScratchFolder scratch;
+    HeightMap groove{.columns = 96,
+                     .rows = 96,
+                     .pitchX = 1e-9,
+                     .pitchY = 1e-9,
+                     .heights = std::vector<double>(96 * 96),
+                     .invalid = {}};
+    for (int row = 0; row < groove.rows; ++row) {
+        for (int column = 0; column < groove.columns; ++column) {
+            groove.heights[groove.index(row, column)] = 0.8 * std::abs(column - 47.5) * 1e-9;
+        }
+    }
+    writeHeightMap(scratch.file("groove.gsf"), groove, {});
+    scratch.write("scene.toml", "[sample]\nfile = \"groove.gsf\"\nlevel = \"none\"\n");
+    scratch.write("down.csv", "time_s,x_m,y_m,z_m\n0,48e-9,48e-9,14e-9\n"
+                              "1,48e-9,48e-9,2e-9\n2,48e-9,48e-9,14e-9\n");
+    const auto run = test::runProgram("explore " + scratch.file("scene.toml").string() +
+                                      " --path " + scratch.file("down.csv").string() + " --out " +
+                                      scratch.file("out").string());
+    ASSERT_EQ(run.exitCode, 0) << run.output;
+    EXPECT_NE(run.output.find("up to 2 contacts at once"), std::string::npos) << run.output;
+    const nlohmann::json cycle = summaryOf(scratch.file("out"))["cycles"].at(0);
+    EXPECT_EQ(cycle["contacts"], 2);
+    EXPECT_TRUE(cycle["uncertainty"]["pull_off_force_n"]["model_sigma"].is_null());
+    EXPECT_GT(cycle["uncertainty"]["max_force_n"]["model_sigma"], 0.0);
+}
+
 TEST(ExploreLeveling, IsSaidAndCanBeSwitchedOff) {
     const test::ScratchFolder scratch;
     const std::string start = "explore " + test::shippedScene("polystyrene").string() +
