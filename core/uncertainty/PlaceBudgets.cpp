@@ -2,6 +2,7 @@
 
 #include "core/scene/ScanSmoothing.h"
 #include "core/scene/Scene.h"
+#include "core/surface/deformation/ContactHeight.h"
 #include "core/uncertainty/BudgetBuilder.h"
 #include "core/uncertainty/FitResponse.h"
 #include "core/uncertainty/PlaceLaw.h"
@@ -143,7 +144,10 @@ PlaceBudgets budgetsAt(const Scene& scene, const TipState& state, double force) 
 }
 
 PlaceBudgets budgetsAt(const Scene& scene, const Vector2& place, double force) {
-    const double height = scene.surface.at(place.x(), place.y()).height;
+    const double radius = scene.belief.tipRadius();
+    const double height =
+        scene.shape ? scene.surface.at(place.x(), place.y()).height
+                    : tipContactHeight(scene.surface, place.x(), place.y(), radius) - radius;
     const BaseMotion tip{.position = Vector3(place.x(), place.y(), height)};
     return budgetsAt(scene, heldTip(scene.believedSurface(), scene.belief, tip, {}), force);
 }

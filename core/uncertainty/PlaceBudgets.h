@@ -30,7 +30,8 @@ using PlaceBudgets = std::array<Budget, kLandmarkCount>;
 /// Source: docs/uncertainty.md.
 [[nodiscard]] PlaceBudgets budgetsAt(const Scene& scene, const TipState& state, double force);
 
-/// The same where the tip's apex touches the surface above a place. @param place world x, y [m]
+/// The same where the tip first touches the sample as it comes down at a place: a blunt one beside
+/// it. @param place of the apex, world x, y [m]
 [[nodiscard]] PlaceBudgets budgetsAt(const Scene& scene, const Vector2& place, double force);
 
 /// Computes the budgets of a contact law that has no place: of a flat sample and a lever whose

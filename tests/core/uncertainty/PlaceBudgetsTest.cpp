@@ -239,6 +239,20 @@ TEST(PlaceBudgets, AreNotKnownOfSeveralContacts) {
     EXPECT_FALSE(knows("pull_off_force_n"));
 }
 
+/// A blunt tip above the foot of a bump touches the bump: at its apex it would be deep in it.
+TEST(PlaceBudgets, AreOfWhatTheTipTouches) {
+    SceneDescription description = softScene();
+    description.tip.radius = 2e-6;
+    description.choices.bodyAttraction = false;
+    const Scene scene = buildScene(description, bumpMap(640e-18));
+    const Budget onTop = budgetOf(budgetsAt(scene, kMiddle, 2e-9), Landmark::AdhesionForce);
+    const PlaceBudgets beside = budgetsAt(scene, kMiddle + Vector2(30e-9, 0.0), 2e-9);
+    const Budget& pull = budgetOf(beside, Landmark::AdhesionForce);
+    EXPECT_NEAR(pull.value, onTop.value, 0.02 * onTop.value);
+    EXPECT_NEAR(pull.share(UncertaintyInput::WorkOfAdhesion), 0.1 * pull.value, 0.01 * pull.value);
+    EXPECT_NEAR(relative(beside, Landmark::NormalForce, UncertaintyInput::Stiffness), 0.1, 5e-3);
+}
+
 /// A sharp asperity's law hardly depends on how blunt the tip is; what attracts beside it goes as
 /// the tip's radius.
 TEST(PlaceBudgets, HoldTheAttractionBesideTheContact) {
