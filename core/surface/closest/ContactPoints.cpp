@@ -24,14 +24,16 @@ ClosestPointList bearing(const ClosestPointList& points, double same, double far
     return apart;
 }
 
-/// Whether a closest point is left out of the list that a tip may touch beside it: a spline has no
-/// two bumps in half a pixel.
-bool joinsBumps(const ClosestPointList& minima, const ClosestPointList& apart, double pitch,
+/// Pixels within which a spline has no two bumps.
+constexpr double kOneBump = 0.5;
+
+/// Whether a closest point is left out of the list that a tip may touch beside those in it.
+/// @param bump width of one [m]
+bool joinsBumps(const ClosestPointList& minima, const ClosestPointList& apart, double bump,
                 double farthest) {
-    constexpr double kPixels = 0.5;
     return std::ranges::any_of(minima.all(), [&](const ClosestPoint& closest) {
         const auto isNear = [&](const ClosestPoint& other) {
-            return (other.point - closest.point).norm() <= kPixels * pitch;
+            return (other.point - closest.point).norm() <= bump;
         };
         return std::abs(closest.distance) <= farthest && std::ranges::none_of(apart.all(), isNear);
     });
@@ -70,8 +72,8 @@ ContactPoints pointsOf(const BSplineSurface& surface, const TipSphere& tip, doub
     const double nearest = std::abs(minima.all().front().distance);
     const double farthest = within.limit(nearest);
     points.list = bearing(minima, same, farthest);
-    const double pitch = std::min(surface.grid().pitchX, surface.grid().pitchY);
-    points.joined = same > pitch && joinsBumps(minima, points.list, pitch, farthest);
+    const double bump = kOneBump * std::min(surface.grid().pitchX, surface.grid().pitchY);
+    points.joined = same > bump && joinsBumps(minima, points.list, bump, farthest);
     if (minima.hasLeftOut(farthest)) {
         points.proof = SearchProof::TooManyPoints;
     }
