@@ -97,7 +97,7 @@ private:
 
 class KilledWriterLong : public KilledWriter {};
 
-constexpr int kSomeKills = 4;
+constexpr int kSomeKills = 2;
 constexpr int kManyKills = 50;
 
 TEST_F(KilledWriter, OfAMapLeavesNothingToTheNextOne) { convertToAll(kSomeKills); }
