@@ -280,12 +280,12 @@ TEST(ExploreUncertainty, IsNotStatedOfSeveralContacts) {
         }
     }
     writeHeightMap(scratch.file("groove.gsf"), groove, {});
-    scratch.write("scene.toml", "[sample]\nfile = \"groove.gsf\"\nlevel = \"none\"\n");
-    scratch.write("down.csv", "time_s,x_m,y_m,z_m\n0,48e-9,48e-9,14e-9\n"
-                              "1,48e-9,48e-9,2e-9\n2,48e-9,48e-9,14e-9\n");
-    const auto run = test::runProgram("explore " + scratch.file("scene.toml").string() +
-                                      " --path " + scratch.file("down.csv").string() + " --out " +
-                                      scratch.file("out").string());
+    const auto scene =
+        scratch.write("scene.toml", "[sample]\nfile = \"groove.gsf\"\nlevel = \"none\"\n");
+    const auto down = scratch.write("down.csv", "time_s,x_m,y_m,z_m\n0,48e-9,48e-9,14e-9\n"
+                                                "1,48e-9,48e-9,2e-9\n2,48e-9,48e-9,14e-9\n");
+    const auto run = test::runProgram("explore " + scene.string() + " --path " + down.string() +
+                                      " --out " + scratch.file("out").string());
     ASSERT_EQ(run.exitCode, 0) << run.output;
     EXPECT_NE(run.output.find("up to 2 contacts at once"), std::string::npos) << run.output;
     const nlohmann::json cycle = summaryOf(scratch.file("out"))["cycles"].at(0);
