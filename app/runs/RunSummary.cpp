@@ -152,13 +152,13 @@ OrderedJson readingJson(const std::optional<Reading>& reading) {
     return reading ? OrderedJson(reading->value) : OrderedJson(nullptr);
 }
 
-/// What leaves most open: an input, or the terms left out. Null: nothing, or it is not known.
+/// Returns the key of what leaves most of a result open, an input or the terms left out; null where
+/// nothing does or that is not known.
 OrderedJson dominantJson(const Budget& budget) {
-    const std::optional<UncertaintyInput> dominant = budget.dominant();
-    const double largest = dominant ? budget.share(*dominant) : 0.0;
-    if (budget.isModelKnown() && budget.leftOut > largest) {
+    if (budget.isMostLeftOut()) {
         return kLeftOut;
     }
+    const std::optional<UncertaintyInput> dominant = budget.dominant();
     return dominant ? OrderedJson(keyOf(*dominant)) : OrderedJson(nullptr);
 }
 

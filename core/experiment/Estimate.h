@@ -14,7 +14,7 @@ struct Estimate {
     double low = 0.0;        ///< of the interval
     double high = 0.0;       ///< of the interval
 
-    /// Whether the values are enough for an interval.
+    /// Returns whether there are enough values for an interval.
     [[nodiscard]] bool hasInterval() const noexcept {
         return std::isfinite(low) && std::isfinite(high) && count > 1;
     }

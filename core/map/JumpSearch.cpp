@@ -16,9 +16,9 @@ constexpr int kMaxJumpHalvings = 60;
 
 enum class Way : std::int8_t { Down = -1, Up = 1 };
 
-/// What is long beside a search at a place: how far apart the base's positions at both jumps of the
-/// tip are by the law there; where it does not jump, how far it is attracted, or its radius [m].
-/// The tip's own radius says nothing of it: a blunt tip may stand on a sharp asperity.
+/// Returns the length by which the steps of a search are chosen [m]: the base's way between both
+/// jumps, by the law at the place; where the tip does not jump, the range of its attraction, or the
+/// effective radius. The tip's own radius says nothing: a blunt tip may stand on a sharp asperity.
 double jumpScale(const VerticalPath& path, const TipAtHeight& tip) {
     const ContactModel law = contactModelAt(path.instrument().system(), tip.state);
     const double compliance = path.compliance(tip.state);
@@ -27,7 +27,7 @@ double jumpScale(const VerticalPath& path, const TipAtHeight& tip) {
     return loop > 0.0 ? loop : range > 0.0 ? range : law.pair().tipRadius;
 }
 
-/// How near the base goes to a jump where the law knows the rest [m]: right at a jump the force
+/// Returns how near to a jump the base goes where the law knows the rest [m]: right at it the force
 /// goes as the root of the distance. On a way that is sampled nearer than its shortest step: from
 /// farther off that step would go on from there, and back, and rounding would say at which of the
 /// two the search ends.

@@ -35,7 +35,7 @@ bool hasDeviations(const MapPlan& plan) {
 void takeDeviations(const Scene& scene, const TipState& setpoint, MapValues& values) {
     const PlaceBudgets budgets = budgetsAt(scene, setpoint, setpoint.normalForce);
     for (const DeviationRow& row : kDeviations) {
-        // Of a landmark that is missing, and of several contacts, it is not a number, too.
+        // Not a number where the law has no such landmark or the tip has several contacts.
         values[row.deviation] =
             budgetOf(budgets, row.landmark).of(values[row.quantity], 0.0).modelAboutValue();
     }

@@ -26,6 +26,10 @@ std::optional<UncertaintyInput> Budget::dominant() const noexcept {
                : std::nullopt;
 }
 
+bool Budget::isMostLeftOut() const noexcept {
+    return isModelKnown() && leftOut > *std::ranges::max_element(shares);
+}
+
 std::vector<UncertaintyInput> Budget::mainInputs() const {
     constexpr double kMain = 0.9;
     if (!isModelKnown()) {

@@ -38,6 +38,8 @@ struct Budget {
     [[nodiscard]] double total() const noexcept;
     /// The input with the largest share; none: no input moves the result, or none is known to.
     [[nodiscard]] std::optional<UncertaintyInput> dominant() const noexcept;
+    /// Returns whether the terms left out move the result by more than any input does.
+    [[nodiscard]] bool isMostLeftOut() const noexcept;
     /// The inputs that make up nine tenths of the variance by all inputs, the largest first.
     [[nodiscard]] std::vector<UncertaintyInput> mainInputs() const;
     /// What smoothing and pixels move the result by, relative to its value.

@@ -66,10 +66,10 @@ std::string budgetText(const Budget& budget, const char* unit) {
 }
 
 std::string mostBy(const Budget& budget) {
-    const std::optional<UncertaintyInput> dominant = budget.dominant();
-    if (budget.isModelKnown() && budget.leftOut > (dominant ? budget.share(*dominant) : 0.0)) {
+    if (budget.isMostLeftOut()) {
         return kLeftOut;
     }
+    const std::optional<UncertaintyInput> dominant = budget.dominant();
     return dominant ? nameOf(*dominant) : "–";
 }
 

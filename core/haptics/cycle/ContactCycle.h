@@ -33,7 +33,7 @@ struct ContactCycle {
     /// The tip was in contact when the run began: there is no approach, and its touch is not seen.
     bool fromStart = false;
     Reading maxForce;  ///< repulsive [N]
-    /// Of the undeformed surface where that was; 0: the sample never pushed [m]
+    /// Indentation of the undeformed surface at that force; 0: the sample never pushed [m]
     Reading maxIndentation;
     /// Strongest pull of the first approach, > 0; none: no pull beyond the noise [N]
     std::optional<Reading> snapIn;

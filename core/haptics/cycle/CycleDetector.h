@@ -35,7 +35,7 @@ public:
 
 private:
     void takeTrends() noexcept;
-    /// Of the lever along the normal [m/N].
+    /// Returns the compliance of the lever along the normal [m/N].
     [[nodiscard]] double compliance() const noexcept;
     void takeApart(double time, bool turned, bool touches) noexcept;
     void takeContact(double time, bool turned, bool held) noexcept;

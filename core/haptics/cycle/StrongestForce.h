@@ -31,7 +31,7 @@ public:
               const std::array<HalfForce, 2>& beside = {}) noexcept;
     /// None: nothing was taken. [N]
     [[nodiscard]] const std::optional<Reading>& reading() const noexcept { return reading_; }
-    /// What the signal beside it was there, without that bias, too.
+    /// Returns the other signal at the same ticks; it has no such bias, either.
     [[nodiscard]] Reading readingBeside() const noexcept { return meanOf(measuredBeside_); }
 
 private:
