@@ -2,6 +2,7 @@
 
 #include "core/contact/laws/ForceCurve.h"
 
+#include <cmath>
 #include <limits>
 #include <optional>
 
@@ -46,6 +47,10 @@ void takeSetpoint(const ContactModel& model, double compliance, double force, do
         return;
     }
     const ContactState state = model.equilibrium(*base, compliance, kBondedMemory);
+    constexpr double kReached = 1e-6;  // of the force: more than the search leaves
+    if (!(std::abs(state.force - force) <= kReached * force)) {
+        return;
+    }
     at(landmarks, Landmark::NormalForce) = state.force;
     at(landmarks, Landmark::Indentation) = state.indentation;
     at(landmarks, Landmark::Stiffness) = state.stiffness;

@@ -241,9 +241,9 @@ TEST(PlaceBudgets, AreNotKnownOfSeveralContacts) {
 
 /// A blunt tip above the foot of a bump touches the bump: at its apex it would be deep in it.
 TEST(PlaceBudgets, AreOfWhatTheTipTouches) {
-    SceneDescription description = softScene();
+    SceneDescription description = test::plainScene();
     description.tip.radius = 2e-6;
-    description.choices.bodyAttraction = false;
+    description.choices.bodyAttraction = true;
     const Scene scene = buildScene(description, bumpMap(640e-18));
     const Budget onTop = budgetOf(budgetsAt(scene, kMiddle, 2e-9), Landmark::AdhesionForce);
     const PlaceBudgets beside = budgetsAt(scene, kMiddle + Vector2(30e-9, 0.0), 2e-9);
