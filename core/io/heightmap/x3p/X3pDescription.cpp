@@ -19,6 +19,9 @@ namespace {
 
 /// Of a text that is kept; a comment may be of any length, and each layer carries a copy.
 constexpr std::size_t kX3pMaxText = 4096;
+/// Elements and attributes. Each takes the parser up to 128 bytes, but the file less than one where
+/// it is packed: as many as a list of a 1024 x 1024 image has, and a head of any length.
+constexpr std::uint64_t kMaxXmlParts = 1'200'000;
 
 std::string_view localName(const pugi::xml_node& node) {
     const std::string_view name = node.name();
@@ -38,11 +41,26 @@ pugi::xml_node descendant(pugi::xml_node node, std::initializer_list<std::string
 
 std::string textOf(const pugi::xml_node& node) { return toUtf8(trimmed(node.text().get())); }
 
+/// Counts them without a parser's memory; a '=' of a text is taken for an attribute.
+std::uint64_t xmlParts(std::string_view xml) {
+    std::uint64_t parts = 0;
+    for (std::size_t i = 0; i < xml.size(); ++i) {
+        const bool isTag = xml[i] == '<' && xml.substr(i + 1, 1) != "/";
+        parts += isTag || xml[i] == '=' ? 1 : 0;
+    }
+    return parts;
+}
+
 class X3pMain {
 public:
     X3pMain(std::string xml, const std::string& file, const std::string& entry)
         : xml_(std::move(xml)), file_(file), entry_(entry) {
-        // One node for an element and its text: a list has millions of them.
+        if (const std::uint64_t parts = xmlParts(xml_); parts > kMaxXmlParts) {
+            throw InputError(file_, entry_,
+                             "expected at most " + std::to_string(kMaxXmlParts) +
+                                 " elements and attributes, found " + std::to_string(parts));
+        }
+        // One node for an element and its text: a list has many of them.
         constexpr unsigned kOptions = pugi::parse_default | pugi::parse_embed_pcdata;
         const pugi::xml_parse_result result =
             document_.load_buffer_inplace(xml_.data(), xml_.size(), kOptions);

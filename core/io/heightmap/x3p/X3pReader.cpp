@@ -23,7 +23,7 @@ namespace asperity {
 namespace {
 
 constexpr std::string_view kMain = "main.xml";
-/// Four million heights listed as text.
+/// A million heights listed as text.
 constexpr std::uint64_t kMaxXml = std::uint64_t{1} << 26U;
 constexpr std::uint64_t kMaxChecksumFile = 4096;
 /// The MD5 of more would take longer than to decode it, and damage shows in its CRC.

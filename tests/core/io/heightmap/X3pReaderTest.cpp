@@ -176,6 +176,28 @@ TEST(X3pReader, ReadsAListOfText) {
         HasSubstr("Datum 1: expected a number, found 'high'"));
 }
 
+// A main.xml of 62 KB, packed, took a gigabyte: the parser keeps many bytes for each element.
+TEST(X3pReader, RefusesMoreElementsThanAListHas) {
+    std::string elements;
+    for (int i = 0; i < 1'200'000; ++i) {
+        elements += i % 2 == 0 ? "<a/>" : "<a b=\"\"/>";
+    }
+    EXPECT_EQ(
+        refusalOfX3p(x3pFile({.record2 = elements})),
+        "scan.x3p: main.xml: expected at most 1200000 elements and attributes, found 1800028");
+}
+
+TEST(X3pReader, ReadsAListOfAMillionHeights) {
+    std::string list = "<DataList>";
+    for (int i = 0; i < 1024 * 1024; ++i) {
+        list += "<Datum>1e-9</Datum>";
+    }
+    const std::string file = zipFile({{"main.xml", mainXml({.matrix = "<SizeX>1024</SizeX>"
+                                                                      "<SizeY>1024</SizeY>",
+                                                            .data = list + "</DataList>"})}});
+    EXPECT_EQ(readAsX3p(file).channels.at(0).map.at(1023, 1023), 1e-9);
+}
+
 TEST(X3pReader, FindsMainXmlInASubFolderBesideThatOfAMac) {
     const HeightMapFile file = readAsX3p(zipFile({{"__MACOSX/scan/._main.xml", "x"},
                                                   {"__MACOSX/scan/main.xml", "x"},
