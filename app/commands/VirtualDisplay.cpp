@@ -4,20 +4,30 @@
 #include "vtkplugins/pictures/Display.h"
 
 #include <array>
+#include <cerrno>
 #include <csignal>
 #include <cstdlib>
 #include <fcntl.h>
 #include <string>
 #include <sys/prctl.h>
 #include <sys/wait.h>
+#include <system_error>
 #include <unistd.h>
 
 namespace asperity {
 
 namespace {
 
-constexpr const char* kMissing =
-    "no display: none answers at DISPLAY and Xvfb could not be started (Debian package xvfb)";
+constexpr int kNotFound = 42;  // exit code of a child that found no Xvfb; the loader's is 127
+
+[[noreturn]] void refuse(const std::string& why) {
+    throw Error("no display: none answers at DISPLAY and Xvfb " + why);
+}
+
+/// @param error of the system
+[[noreturn]] void refuseStart(int error) {
+    refuse("cannot be started: " + std::generic_category().message(error));
+}
 
 /// Runs Xvfb in place of this (forked) process; it writes its display number to `reply` and ends
 /// with the program, however that ends.
@@ -28,12 +38,15 @@ constexpr const char* kMissing =
         _exit(1);  // it ended before we asked to be told
     }
     const int null = open("/dev/null", O_RDWR | O_CLOEXEC);
+    if (null < 0) {
+        _exit(1);
+    }
     dup2(null, STDOUT_FILENO);
     dup2(null, STDERR_FILENO);
     const std::string replyText = std::to_string(reply);
     execlp("Xvfb", "Xvfb", "-displayfd", replyText.c_str(), "-screen", "0", "1600x1000x24",
            "-nolisten", "tcp", "-noreset", nullptr);
-    _exit(1);
+    _exit(errno == ENOENT ? kNotFound : 1);
 }
 
 /// The display number that the server announces; empty when it ends without one.
@@ -61,21 +74,26 @@ VirtualDisplay::VirtualDisplay() {
     }
     std::array<int, 2> ends{};
     if (pipe(ends.data()) != 0) {
-        throw Error(kMissing);
+        refuseStart(errno);
     }
     const pid_t program = getpid();
     server_ = fork();
     if (server_ == 0) {
         becomeServer(ends[1], program);
     }
+    const int error = errno;
     close(ends[1]);
     const std::string number = server_ > 0 ? readDisplayNumber(ends[0]) : "";
     close(ends[0]);
+    if (server_ < 0) {
+        refuseStart(error);
+    }
     if (number.empty()) {
-        if (server_ > 0) {
-            waitpid(server_, nullptr, 0);
-        }
-        throw Error(kMissing);
+        int status = 0;
+        waitpid(server_, &status, 0);
+        refuse(WIFEXITED(status) && WEXITSTATUS(status) == kNotFound
+                   ? "is not installed (Debian package xvfb)"
+                   : "ended as soon as it was started");
     }
     setenv("DISPLAY", (":" + number).c_str(), 1);  // NOLINT(concurrency-mt-unsafe): at start
 }

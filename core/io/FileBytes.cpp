@@ -1,12 +1,12 @@
 #include "core/io/FileBytes.h"
 
 #include "core/Error.h"
+#include "core/GrowingFile.h"
 #include "core/io/MemoryLimit.h"
 
 #include <algorithm>
 #include <cerrno>
 #include <fcntl.h>
-#include <fstream>
 #include <system_error>
 #include <unistd.h>
 
@@ -114,16 +114,12 @@ std::string readFileBytes(const std::filesystem::path& path) {
 
 void copyTo(const ByteSource& from, const std::filesystem::path& file) {
     constexpr std::uint64_t kPiece = std::uint64_t{1} << 20U;
-    std::ofstream copy(file, std::ios::binary);
+    GrowingFile copy(file);
     std::string piece;
     for (std::uint64_t place = 0; place < from.size(); place += piece.size()) {
         piece.resize(static_cast<std::size_t>(std::min(kPiece, from.size() - place)));
         from.read(place, piece);
-        copy.write(piece.data(), static_cast<std::streamsize>(piece.size()));
-    }
-    copy.close();
-    if (!copy) {
-        throw Error(file.string() + ": the file cannot be copied here; is the disk full?");
+        copy.append(piece);
     }
 }
 

@@ -2,6 +2,7 @@
 
 #include "core/Error.h"
 #include "core/Leftover.h"
+#include "tests/support/OpenFilesLimit.h"
 #include "tests/support/ScratchFolder.h"
 
 #include <gtest/gtest.h>
@@ -9,7 +10,6 @@
 #include <filesystem>
 #include <iterator>
 #include <string>
-#include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -152,19 +152,13 @@ TEST(TemporaryFile, TakesNamesAsLongAsTheFileSystem) {
 /// That the writer could not open it was told as a full disk.
 TEST(TemporaryFile, SaysThatTooManyFilesAreOpen) {
     const test::ScratchFolder scratch;
-    rlimit before{};
-    getrlimit(RLIMIT_NOFILE, &before);
-    const int next = dup(STDERR_FILENO);
-    close(next);
-    const rlimit one{static_cast<rlim_t>(next) + 1, before.rlim_max};
-    setrlimit(RLIMIT_NOFILE, &one);
     std::string said;
     try {
+        const test::OpenFilesLimit one(1);
         const OutputFile file(scratch.file("out.txt"));
     } catch (const FileError& error) {
         said = error.what();
     }
-    setrlimit(RLIMIT_NOFILE, &before);
     EXPECT_NE(said.find("out.txt: cannot be written: Too many open files"), std::string::npos)
         << said;
     EXPECT_TRUE(fs::is_empty(scratch.path()));

@@ -321,5 +321,16 @@ TEST(ExploreMemory, TooLittleToDrawIsSaidAndTheRunIsKept) {
     }
 }
 
+// That Xvfb is not installed was said.
+TEST(ExploreFiles, TooManyOpenForADisplayIsSaid) {
+    const test::ScratchFolder scratch;
+    const auto run = test::runProgram("explore " + test::shippedScene("polystyrene").string() +
+                                          " --duration 0.1 --out " + scratch.file("out").string(),
+                                      "DISPLAY= prlimit --nofile=4");
+    EXPECT_EQ(run.exitCode, 1);
+    EXPECT_NE(run.output.find("Xvfb cannot be started: Too many open files"), std::string::npos)
+        << run.output;
+}
+
 }  // namespace
 }  // namespace asperity

@@ -1,6 +1,8 @@
 #include "core/io/FileBytes.h"
 
 #include "core/Error.h"
+#include "tests/support/FileSizeLimit.h"
+#include "tests/support/OpenFilesLimit.h"
 #include "tests/support/Refusal.h"
 #include "tests/support/ScratchFolder.h"
 
@@ -18,6 +20,7 @@ namespace {
 
 using testing::AllOf;
 using testing::HasSubstr;
+using testing::ThrowsMessage;
 
 /// Makes the time stamp another one, however coarse the file system's clock is.
 void touch(const std::filesystem::path& path) {
@@ -75,6 +78,21 @@ TEST(FileBytes, RefusesWhatIsNoFile) {
     EXPECT_THROW(FileBytes{folder.path()}, InputError);
     EXPECT_THROW(FileBytes{folder.file("none")}, InputError);
     EXPECT_THROW(FileBytes{folder.write("empty", "")}, InputError);
+}
+
+/// All was a question: is the disk full?
+TEST(FileBytes, SaysWhyACopyCannotBeWritten) {
+    const ScratchFolder folder;
+    const std::string text(100000, 'x');
+    const MemoryBytes content(text, "scan");
+    {
+        const FileSizeLimit full(50000);
+        EXPECT_THAT([&] { copyTo(content, folder.file("large")); },
+                    ThrowsMessage<Error>(HasSubstr("large: cannot be written: File too large")));
+    }
+    const OpenFilesLimit none;
+    EXPECT_THAT([&] { copyTo(content, folder.file("copy")); },
+                ThrowsMessage<Error>(HasSubstr("copy: cannot be written: Too many open files")));
 }
 
 }  // namespace asperity::test

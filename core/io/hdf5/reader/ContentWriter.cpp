@@ -1,7 +1,9 @@
 #include "core/io/hdf5/reader/ContentWriter.h"
 
+#include <cerrno>
 #include <limits>
 #include <stdexcept>
+#include <system_error>
 
 namespace asperity {
 
@@ -17,6 +19,7 @@ std::uint64_t ValueShape::count() const {
 }
 
 ContentWriter::ContentWriter(const std::filesystem::path& path) : stream_(path, std::ios::binary) {
+    requireWritten();
     stream_ << hdf5_content::kStart;
 }
 
@@ -34,14 +37,20 @@ void ContentWriter::addAttribute(const std::string& path, const ValueShape& shap
 
 void ContentWriter::add(std::span<const char> values) {
     stream_.write(values.data(), static_cast<std::streamsize>(values.size()));
+    requireWritten();
 }
 
 void ContentWriter::close() {
     put(hdf5_content::kEnd);
     put(items_);
     stream_.close();
+    requireWritten();
+}
+
+void ContentWriter::requireWritten() const {
     if (!stream_) {
-        throw std::runtime_error("what it holds cannot be written for a moment; is the disk full?");
+        throw std::runtime_error("what it holds cannot be written for a moment: " +
+                                 std::generic_category().message(errno));
     }
 }
 

@@ -34,6 +34,7 @@ public:
     void close();
 
 private:
+    void requireWritten() const;  ///< with the system's reason
     template <class Number>
     void put(Number number);
     void begin(char record, const std::string& path);

@@ -12,8 +12,10 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cstdio>
 #include <cstdlib>
 #include <fstream>
+#include <memory>
 #include <numeric>
 
 namespace asperity::test {
@@ -22,6 +24,14 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 using Kind = Hdf5Item::Kind;
+
+std::string outputOf(const std::string& command) {
+    // NOLINTNEXTLINE(cert-env33-c): that is the test
+    const std::unique_ptr<std::FILE, int (*)(std::FILE*)> pipe(popen(command.c_str(), "r"),
+                                                               &pclose);
+    std::array<char, 1000> text{};
+    return {text.data(), std::fread(text.data(), 1, text.size(), pipe.get())};
+}
 
 /// A file as another program writes it.
 class Hdf5Program : public testing::Test {
@@ -66,6 +76,17 @@ std::vector<double> numbersOf(const Hdf5Content& content, const char* path) {
     std::vector<double> numbers(item->count);
     content.read(*item, 0, numbers);
     return numbers;
+}
+
+/// What ends the writing is no guess.
+TEST_F(Hdf5Program, SaysWhyItCannotHandOver) {
+    addNumbers("n", H5T_IEEE_F64LE, {2, 3});
+    close();
+    const std::string call = hdf5Reader("").string() + " " + file.string() + " ";
+    const std::string why = "what it holds cannot be written for a moment: ";
+    EXPECT_EQ(outputOf(call + "/dev/full"), why + "No space left on device\n");
+    EXPECT_EQ(outputOf("ulimit -n 4; " + call + scratch.file("content").string()),
+              why + "Too many open files\n");
 }
 
 TEST_F(Hdf5Program, HandsOverNumbersOfAllTypes) {
