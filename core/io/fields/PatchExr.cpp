@@ -3,14 +3,17 @@
 #include "core/Error.h"
 #include "core/TemporaryFile.h"
 
+#include <OpenEXR/IexErrnoExc.h>
 #include <OpenEXR/ImfChannelList.h>
 #include <OpenEXR/ImfDoubleAttribute.h>
 #include <OpenEXR/ImfFrameBuffer.h>
 #include <OpenEXR/ImfHeader.h>
 #include <OpenEXR/ImfOutputFile.h>
+#include <OpenEXR/ImfStdIO.h>
 #include <OpenEXR/ImfStringAttribute.h>
 #include <array>
 #include <exception>
+#include <fstream>
 #include <vector>
 
 namespace asperity {
@@ -61,6 +64,24 @@ Imf::Header headerOf(const SurfacePatch& patch) {
     return header;
 }
 
+void write(const std::filesystem::path& path, const Imf::Header& header,
+           const Imf::FrameBuffer& frame, int rows) {
+    constexpr const char* kStopped = "writing stopped half-way (disk full?)";
+    std::ofstream stream(path, std::ios::binary);
+    Imf::StdOFStream output(stream, path.c_str());
+    try {
+        Imf::OutputFile file(output, header);
+        file.setFrameBuffer(frame);
+        file.writePixels(rows);
+    } catch (const Iex::ErrnoExc&) {
+        throw Error(kStopped);  // its own words name the temporary file
+    }
+    stream.close();
+    if (!stream) {
+        throw Error(kStopped);
+    }
+}
+
 }  // namespace
 
 void writePatchExr(const std::filesystem::path& path, const SurfacePatch& patch) {
@@ -74,9 +95,7 @@ void writePatchExr(const std::filesystem::path& path, const SurfacePatch& patch)
     }
     const TemporaryFile temporary(path);
     try {
-        Imf::OutputFile file(temporary.path().c_str(), headerOf(patch));
-        file.setFrameBuffer(frame);
-        file.writePixels(patch.rows);
+        write(temporary.path(), headerOf(patch), frame, patch.rows);
     } catch (const std::exception& error) {
         throw Error(path.string() + ": cannot be written: " + error.what());
     }

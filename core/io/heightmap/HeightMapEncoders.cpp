@@ -12,7 +12,7 @@ namespace asperity {
 void finish(std::ofstream& stream) {
     stream.close();
     if (!stream) {
-        throw Error("writing stopped half-way (disk full?)");
+        throw Error(kStoppedHalfWay);
     }
 }
 

@@ -14,6 +14,9 @@
 
 namespace asperity {
 
+/// What an encoder says of a file that could not be written to its end.
+inline constexpr const char* kStoppedHalfWay = "writing stopped half-way (disk full?)";
+
 /// Closes a stream. @throw Error when not all could be written
 void finish(std::ofstream& stream);
 

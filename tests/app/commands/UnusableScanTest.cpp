@@ -45,13 +45,16 @@ TEST(UnusableScan, OfADiskThatIsFullIsToldInOurWordsAlone) {
     const ScratchFolder scratch;
     const std::string scan = scratch.file("in.gsf").string();
     writeHeightMap(scan, bumpyMap(300, 300), {});
-    for (const char* const name : {"out.vtp", "out.vts", "out.stl"}) {
+    for (const char* const name :
+         {"out.vtp", "out.vts", "out.stl", "out.tiff", "out.exr", "out.txt", "out.png"}) {
         const auto run =
             runProgram("convert " + scan + " " + scratch.file(name).string(), "ulimit -f 40;");
         EXPECT_EQ(run.exitCode, 1) << name;
         EXPECT_THAT(run.output, HasSubstr("writing stopped half-way (disk full?)")) << name;
         EXPECT_THAT(run.output, Not(HasSubstr("ERR"))) << name;
         EXPECT_THAT(run.output, Not(HasSubstr("vtk"))) << name;
+        EXPECT_THAT(run.output, Not(HasSubstr("TIFF"))) << name;
+        EXPECT_THAT(run.output, Not(HasSubstr(".part"))) << name;
     }
 }
 

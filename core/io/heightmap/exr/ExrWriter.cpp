@@ -1,15 +1,19 @@
 
 #include "core/io/heightmap/exr/ExrWriter.h"
 
+#include "core/Error.h"
 #include "core/io/heightmap/HeightMapEncoders.h"
 
+#include <OpenEXR/IexErrnoExc.h>
 #include <OpenEXR/ImfChannelList.h>
 #include <OpenEXR/ImfDoubleAttribute.h>
 #include <OpenEXR/ImfFrameBuffer.h>
 #include <OpenEXR/ImfHeader.h>
 #include <OpenEXR/ImfOutputFile.h>
+#include <OpenEXR/ImfStdIO.h>
 #include <OpenEXR/ImfStringAttribute.h>
 #include <algorithm>
+#include <fstream>
 #include <string>
 #include <vector>
 
@@ -81,6 +85,26 @@ private:
     std::vector<float> values_;
 };
 
+/// @param take (row, values of the first channel): fills the lines of `frame`
+template <class Take>
+void writeLines(const std::filesystem::path& target, const Imf::Header& header,
+                const Imf::FrameBuffer& frame, const HeightRows& first, Progress* progress,
+                const Take& take) {
+    std::ofstream stream(target, std::ios::binary);
+    Imf::StdOFStream output(stream, target.c_str());
+    try {
+        Imf::OutputFile file(output, header);
+        file.setFrameBuffer(frame);
+        forEachRow(first, progress, [&](int row, const std::vector<double>& values) {
+            take(row, values);
+            file.writePixels(1);
+        });
+    } catch (const Iex::ErrnoExc&) {
+        throw Error(kStoppedHalfWay);  // its own words name the temporary file
+    }
+    finish(stream);  // the library writes the places of the lines last, and hides that it cannot
+}
+
 }  // namespace
 
 void writeExr(const std::filesystem::path& target, const HeightRows& map, const HeightMapMeta& meta,
@@ -88,12 +112,8 @@ void writeExr(const std::filesystem::path& target, const HeightRows& map, const 
     ExrLine line(map.columns);
     Imf::FrameBuffer frame;
     line.addTo(frame, "Y");
-    Imf::OutputFile file(target.c_str(), headerOfMap(map, meta));
-    file.setFrameBuffer(frame);
-    forEachRow(map, progress, [&](int, const std::vector<double>& heights) {
-        line.take(heights);
-        file.writePixels(1);
-    });
+    writeLines(target, headerOfMap(map, meta), frame, map, progress,
+               [&line](int, const std::vector<double>& heights) { line.take(heights); });
 }
 
 void writeExrImages(const std::filesystem::path& target, std::span<const WrittenImage> images,
@@ -104,17 +124,15 @@ void writeExrImages(const std::filesystem::path& target, std::span<const Written
     for (std::size_t i = 0; i < images.size(); ++i) {
         lines[i].addTo(frame, images[i].meta.title);
     }
-    Imf::OutputFile file(target.c_str(), headerOfImages(images));
-    file.setFrameBuffer(frame);
     std::vector<double> values(static_cast<std::size_t>(first.columns));
-    forEachRow(first, progress, [&](int row, const std::vector<double>& firstValues) {
-        lines.front().take(firstValues);
-        for (std::size_t i = 1; i < images.size(); ++i) {
-            images[i].rows.readRow(row, values.data());
-            lines[i].take(values);
-        }
-        file.writePixels(1);
-    });
+    writeLines(target, headerOfImages(images), frame, first, progress,
+               [&](int row, const std::vector<double>& firstValues) {
+                   lines.front().take(firstValues);
+                   for (std::size_t i = 1; i < images.size(); ++i) {
+                       images[i].rows.readRow(row, values.data());
+                       lines[i].take(values);
+                   }
+               });
 }
 
 }  // namespace asperity

@@ -69,7 +69,9 @@ void encode(const std::vector<double>& heights, const HeightCounts& counts,
 
 /// Thrown through libpng, which is built with unwind tables and holds nothing that would leak.
 [[noreturn]] void throwError(png_structp /*png*/, png_const_charp message) {
-    throw Error(std::string("the PNG library reports: ") + message);
+    throw Error(std::string_view(message) == "Write Error"
+                    ? kStoppedHalfWay
+                    : std::string("the PNG library reports: ") + message);
 }
 
 void ignoreWriteWarning(png_structp /*png*/, png_const_charp /*message*/) {}
@@ -127,7 +129,7 @@ public:
     void finish() {
         png_write_end(png_, info_);
         if (std::fflush(file_.get()) != 0) {
-            throw Error("writing stopped half-way (disk full?)");
+            throw Error(kStoppedHalfWay);
         }
     }
 

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdarg>
 #include <memory>
 #include <tiffio.h>
 
@@ -21,6 +22,15 @@ namespace {
 struct CloseTiffOutput {
     void operator()(TIFF* tiff) const { TIFFClose(tiff); }
 };
+struct FreeOutputOptions {
+    void operator()(TIFFOpenOptions* options) const { TIFFOpenOptionsFree(options); }
+};
+
+/// What failed is said once, in our words; the library would print its own.
+int ignoreError(TIFF* /*tiff*/, void* /*data*/, const char* /*module*/, const char* /*format*/,
+                va_list /*arguments*/) {
+    return 1;
+}
 
 constexpr double kCentimeter = 0.01;
 constexpr double kMaxRational = 4294967295.0;
@@ -79,7 +89,9 @@ TiffOutput created(const std::filesystem::path& target, const HeightRows& map,
     const std::size_t pixels =
         static_cast<std::size_t>(map.columns) * static_cast<std::size_t>(map.rows);
     const bool big = pixels > kClassicLimit / sampleBytes;
-    TiffOutput tiff(TIFFOpen(target.c_str(), big ? "w8" : "w"));
+    const std::unique_ptr<TIFFOpenOptions, FreeOutputOptions> options(TIFFOpenOptionsAlloc());
+    TIFFOpenOptionsSetErrorHandlerExtR(options.get(), ignoreError, nullptr);
+    TiffOutput tiff(TIFFOpenExt(target.c_str(), big ? "w8" : "w", options.get()));
     if (!tiff) {
         throw Error("the TIFF library cannot open the file");
     }
@@ -93,11 +105,11 @@ void writeSamples(TIFF* tiff, const HeightRows& map, Progress* progress, const S
     forEachRow(map, progress, [&](int row, const std::vector<double>& heights) {
         std::ranges::transform(heights, line.begin(), sampleOf);
         if (TIFFWriteScanline(tiff, line.data(), static_cast<std::uint32_t>(row), 0) != 1) {
-            throw Error("the TIFF library stopped at row " + std::to_string(row));
+            throw Error(kStoppedHalfWay);
         }
     });
     if (TIFFWriteDirectory(tiff) != 1) {
-        throw Error("the TIFF library cannot finish the file");
+        throw Error(kStoppedHalfWay);
     }
 }
 
