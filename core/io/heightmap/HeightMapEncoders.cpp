@@ -1,6 +1,7 @@
 #include "core/io/heightmap/HeightMapEncoders.h"
 
 #include "core/Error.h"
+#include "core/PrintableText.h"
 #include "core/io/TextValue.h"
 
 #include <algorithm>
@@ -38,9 +39,10 @@ HeightRange heightRange(const HeightRows& map, Progress* progress) {
 }
 
 std::string oneLine(std::string text) {
-    std::replace_if(
-        text.begin(), text.end(), [](char c) { return c == '\n' || c == '\r' || c == '\0'; }, ' ');
-    return text;
+    static constexpr std::string_view kBlanks("\n\r\t\0", 4);
+    std::ranges::replace_if(
+        text, [](char c) { return kBlanks.find(c) != std::string_view::npos; }, ' ');
+    return printable(text);
 }
 
 std::map<std::string, std::string> writtenMetadata(const HeightMapMeta& meta, std::size_t most) {

@@ -29,7 +29,8 @@ struct HeightRange {
 /// @throw Canceled
 [[nodiscard]] HeightRange heightRange(const HeightRows& map, Progress* progress);
 
-/// A text without line ends and NUL, each of them a blank.
+/// A text as one line that a terminal does not obey: line ends, tabs and NUL are blanks, the rest
+/// is printable().
 [[nodiscard]] std::string oneLine(std::string text);
 
 /// All metadata of a file together has at most this many bytes.

@@ -22,7 +22,7 @@ std::string header(const HeightRows& map, const HeightMapMeta& meta) {
            "\nYRes = " + std::to_string(map.rows) + "\nXReal = " + exactText(map.sizeX()) +
            "\nYReal = " + exactText(map.sizeY()) + "\nXOffset = " + exactText(meta.originX) +
            "\nYOffset = " + exactText(meta.originY) + "\nXYUnits = m" +
-           (meta.unit.empty() ? "" : "\nZUnits = " + meta.unit) +
+           (meta.unit.empty() ? "" : "\nZUnits = " + oneLine(meta.unit)) +
            "\nTitle = " + oneLine(meta.title) + "\n" + metadataLines(meta, " = ", kFields);
 }
 

@@ -36,13 +36,11 @@ bool isKeyword(const std::string& text) {
 
 ImageKeys textKeys(const HeightRows& map, const HeightMapMeta& meta, const HeightCounts& counts,
                    std::size_t missing) {
-    ImageKeys keys = {{"Gwy::Title", meta.title},
-                      {"Gwy::XReal", exactText(map.sizeX())},
-                      {"Gwy::YReal", exactText(map.sizeY())},
-                      {"Gwy::XOffset", exactText(meta.originX)},
-                      {"Gwy::YOffset", exactText(meta.originY)},
-                      {"Gwy::XYUnit", "m"}};
-    std::ranges::move(counts.keys(meta.unit), std::back_inserter(keys));
+    ImageKeys keys = {
+        {"Gwy::Title", oneLine(meta.title)},       {"Gwy::XReal", exactText(map.sizeX())},
+        {"Gwy::YReal", exactText(map.sizeY())},    {"Gwy::XOffset", exactText(meta.originX)},
+        {"Gwy::YOffset", exactText(meta.originY)}, {"Gwy::XYUnit", "m"}};
+    std::ranges::move(counts.keys(oneLine(meta.unit)), std::back_inserter(keys));
     if (missing > 0) {
         keys.emplace_back("Comment", std::to_string(missing) +
                                          " pixels without data have the count 0, which no other "

@@ -24,8 +24,8 @@ std::string spipHeader(const HeightRows& map, const HeightMapMeta& meta) {
            "\n# x-length = " + exactText(kPerMeter * map.sizeX()) +
            "\n# y-length = " + exactText(kPerMeter * map.sizeY()) +
            "\n# x-offset = " + exactText(kPerMeter * meta.originX) +
-           "\n# y-offset = " + exactText(kPerMeter * meta.originY) + "\n# z-unit = " + meta.unit +
-           "\n";
+           "\n# y-offset = " + exactText(kPerMeter * meta.originY) +
+           "\n# z-unit = " + oneLine(meta.unit) + "\n";
 }
 
 std::string lengthLine(std::string_view key, double length) {
@@ -36,7 +36,7 @@ std::string lengthLine(std::string_view key, double length) {
 std::string gwyddionHeader(const HeightRows& map, const HeightMapMeta& meta) {
     return "# Channel: " + oneLine(meta.title) + "\n" + lengthLine("Width", map.sizeX()) +
            lengthLine("Height", map.sizeY()) +
-           (meta.unit.empty() ? "" : "# Value units: " + meta.unit + "\n") +
+           (meta.unit.empty() ? "" : "# Value units: " + oneLine(meta.unit) + "\n") +
            lengthLine(kOriginXComment, meta.originX) + lengthLine(kOriginYComment, meta.originY);
 }
 

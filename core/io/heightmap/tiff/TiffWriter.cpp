@@ -119,7 +119,7 @@ void writeTiff(const std::filesystem::path& target, const HeightRows& map,
                const HeightMapMeta& meta, Progress* progress) {
     const TiffOutput tiff = created(target, map, sizeof(float));
     setTags(tiff.get(), map, Samples::Floats);
-    const std::string text = description(map, meta, {{"Gwy::ZUnit", meta.unit}});
+    const std::string text = description(map, meta, {{"Gwy::ZUnit", oneLine(meta.unit)}});
     TIFFSetField(tiff.get(), TIFFTAG_IMAGEDESCRIPTION, text.c_str());
     writeSamples<float>(tiff.get(), map, progress,
                         [](double height) { return static_cast<float>(height); });
@@ -131,7 +131,7 @@ void writeTiffCounts(const std::filesystem::path& target, const HeightRows& map,
     const HeightCounts counts(heightRange(map, &ranging));
     const TiffOutput tiff = created(target, map, sizeof(std::uint16_t));
     setTags(tiff.get(), map, Samples::Counts);
-    const std::string text = description(map, meta, counts.keys(meta.unit));
+    const std::string text = description(map, meta, counts.keys(oneLine(meta.unit)));
     TIFFSetField(tiff.get(), TIFFTAG_IMAGEDESCRIPTION, text.c_str());
     ProgressPart writing(progress, 0.2, 1.0);
     writeSamples<std::uint16_t>(tiff.get(), map, &writing,

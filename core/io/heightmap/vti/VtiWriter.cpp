@@ -15,9 +15,10 @@ namespace asperity {
 
 namespace {
 
+/// Of a name as a value of XML, in which most characters below the blank are not allowed.
 std::string escaped(std::string_view text) {
     std::string result;
-    for (const char c : text) {
+    for (const char c : oneLine(std::string(text))) {
         switch (c) {
         case '&':
             result += "&amp;";
@@ -32,8 +33,7 @@ std::string escaped(std::string_view text) {
             result += "&quot;";
             break;
         default:
-            // Others below the blank are not allowed in XML.
-            result += static_cast<unsigned char>(c) < ' ' ? ' ' : c;
+            result += c;
         }
     }
     return result;

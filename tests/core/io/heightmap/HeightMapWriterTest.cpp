@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <limits>
 #include <sstream>
 
@@ -207,6 +208,26 @@ TEST(HeightMapWriter, TextReadsBackToTheSameBits) {
 }
 
 /// Every map was one of heights in meters, whatever its values were.
+/// A title of a file from somewhere else colored the terminal that showed the text.
+TEST(HeightMapWriter, TextsHoldNoCommandsForATerminal) {
+    const ScratchFolder folder;
+    const HeightMapMeta meta{.title = "a\x1b[31mred\x07",
+                             .unit = "V\x1b[m",
+                             .metadata = {{"Key\x1b[1m", "of\ttwo\nlines\x1b[2m"}}};
+    for (const char* const name : {"a.txt", "a.gsf", "a.tiff", "a.png", "a.vti"}) {
+        const std::filesystem::path file = folder.file(name);
+        writeHeightMap(file, rowsOf(bumpyMap(8, 8)), meta);
+        std::ostringstream bytes;
+        bytes << std::ifstream(file, std::ios::binary).rdbuf();
+        EXPECT_EQ(bytes.str().find("\x1b["), std::string::npos) << name;
+        EXPECT_EQ(bytes.str().find("red\x07"), std::string::npos) << name;
+    }
+    const HeightMapFile read = readHeightMapFile(folder.file("a.gsf"));
+    EXPECT_EQ(read.channels.at(0).name, "a\\e[31mred\\x07");
+    EXPECT_EQ(read.channels.at(0).unit, "V\\e[m");
+    EXPECT_EQ(read.channels.at(0).metadata.at("Key\\e[1m"), "of two lines\\e[2m");
+}
+
 TEST(HeightMapWriter, NumbersWithoutAUnitAreNoHeights) {
     const ScratchFolder folder;
     const HeightMapMeta numbers{.title = "Certainty", .unit = ""};
