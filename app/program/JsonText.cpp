@@ -1,5 +1,6 @@
 #include "app/program/JsonText.h"
 
+#include "core/Error.h"
 #include "core/FormattedText.h"
 #include "core/PrintableText.h"
 #include "core/Utf8.h"
@@ -48,6 +49,18 @@ nlohmann::json readJson(const std::filesystem::path& file) {
     const std::uintmax_t size = std::filesystem::file_size(file, unknown);
     return unknown || size == 0 ? nlohmann::json(nlohmann::json::value_t::discarded)
                                 : parsedJson(readFileBytes(file), file.string());
+}
+
+nlohmann::json requiredJson(const std::filesystem::path& file) {
+    const std::string text = readFileBytes(file);
+    requireParsable(text, NestedSyntax::Json, file.string());
+    try {
+        return nlohmann::json::parse(text);
+    } catch (const nlohmann::json::parse_error& error) {
+        // The library counts from 1.
+        throw InputError(file.string(), "byte " + std::to_string(error.byte - 1),
+                         "this is no JSON; the file is truncated or damaged");
+    }
 }
 
 }  // namespace asperity

@@ -18,5 +18,8 @@ namespace asperity {
 [[nodiscard]] nlohmann::json parsedJson(std::string_view text, const std::string& file);
 /// The same of a file; discarded where there is none, too. @throw InputError
 [[nodiscard]] nlohmann::json readJson(const std::filesystem::path& file);
+/// The values of a file that must be there. @throw InputError as parsedJson(), and with the byte
+/// where it is no JSON any more
+[[nodiscard]] nlohmann::json requiredJson(const std::filesystem::path& file);
 
 }  // namespace asperity

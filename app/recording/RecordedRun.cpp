@@ -25,9 +25,9 @@ std::string summarizedHash(const std::filesystem::path& folder) {
         throw InputError(folder.string(), "",
                          "holds no run: there is neither recording.json nor summary.json");
     }
-    const nlohmann::json summary = readJson(path);
+    const nlohmann::json summary = requiredJson(path);
     const nlohmann::json::json_pointer pointer("/input/sha256");
-    if (summary.is_discarded() || !summary.contains(pointer) || !summary[pointer].is_string()) {
+    if (!summary.contains(pointer) || !summary[pointer].is_string()) {
         throw InputError(path.string(), "input.sha256", "expected the hash of the scan");
     }
     return summary[pointer].get<std::string>();

@@ -37,7 +37,7 @@ std::optional<RecordingManifest> readManifest(const std::filesystem::path& folde
     if (!std::filesystem::exists(path, unknown)) {
         return std::nullopt;
     }
-    const nlohmann::json json = readJson(path);
+    const nlohmann::json json = requiredJson(path);
     try {
         if (json.at("format") == kRecordingFormat &&
             json.at("format_version") == kRecordingVersion) {

@@ -129,5 +129,15 @@ TEST_F(ReportOfOtherRuns, SaysOfWhatIsNoRunWhatOtherCommandsSay) {
     }
 }
 
+// A summary that a full disk cut said that the hash of the scan was expected.
+TEST_F(ReportOfOtherRuns, ACutSummaryIsDamagedJson) {
+    explore("run", "--duration 0.05");
+    std::ofstream(in("run/summary.json")) << R"({"input": {"sha)";
+    const auto run = test::runProgram("report " + in("run") + " --out " + in("out"));
+    EXPECT_EQ(run.exitCode, 3);
+    EXPECT_THAT(run.output, HasSubstr("summary.json: byte 15: this is no JSON; the file is "
+                                      "truncated or damaged"));
+}
+
 }  // namespace
 }  // namespace asperity

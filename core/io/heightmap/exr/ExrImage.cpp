@@ -21,6 +21,10 @@ public:
 
     bool read(char target[], int count) override {
         const auto length = static_cast<std::size_t>(count);
+        if (place_ > bytes_.size() || length > bytes_.size() - place_) {
+            throw InputError(bytes_.name(), "byte " + std::to_string(bytes_.size()),
+                             "the content ends here; it is truncated or damaged");
+        }
         bytes_.read(place_, {target, length});
         place_ += length;
         return place_ < bytes_.size();

@@ -1,4 +1,5 @@
 #include "core/Error.h"
+#include "core/io/heightmap/HeightMapFile.h"
 #include "core/io/heightmap/HeightMapFormat.h"
 #include "tests/support/Refusal.h"
 #include "tests/support/ScratchFolder.h"
@@ -193,6 +194,16 @@ TEST(ExrReader, EveryChannelOfNumbersIsOne) {
 TEST(ExrReader, PicturesAreRefusedInWords) {
     EXPECT_THAT(refusalOfExr(exrFile({.channels = {"B", "G", "R"}})), HasSubstr("a color picture"));
     EXPECT_EQ(readAsExr(exrFile({.channels = {"B", "G", "R", "Z"}})).channels.at(0).name, "Z");
+}
+
+/// As if another program had cut it while it was read, it was said.
+TEST(ExrReader, ATruncatedFileIsToldWhereItEnds) {
+    const ScratchFolder folder;
+    const std::string bytes = exrFile({});
+    const std::filesystem::path file = folder.write("cut.exr", bytes.substr(0, bytes.size() - 4));
+    EXPECT_THAT(
+        refusalOf([&] { (void)readHeightMapFile(file); }),
+        HasSubstr("cut.exr: byte " + std::to_string(bytes.size() - 4) + ": the content ends here"));
 }
 
 TEST(ExrReader, EveryTruncationIsRefused) {
