@@ -393,6 +393,7 @@ private:
                        .layout = layoutOf(values, type, size),
                        .decode = {}};
         if (isPlain) {
+            piece.layout.place = values.span.place + coding_.countBytes;
             requirePlain(values, piece.layout);
             return piece;
         }
@@ -438,16 +439,13 @@ private:
         return span;
     }
 
-    /// Of the samples where they are decoded, or in the file.
+    /// Returns the layout of the samples that decodedVti() gives.
     [[nodiscard]] SampleLayout layoutOf(const VtiValues& values, SampleType type,
                                         ImageSize size) const {
         const bool isText = values.form == VtiForm::Text;
-        const bool isPlain =
-            values.form == VtiForm::Raw && coding_.compressor == VtiCompressor::None;
         return {.size = size,
                 .type = isText ? SampleType::Float64 : type,
                 .order = isText ? ByteOrder::Little : coding_.order,
-                .place = isPlain ? values.span.place + coding_.countBytes : 0,
                 .bottomFirst = true};
     }
 

@@ -89,6 +89,33 @@ TEST(VtiReader, ManyArraysKeepTheirNamesAndHaveNoUnit) {
     EXPECT_EQ(both.channels.at(1).unit, "");
 }
 
+/// They are decoded at once, unlike the values of the image.
+TEST(VtiReader, ReadsNumbersOfFieldDataThatAreAppended) {
+    VtiText file;
+    file.fields = R"(<FieldData><DataArray type="Float32" Name="TimeValue" format="appended" )"
+                  R"(offset="0"/></FieldData>)";
+    const HeightMapFile result = readAsVti(file);
+    EXPECT_EQ(result.channels.at(0).map.heights, (std::vector<double>{4, 5, 6, 1, 2, 3}));
+    EXPECT_THAT(result.notes, testing::IsEmpty());
+}
+
+/// A corner of our own kind, though this program writes it as text.
+TEST(VtiReader, ReadsTheOriginFromAppendedFieldData) {
+    VtiText file;
+    file.fields = R"(<FieldData><Array type="String" Name="unit" NumberOfTuples="1" )"
+                  R"(format="ascii">109 0</Array><DataArray type="Float32" Name="scan_origin" )"
+                  R"(format="appended" offset="28"/></FieldData>)";
+    std::string text = file.text();
+    std::string origin;
+    appendLittleEndian(origin, std::uint32_t{8});
+    appendLittleEndian(origin, 0.25F);
+    appendLittleEndian(origin, 0.5F);
+    text.insert(text.find("</AppendedData>"), origin);
+    const ScanChannel channel = readHeightMapBytes(text, "image.vti").channels.at(0);
+    EXPECT_EQ(channel.originX, 0.25);
+    EXPECT_EQ(channel.originY, 0.5);
+}
+
 TEST(VtiReader, ReadsBigEndianFiles) {
     VtiText file;
     file.attributes = R"(version="1.0" byte_order="BigEndian")";
