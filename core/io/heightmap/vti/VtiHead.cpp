@@ -108,6 +108,10 @@ private:
             fail("byte " + std::to_string(place), "the XML is too long for that of a VTK image");
         }
         const std::string_view tag = std::string_view(tags_).substr(tagBegin_);
+        if (tag == "<![CDATA[") {
+            // It would pass for the place of a text.
+            fail("byte " + std::to_string(place), "expected values, found a CDATA section");
+        }
         const bool isComment = tag.starts_with("<!--");
         if (!isComment && (c == '"' || c == '\'')) {
             quote_ = quote_ == 0 ? c : (quote_ == c ? char{0} : quote_);
@@ -428,15 +432,20 @@ private:
         return values;
     }
 
-    /// Of the text in an element, see VtiTags.
-    [[nodiscard]] static ByteSpan spanOf(const pugi::xml_node& node) {
+    /// Returns the span of the text in an element, see VtiTags. It is checked: what is a tag there
+    /// may be a text to the parser, as after a quote in <?...?>.
+    [[nodiscard]] ByteSpan spanOf(const pugi::xml_node& node) const {
         const std::vector<std::string_view> words = wordsOf(node.text().get());
-        ByteSpan span;
-        if (words.size() == 2) {
-            span.place = static_cast<std::uint64_t>(parseInteger(words[0]).value_or(0));
-            span.count = static_cast<std::uint64_t>(parseInteger(words[1]).value_or(0));
+        if (words.empty()) {
+            return {};
         }
-        return span;
+        const auto end = static_cast<long long>(bytes_.size());
+        const long long place = parseInteger(words.front()).value_or(-1);
+        const long long count = parseInteger(words.back()).value_or(-1);
+        if (words.size() != 2 || place < 0 || place > end || count < 0 || count > end - place) {
+            fail("array '" + attribute(node, "Name") + "'", "expected values within its tags");
+        }
+        return {static_cast<std::uint64_t>(place), static_cast<std::uint64_t>(count)};
     }
 
     /// Returns the layout of the samples that decodedVti() gives.

@@ -158,6 +158,30 @@ TEST(VtiReader, ReadsNumbersWithinTheXml) {
     EXPECT_THAT(refusalOfVti(file), HasSubstr("expected 48 bytes of values, found 40"));
 }
 
+/// Of a text between tags only its place and length are kept: no other text may pass for these.
+TEST(VtiReader, TakesNoTextForThePlaceOfOne) {
+    const auto refused = [](const std::string& content, const char* format) {
+        VtiText file;
+        file.array = R"(type="Int8" Name="z" format=")" + std::string(format) + "\">" + content +
+                     "</DataArray><DataArray";
+        return refusalOfVti(file);
+    };
+    for (const char* const format : {"ascii", "binary"}) {
+        for (const char* const text :
+             {"0 5000000000", "99999999999 50", "-5 20", "0 9223372036854775807",
+              "9223372036854775807 9223372036854775807", "0 10", "0 10 3"}) {
+            EXPECT_THAT(refused("<![CDATA[" + std::string(text) + "]]>", format),
+                        HasSubstr("CDATA"))
+                << text;
+        }
+        for (const char* const text : {"0 5000000000", "99999999999 50", "-5 20", "3"}) {
+            EXPECT_THAT(refused("<?x ' ?>" + std::string(text) + "<?x ' ?>", format),
+                        HasSubstr("expected values within its tags"))
+                << text;
+        }
+    }
+}
+
 TEST(VtiReader, TakesTagsInCommentsAndQuotesForText) {
     VtiText file;
     file.others = R"(<!-- <DataArray> "more -->)";
