@@ -3,6 +3,7 @@
 #include "core/Error.h"
 #include "core/io/Base64.h"
 #include "core/io/TextValue.h"
+#include "core/io/heightmap/ZlibStream.h"
 
 #include <algorithm>
 #include <limits>
@@ -82,6 +83,19 @@ private:
     std::string decoded_;  ///< not taken
 };
 
+/// Whether a compressed block of so many bytes can hold that many: none packs better than the best
+/// case of its method.
+bool mayHold(VtiCompressor compressor, std::uint64_t packed, std::uint64_t bytes) {
+    if (compressor == VtiCompressor::Zlib) {
+        return mayUnpackTo(packed, bytes);
+    }
+    // LZ4: a byte of length stands for at most 255. LZMA: the longest repetition, 273 bytes, takes
+    // 14 decisions of at least log2(2048 / 2017) bits.
+    const std::uint64_t best = compressor == VtiCompressor::Lz4 ? 255 : 7200;
+    constexpr std::uint64_t kEnds = 64;  // [bytes]; below, a block's ends count
+    return bytes / best <= packed + kEnds;
+}
+
 /// Whether the block was exactly so long.
 bool decompress(VtiCompressor compressor, const std::string& block, char* target,
                 std::uint64_t size) {
@@ -142,19 +156,32 @@ private:
             fail("the sizes of its compressed blocks do not fit the image");
         }
         const std::uint64_t end = last == 0 ? block : last;
-        std::string result;
         const std::uint64_t size = checked((blocks - 1) * block + end);
         const std::string sizes = stream_.take(blocks * coding_.countBytes);
+        const auto packedSize = [&](std::uint64_t i) {
+            return vtiCount(sizes.data() + i * coding_.countBytes, coding_);
+        };
+        const auto wanted = [&](std::uint64_t i) { return i + 1 == blocks ? end : block; };
+        // All blocks are checked before there is memory for any of them.
+        std::uint64_t left = values_.span.count;
         for (std::uint64_t i = 0; i < blocks; ++i) {
-            const std::string packed =
-                stream_.take(vtiCount(sizes.data() + i * coding_.countBytes, coding_));
-            const std::uint64_t wanted = i + 1 == blocks ? end : block;
-            result.resize(std::min(size, result.size() + wanted));
-            if (!decompress(coding_.compressor, packed, result.data() + i * block, wanted)) {
-                fail("compressed block " + std::to_string(i + 1) + " is damaged");
+            if (packedSize(i) > left || !mayHold(coding_.compressor, packedSize(i), wanted(i))) {
+                failBlock(i);
+            }
+            left -= packedSize(i);
+        }
+        std::string result(size, '\0');
+        for (std::uint64_t i = 0; i < blocks; ++i) {
+            const std::string packed = stream_.take(packedSize(i));
+            if (!decompress(coding_.compressor, packed, result.data() + i * block, wanted(i))) {
+                failBlock(i);
             }
         }
         return result;
+    }
+
+    [[noreturn]] void failBlock(std::uint64_t index) const {
+        fail("compressed block " + std::to_string(index + 1) + " is damaged");
     }
 
     [[nodiscard]] std::string numbersOfText() const {

@@ -1,0 +1,48 @@
+#include "core/io/ByteReader.h"
+#include "tests/core/io/heightmap/BoundedRead.h"
+#include "tests/support/Sanitized.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <string>
+
+// Small files that promise much: the memory follows what they hold.
+
+namespace asperity::test {
+
+namespace {
+
+/// A .vti of 10,000 x 10,000 doubles with these bytes as its compressed values.
+std::string largeVti(const std::string& compressor, const std::string& values) {
+    return R"(<VTKFile type="ImageData" byte_order="LittleEndian" header_type="UInt64" )"
+           R"(compressor="vtk)" +
+           compressor +
+           R"(DataCompressor"><ImageData WholeExtent="0 9999 0 9999 0 0" Spacing="1 1 1">)"
+           R"(<Piece Extent="0 9999 0 9999 0 0"><PointData><DataArray Name="z" type="Float64" )"
+           R"(format="appended" offset="0"/></PointData></Piece></ImageData><AppendedData )"
+           R"(encoding="raw">_)" +
+           values + "</AppendedData></VTKFile>";
+}
+
+}  // namespace
+
+TEST(MemoryBounds, HoldForBlocksThatCannotHoldTheirValues) {
+    if (kSanitized) {
+        GTEST_SKIP() << "a sanitizer takes memory of its own";
+    }
+    constexpr std::uint64_t kMost = 50'000'000;
+    for (const char* const compressor : {"ZLib", "LZ4", "LZMA"}) {
+        std::string values;
+        for (const std::uint64_t count : {1U, 800'000'000U, 0U, 100U}) {
+            appendLittleEndian(values, count);
+        }
+        const BoundedRead read =
+            readBounded(largeVti(compressor, values + std::string(100, 'x')), kMost);
+        EXPECT_EQ(read.failure, "") << compressor;
+        EXPECT_FALSE(read.isRead) << compressor;
+        EXPECT_LT(read.memory, kMost) << compressor;
+    }
+}
+
+}  // namespace asperity::test
