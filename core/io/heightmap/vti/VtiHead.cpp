@@ -23,6 +23,8 @@ namespace {
 constexpr std::uint64_t kMaxHead = std::uint64_t{1} << 22U;
 /// Of a text or numbers beside the image.
 constexpr std::uint64_t kMaxFieldBytes = std::uint64_t{1} << 20U;
+/// Of all of these: many arrays may name the same values.
+constexpr std::uint64_t kMaxAllFieldBytes = 4 * kMaxFieldBytes;
 constexpr std::size_t kMaxPieces = 4096;
 
 std::vector<std::string_view> wordsOf(std::string_view text) {
@@ -307,12 +309,8 @@ private:
             const std::string name = attribute(array, "Name");
             const std::string type = attribute(array, "type");
             const std::optional<SampleType> numbers = sampleType(type);
-            if (attribute(array, "format") == "ascii" && type == "String") {
-                head_.texts.emplace(name, textOfCodes(array));
-            } else if (type == "String") {
-                const std::string text =
-                    decodedVti(bytes_, coding_, valuesOf(array), kMaxFieldBytes);
-                head_.texts.emplace(name, toUtf8(text.substr(0, text.find(char{0}))));
+            if (type == "String") {
+                head_.texts.emplace(name, textOf(array));
             } else if (numbers) {
                 head_.numbers.emplace(name, numbersOf(array, *numbers));
             } else {
@@ -322,11 +320,30 @@ private:
         }
     }
 
-    [[nodiscard]] std::vector<double> numbersOf(const pugi::xml_node& array,
-                                                SampleType type) const {
+    /// Counts what field data take. @throw InputError when that is too much in all
+    [[nodiscard]] std::string counted(std::string values) {
+        fieldBytes_ += values.size();
+        if (fieldBytes_ > kMaxAllFieldBytes) {
+            fail("FieldData", "expected texts and numbers of at most " +
+                                  std::to_string(kMaxAllFieldBytes) + " bytes in all");
+        }
+        return values;
+    }
+
+    [[nodiscard]] std::string textOf(const pugi::xml_node& array) {
+        if (attribute(array, "format") == "ascii") {
+            return textOfCodes(array);
+        }
+        const std::string text =
+            counted(decodedVti(bytes_, coding_, valuesOf(array), kMaxFieldBytes));
+        return toUtf8(text.substr(0, text.find(char{0})));
+    }
+
+    [[nodiscard]] std::vector<double> numbersOf(const pugi::xml_node& array, SampleType type) {
         const VtiValues values = valuesOf(array);
         const SampleLayout layout = layoutOf(values, type, {1, 1});
-        OwnedBytes samples(decodedVti(bytes_, coding_, values, kMaxFieldBytes), bytes_.name());
+        OwnedBytes samples(counted(decodedVti(bytes_, coding_, values, kMaxFieldBytes)),
+                           bytes_.name());
         std::vector<double> result(samples.size() / sizeOf(layout.type));
         if (!result.empty()) {
             SampleLayout row = layout;
@@ -339,11 +356,11 @@ private:
     }
 
     /// The numbers of a text's bytes, and 0 at its end.
-    [[nodiscard]] std::string textOfCodes(const pugi::xml_node& array) const {
+    [[nodiscard]] std::string textOfCodes(const pugi::xml_node& array) {
         constexpr long long kBytes = 256;
         const ByteSpan span = valuesOf(array).span;
         const std::string given =
-            bytesOf(bytes_, {span.place, std::min(span.count, kMaxFieldBytes)});
+            counted(bytesOf(bytes_, {span.place, std::min(span.count, kMaxFieldBytes)}));
         std::string text;
         for (const std::string_view word : wordsOf(given)) {
             const std::optional<long long> code = parseInteger(word);
@@ -373,6 +390,8 @@ private:
                 continue;
             }
             head_.arrays.push_back({.name = name, .type = *type, .pieces = {}});
+            // Before each is searched for in the other pieces.
+            requireImages(head_.arrays.size(), bytes_.name(), kind);
             for (std::size_t i = 0; i < pieces_.size(); ++i) {
                 const pugi::xml_node part = pieces_[i].child(kind).find_child_by_attribute(
                     "DataArray", "Name", array.attribute("Name").value());
@@ -493,6 +512,7 @@ private:
     std::vector<pugi::xml_node> pieces_;
     std::vector<Extent> extents_;  ///< of the pieces
     bool isOfCells_ = false;
+    std::uint64_t fieldBytes_ = 0;
     VtiHead head_;
 };
 

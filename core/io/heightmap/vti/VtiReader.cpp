@@ -20,7 +20,6 @@ public:
     explicit VtiReader(const ByteSource& bytes) : bytes_(bytes), head_(readVtiHead(bytes)) {}
 
     StoredScan read() {
-        requireImages(head_.arrays.size(), bytes_.name(), "PointData");
         const auto mask = std::ranges::find_if(head_.arrays, [](const VtiArray& array) {
             return array.name == kVtiValid && array.type == SampleType::UInt8;
         });

@@ -30,17 +30,22 @@ struct VtiText {
     std::string encoding = "raw";
     std::uint32_t bytes = 24;
 
+    /// @param values after the mark
+    [[nodiscard]] std::string textWith(const std::string& values) const {
+        return "<?xml version=\"1.0\"?>\n<VTKFile type=\"" + type + "\" " + attributes +
+               "><ImageData WholeExtent=\"" + extent + "\" " + image + ">" + fields +
+               "<Piece Extent=\"" + extent + "\"><PointData><DataArray " + array + "/>" + others +
+               "</PointData></Piece></ImageData><AppendedData " + "encoding=\"" + encoding +
+               "\">_" + values + "</AppendedData></VTKFile>";
+    }
+
     [[nodiscard]] std::string text() const {
-        std::string file = "<?xml version=\"1.0\"?>\n<VTKFile type=\"" + type + "\" " + attributes +
-                           "><ImageData WholeExtent=\"" + extent + "\" " + image + ">" + fields +
-                           "<Piece Extent=\"" + extent + "\"><PointData><DataArray " + array +
-                           "/>" + others + "</PointData></Piece></ImageData><AppendedData " +
-                           "encoding=\"" + encoding + "\">_";
-        appendLittleEndian(file, bytes);
+        std::string values;
+        appendLittleEndian(values, bytes);
         for (const float value : {1.0F, 2.0F, 3.0F, 4.0F, 5.0F, 6.0F}) {
-            appendLittleEndian(file, value);
+            appendLittleEndian(values, value);
         }
-        return file + "</AppendedData></VTKFile>";
+        return textWith(values);
     }
 };
 
@@ -180,6 +185,35 @@ TEST(VtiReader, TakesNoTextForThePlaceOfOne) {
                 << text;
         }
     }
+}
+
+TEST(VtiReader, LimitsFieldDataInAll) {
+    VtiText file;
+    file.fields = "<FieldData>";
+    for (int i = 0; i < 100; ++i) {
+        file.fields += "<Array type=\"String\" Name=\"" + std::to_string(i) +
+                       R"(" format="appended" offset="28"/>)";
+    }
+    file.fields += "</FieldData>";
+    const auto withFields = [&file](std::uint32_t size) {
+        std::string text = file.text();
+        std::string shared;
+        appendLittleEndian(shared, size);
+        shared += std::string(size, 'a');
+        return text.insert(text.find("</AppendedData>"), shared);
+    };
+    EXPECT_EQ(readHeightMapBytes(withFields(40'000), "image.vti").channels.size(), 1U);
+    EXPECT_THAT(refusalOf([&] { (void)readHeightMapBytes(withFields(1U << 20U), "image.vti"); }),
+                HasSubstr("FieldData: expected texts and numbers of at most 4194304 bytes in all"));
+}
+
+TEST(VtiReader, ReadsNoMoreThan128Arrays) {
+    VtiText file;
+    for (int i = 0; i < 128; ++i) {
+        file.others += "<DataArray type=\"Float32\" Name=\"" + std::to_string(i) +
+                       R"(" format="appended" offset="0"/>)";
+    }
+    EXPECT_THAT(refusalOfVti(file), HasSubstr("PointData: at most 128 images are expected"));
 }
 
 TEST(VtiReader, TakesTagsInCommentsAndQuotesForText) {
