@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
 #include <utility>
 
 namespace asperity {
@@ -163,12 +164,19 @@ Converter converterOf(Hdf5Type type, std::uint32_t bytes) {
 Hdf5Content::Hdf5Content(std::shared_ptr<const ByteSource> content, std::string file)
     : content_(std::move(content))
     , file_(std::move(file))
-    , items_(ContentRecords(*content_, file_).all()) {}
+    , items_(ContentRecords(*content_, file_).all())
+    , byPath_(items_.size()) {
+    std::iota(byPath_.begin(), byPath_.end(), std::size_t{0});
+    std::ranges::stable_sort(byPath_, {},
+                             [this](std::size_t i) -> std::string_view { return items_[i].path; });
+}
 
 const Hdf5Item* Hdf5Content::find(Hdf5Item::Kind kind, std::string_view path) const {
-    const auto found = std::ranges::find_if(
-        items_, [&](const Hdf5Item& item) { return item.kind == kind && item.path == path; });
-    return found == items_.end() ? nullptr : &*found;
+    const auto alike = std::ranges::equal_range(
+        byPath_, path, {}, [this](std::size_t i) -> std::string_view { return items_[i].path; });
+    const auto found =
+        std::ranges::find_if(alike, [&](std::size_t i) { return items_[i].kind == kind; });
+    return found == alike.end() ? nullptr : &items_[*found];
 }
 
 void Hdf5Content::requireValues(const Hdf5Item& item, std::uint64_t first,

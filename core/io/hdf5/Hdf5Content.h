@@ -58,6 +58,7 @@ private:
     std::shared_ptr<const ByteSource> content_;
     std::string file_;
     std::vector<Hdf5Item> items_;
+    std::vector<std::size_t> byPath_;  ///< indices of items_, in the order of their paths
 };
 
 }  // namespace asperity
