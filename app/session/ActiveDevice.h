@@ -48,6 +48,8 @@ public:
     void lift(double notches, double fineStep);
     void setVelocity(const Vector3& velocity);
     void travelTo(const Vector2& place);
+    /// Whether it is on its way to where travelTo() or pilotAlong() sent it.
+    [[nodiscard]] bool isTraveling() const { return pilot_.traveling(); }
     /// In the place of mouse and keyboard: pilots the base along a path, as well as the device can.
     void pilotAlong(const DevicePath& path) { pilot_.follow(path); }
 

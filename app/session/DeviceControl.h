@@ -26,6 +26,8 @@ public:
     void engage(double setpoint);
     /// Goes up from the sample, out of its reach. There is a run.
     void withdraw();
+    /// Whether the tip is on its way to where withdraw(), or a click on the overview, sent it.
+    [[nodiscard]] bool isTraveling() const { return device_.isTraveling(); }
     /// The approach that has the tip; null: none has.
     [[nodiscard]] const ApproachDevice* approaching() const { return device_.approaching(); }
     /// Mouse and keyboard take the tip where an approach has it.

@@ -33,7 +33,7 @@ EngageControl::EngageControl(MainWindow& window, RunControl& runs, DeviceControl
     connect(&bar, &EngageBar::engageChosen, this, &EngageControl::engage);
     connect(&bar, &EngageBar::withdrawChosen, this, &EngageControl::withdraw);
     connect(&bar, &EngageBar::setpointChanged, this, &EngageControl::setSetpoint);
-    connect(&runs, &RunControl::ending, this, [this] { engaging_ = false; });
+    connect(&runs, &RunControl::ending, this, [this] { engaging_ = withdrawing_ = false; });
     connect(&runs, &RunControl::begun, this, &EngageControl::showSetpoint);
     connect(&edits, &SceneEdits::changed, this, &EngageControl::showSetpoint);
 }
@@ -58,18 +58,31 @@ void EngageControl::engage() {
         asked_ = window_.engage().setpoint();
         devices_.engage(asked_);
         engaging_ = true;
+        withdrawing_ = false;
     }
 }
 
 void EngageControl::withdraw() {
     if (runs_.run() != nullptr) {
         engaging_ = false;
+        withdrawing_ = true;
         devices_.withdraw();
         window_.tell(tr("Withdrawing"));
     }
 }
 
+void EngageControl::followWithdrawal() {
+    if (!withdrawing_ || devices_.isTraveling()) {
+        return;
+    }
+    withdrawing_ = false;
+    const TipRegion region = runs_.run()->loop().snapshot().sample.output.region();
+    window_.tell(region == TipRegion::Far ? tr("Withdrawn")
+                                          : tr("Not withdrawn: the tip was taken by hand"));
+}
+
 void EngageControl::advance() {
+    followWithdrawal();
     const QString hidden = runs_.tipRefusal();
     const bool isCoupled = runs_.run()->coupling().coupled() != nullptr;
     window_.engage().setRefusals(hidden.isEmpty() && isCoupled

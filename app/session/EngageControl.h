@@ -16,6 +16,7 @@ public:
     void advance();
 
 private:
+    void followWithdrawal();
     void engage();
     void withdraw();
     void setSetpoint(double force);
@@ -26,6 +27,7 @@ private:
     DeviceControl& devices_;
     SceneEdits& edits_;
     bool engaging_ = false;
+    bool withdrawing_ = false;
     double asked_ = 0.0;  ///< setpoint of the present approach [N]
 };
 

@@ -73,11 +73,22 @@ TEST_F(EngageControlTest, WithdrawsOutOfTheSamplesReachAlsoWhileItEngages) {
     EXPECT_EQ(told(), "Withdrawing") << "it is engaged no more";
     ASSERT_TRUE(framesUntil([this] { return run().basePosition().z() > 5e-9; }));
     EXPECT_EQ(latest().region(), TipRegion::Far);
+    ASSERT_TRUE(framesUntil([this] { return told() == "Withdrawn"; })) << told();
     button("engage").click();
     ASSERT_TRUE(framesUntil([this] { return run().basePosition().z() < 4e-9; }));
     button("withdraw").click();
     EXPECT_EQ(device(), "Mouse and keyboard");
     ASSERT_TRUE(framesUntil([this] { return run().basePosition().z() > 5e-9; }));
+}
+
+TEST_F(EngageControlTest, AWithdrawalThatTheUserEndsInContactIsNoWithdrawal) {
+    useFlatScene();
+    button("engage").click();
+    ASSERT_TRUE(framesUntil([this] { return engaged(); })) << told();
+    button("withdraw").click();
+    Q_EMIT window.view().tipDragged(1e-12, 0.0);
+    engaging.advance();
+    EXPECT_TRUE(told().starts_with("Not withdrawn")) << told();
 }
 
 TEST_F(EngageControlTest, TheSetpointIsThatOfTheSceneAndStaysOverAnotherMaterial) {
