@@ -1,5 +1,7 @@
 #include "core/io/heightmap/UnreadFormats.h"
 
+#include "core/io/heightmap/Hdf5Names.h"
+
 #include <algorithm>
 #include <array>
 
@@ -12,7 +14,8 @@ namespace {
 using namespace std::string_view_literals;
 
 constexpr std::array kUnread{
-    UnreadFormat{"\x89HDF\r\n\x1A\n"sv, "an HDF5 file (as .h5-jpk or .nhf)"sv},
+    UnreadFormat{"Asperity, HDF5 behind this block"sv, "a recording of Asperity, of no scan"sv},
+    UnreadFormat{"MATLAB 7.3 MAT-file"sv, "an HDF5 file of MATLAB (.mat)"sv},
     UnreadFormat{"\x1F\x8B"sv, "a gzip file (unpack it first)"sv},
     UnreadFormat{"PK\3\4"sv, "a zip archive of neither JPK nor X3P data"sv},
     UnreadFormat{
@@ -24,9 +27,22 @@ constexpr std::array kUnread{
     UnreadFormat{"GIF8"sv, "GIF"sv, true},
     UnreadFormat{"%PDF-"sv, "PDF"sv, true}};
 
+/// By a name that only files of this kind hold; the last one is in all.
+constexpr std::array kUnreadHdf5{
+    UnreadFormat{"position-pattern.grid"sv, "an HDF5 file of JPK (.h5-jpk)"sv},
+    UnreadFormat{"nsf_file_version"sv, "an HDF5 file of Nanosurf (.nhf)"sv},
+    UnreadFormat{"topostats"sv, "an HDF5 file of TopoStats (.topostats)"sv},
+    UnreadFormat{"_NCProperties"sv, "a netCDF 4 file (.nc)"sv},
+    UnreadFormat{"NX_class"sv, "a NeXus file of no NXafm, NXstm or NXspm"sv},
+    UnreadFormat{""sv, "an HDF5 file of no known kind"sv}};
+
 }  // namespace
 
 std::optional<UnreadFormat> unreadFormat(const ByteSource& bytes) {
+    if (isHdf5(bytes)) {
+        return *std::ranges::find_if(
+            kUnreadHdf5, [&](const UnreadFormat& each) { return holdsName(bytes, each.mark); });
+    }
     const auto* const found = std::ranges::find_if(
         kUnread, [&](const UnreadFormat& each) { return bytes.startsWith(each.mark); });
     return found == kUnread.end() ? std::nullopt : std::optional(*found);

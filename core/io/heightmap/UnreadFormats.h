@@ -10,7 +10,7 @@ namespace asperity {
 
 /// A format that is known but not read here.
 struct UnreadFormat {
-    std::string_view mark;  ///< at the front
+    std::string_view mark;  ///< at the front; of an HDF5 file a name in it
     std::string_view name;  ///< with its article: "an HDF5 file (...)"; of a picture without it
     bool isPicture = false;
     bool byGwyddion = false;  ///< the Gwyddion program reads it

@@ -128,7 +128,16 @@ TEST(GwyddionImport, WithoutTheProgramTheMessageNamesThePackage) {
 }
 
 TEST(GwyddionImport, NamesFormatsThatAreKnownButNotRead) {
-    EXPECT_THAT(refusalOfImport({}, "\x89HDF\r\n\x1A\n"), HasSubstr("this is an HDF5 file"));
+    const std::string hdf5 = "\x89HDF\r\n\x1A\n";
+    EXPECT_THAT(refusalOfImport({}, hdf5), HasSubstr("this is an HDF5 file of no known kind"));
+    EXPECT_THAT(refusalOfImport({}, hdf5 + "position-pattern.grid.ulength"),
+                HasSubstr("this is an HDF5 file of JPK (.h5-jpk)"));
+    EXPECT_THAT(refusalOfImport({}, hdf5 + std::string(2 << 20, ' ') + "nsf_file_version_major"),
+                HasSubstr("this is an HDF5 file of Nanosurf (.nhf)"));
+    EXPECT_THAT(refusalOfImport({}, hdf5 + "_NCProperties NX_class"),
+                HasSubstr("this is a netCDF 4 file"));
+    EXPECT_THAT(refusalOfImport({}, hdf5 + "NX_class NXxas"),
+                HasSubstr("this is a NeXus file of no NXafm"));
     EXPECT_THAT(refusalOfImport({}, "\x01\xB0\x93\xFF"), HasSubstr("this is an NT-MDT file"));
     EXPECT_THAT(refusalOfImport({}, "ISO/TC 201 SPM data transfer format\r\n"),
                 HasSubstr("this is an ISO 28600 file"));

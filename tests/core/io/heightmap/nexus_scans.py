@@ -113,7 +113,7 @@ def sizes(info):
 def check_refusals(files):
     path = files.folder / "other.nxs"
     write_scan(path, definition="NXarpes")
-    assert "HDF5" in files.refusal(path)
+    assert "a NeXus file of no NXafm, NXstm or NXspm" in files.refusal(path)
     write_scan(path)
     whole = path.read_bytes()
     for size in (len(whole) // 8, len(whole) // 2, len(whole) - 100):
