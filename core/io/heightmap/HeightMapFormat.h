@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <functional>
 #include <map>
+#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
@@ -17,8 +18,13 @@
 
 namespace asperity {
 
-/// Room for the stored bytes of a row, used again for the next one; each thread has its own.
-using RowRoom = std::vector<char>;
+/// What reading one row after another needs; each thread has its own. Where samples have to be
+/// decoded they live as long as those who read them: with the last room, their memory is free.
+struct RowRoom {
+    std::vector<char> bytes;  ///< of a row as it is stored, used again for the next one
+    /// Decoded samples, by who decoded them.
+    std::map<std::shared_ptr<const void>, std::shared_ptr<const ByteSource>> decoded;
+};
 
 /// An image that still lies in its source.
 struct StoredChannel {

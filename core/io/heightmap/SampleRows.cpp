@@ -49,33 +49,34 @@ void convert(SampleType type, ByteOrder order, const char* stored, std::span<dou
 void readSamples(const ByteSource& bytes, const SampleLayout& layout, int row, RowRoom& room,
                  double* numbers) {
     const int stored = layout.bottomFirst ? layout.size.rows - 1 - row : row;
-    room.resize(layout.rowBytes());
-    bytes.read(layout.place + static_cast<std::uint64_t>(stored) * room.size(), room);
+    room.bytes.resize(layout.rowBytes());
+    bytes.read(layout.place + static_cast<std::uint64_t>(stored) * layout.rowBytes(), room.bytes);
     const std::span<double> whole(numbers, static_cast<std::size_t>(layout.size.columns));
-    convert(layout.type, layout.order, room.data(), whole);
+    convert(layout.type, layout.order, room.bytes.data(), whole);
     if (layout.rightFirst) {
         std::ranges::reverse(whole);
     }
 }
 
-/// Samples that are decoded when they are first needed.
+/// Samples that are decoded when they are needed, once for all threads that read them together.
 class DecodedSamples {
 public:
     explicit DecodedSamples(std::function<std::string()> decode) : decode_(std::move(decode)) {}
 
-    const ByteSource& bytes() {
-        std::call_once(once_, [this] {
-            samples_ = decode_();
-            source_ = std::make_unique<MemoryBytes>(samples_, "decoded samples");
-        });
-        return *source_;
+    std::shared_ptr<const ByteSource> bytes() {
+        const std::lock_guard lock(mutex_);
+        std::shared_ptr<const ByteSource> samples = samples_.lock();
+        if (!samples) {
+            samples = std::make_shared<OwnedBytes>(decode_(), "decoded samples");
+            samples_ = samples;
+        }
+        return samples;
     }
 
 private:
     std::function<std::string()> decode_;
-    std::once_flag once_;
-    std::string samples_;
-    std::unique_ptr<MemoryBytes> source_;
+    std::mutex mutex_;
+    std::weak_ptr<const ByteSource> samples_;
 };
 
 }  // namespace
@@ -115,10 +116,14 @@ ReadRow rowsOf(const ByteSource& bytes, const SampleLayout& layout) {
 
 ReadRow rowsOfDecoded(std::function<std::string()> decode, const SampleLayout& layout,
                       const std::string& file) {
-    requireMemory(layout.place + layout.bytes(), file, "");
+    requireMemory(layout.place + layout.bytes() + layout.size.pixels() * sizeof(double), file, "");
     return [samples = std::make_shared<DecodedSamples>(std::move(decode)),
             layout](int row, RowRoom& room, double* numbers) {
-        readSamples(samples->bytes(), layout, row, room, numbers);
+        std::shared_ptr<const ByteSource>& bytes = room.decoded[samples];
+        if (!bytes) {
+            bytes = samples->bytes();
+        }
+        readSamples(*bytes, layout, row, room, numbers);
     };
 }
 

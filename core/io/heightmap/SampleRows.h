@@ -56,11 +56,11 @@ using ReadRow = decltype(StoredChannel::readRow);
 [[nodiscard]] ReadRow rowsOf(const ByteSource& bytes, const SampleLayout& layout);
 
 /// Reads rows of samples that have to be decoded first: all at once, when the first row is asked
-/// for.
+/// for. They stay as long as a room that a row was read with.
 /// @param decode gives the samples of the layout, which begins at its byte 0 or later; it is called
-///        again only where it threw
+///        again where it threw, or when no room has its samples any more
 /// @param file for messages
-/// @throw InputError when they take more memory than an input may
+/// @throw InputError when they and the heights take more memory than an input may
 [[nodiscard]] ReadRow rowsOfDecoded(std::function<std::string()> decode, const SampleLayout& layout,
                                     const std::string& file);
 

@@ -84,6 +84,7 @@ HeightRows ScanFile::rowsOf(const ScanChannel& channel) const {
                 (void)rows->read(row, *room, values);
                 if (row == last) {
                     rows->finish();
+                    *room = {};  // another image may be read before these rows are again
                 }
             }};
 }

@@ -19,8 +19,7 @@ namespace {
 constexpr int kStoredSteps = 32;
 
 /// The first height; 0 when there is none.
-double datumOf(ChannelRows& rows, const HeightMap& map) {
-    RowRoom room;
+double datumOf(ChannelRows& rows, const HeightMap& map, RowRoom& room) {
     std::vector<double> values(static_cast<std::size_t>(map.columns));
     for (int row = 0; row < map.rows; ++row) {
         (void)rows.read(row, room, values.data());
@@ -94,7 +93,7 @@ void markInvalid(ScanMap& map) {
 }
 
 /// Reads all rows, on two threads where that is worth one.
-void readRows(SharedRows& rows, const ScanMap& map, Progress* progress) {
+void readRows(SharedRows& rows, const ScanMap& map, RowRoom& room, Progress* progress) {
     const auto columns = static_cast<std::size_t>(map.columns);
     constexpr std::size_t kWorthAThread = std::size_t{1} << 18U;
     std::exception_ptr failure;  // of the helper
@@ -113,7 +112,6 @@ void readRows(SharedRows& rows, const ScanMap& map, Progress* progress) {
             }
         });
     }
-    RowRoom room;
     std::vector<double> values(columns);
     do {
         reportTo(progress, rows.begun());
@@ -155,10 +153,11 @@ ScanMap readScanMap(const StoredChannel& stored, const ByteSource& bytes, Progre
     map.pitchX = empty.pitchX;
     map.pitchY = empty.pitchY;
     ChannelRows rows(stored, bytes);
-    map.datum = datumOf(rows, empty);
+    RowRoom room;  // for both, so that samples are decoded once
+    map.datum = datumOf(rows, empty, room);
     map.heights.resize(map.index(map.rows, 0));
     SharedRows shared(rows, map);
-    readRows(shared, map, progress);
+    readRows(shared, map, room, progress);
     rows.finish();
     if (rows.mayHaveHoles()) {
         markInvalid(map);

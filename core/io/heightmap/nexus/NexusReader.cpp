@@ -2,6 +2,7 @@
 #include "core/io/ByteReader.h"
 #include "core/io/TextValue.h"
 #include "core/io/hdf5/Hdf5Program.h"
+#include "core/io/heightmap/Hdf5Names.h"
 #include "core/io/heightmap/HeightMapFormat.h"
 #include "core/io/heightmap/PhysicalUnit.h"
 #include "core/io/heightmap/SampleRows.h"
@@ -10,7 +11,9 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
+#include <cstring>
 #include <set>
 
 // Scans in NeXus files (HDF5) by the definitions NXafm, NXstm and NXspm. Each NXdata whose signal
@@ -22,7 +25,9 @@ namespace {
 
 using Kind = Hdf5Item::Kind;
 
-constexpr std::string_view kHdf5 = "\x89HDF\r\n\x1A\n";
+constexpr ByteOrder kNative =
+    std::endian::native == std::endian::little ? ByteOrder::Little : ByteOrder::Big;
+
 constexpr std::array<std::string_view, 3> kDefinitions{"NXafm", "NXstm", "NXspm"};
 
 std::string_view parentOf(std::string_view path) { return path.substr(0, path.rfind('/')); }
@@ -275,7 +280,7 @@ private:
                                        const NexusAxis& y, bool isTurned) const {
         const SampleLayout layout{.size = size,
                                   .type = SampleType::Float64,
-                                  .order = ByteOrder::Little,
+                                  .order = kNative,
                                   .bottomFirst = !y.falls(),
                                   .rightFirst = x.falls()};
         return rowsOfDecoded(
@@ -285,24 +290,23 @@ private:
                 if (item == nullptr || !item->place || item->count != size.pixels()) {
                     content.fail(path, "its values cannot be read");
                 }
-                std::vector<double> numbers(size.pixels());
-                content.read(*item, 0, numbers);
-                return samplesOf(numbers, size, isTurned);
+                return samplesOf(content, *item, size, isTurned);
             },
             layout, bytes_.name());
     }
 
-    /// @param isTurned column after column
-    [[nodiscard]] static std::string samplesOf(const std::vector<double>& numbers, ImageSize size,
-                                               bool isTurned) {
-        std::string samples;
-        samples.reserve(numbers.size() * sizeof(double));
-        for (int row = 0; row < size.rows; ++row) {
-            for (int column = 0; column < size.columns; ++column) {
-                const auto i = static_cast<std::size_t>(isTurned ? column : row);
-                const auto j = static_cast<std::size_t>(isTurned ? row : column);
-                const auto length = static_cast<std::size_t>(isTurned ? size.rows : size.columns);
-                appendLittleEndian(samples, numbers[i * length + j]);
+    /// @param isTurned stored column after column
+    [[nodiscard]] static std::string samplesOf(const Hdf5Content& content, const Hdf5Item& item,
+                                               ImageSize size, bool isTurned) {
+        const auto columns = static_cast<std::size_t>(size.columns);
+        const auto lines = static_cast<std::size_t>(isTurned ? size.columns : size.rows);
+        std::vector<double> line(isTurned ? static_cast<std::size_t>(size.rows) : columns);
+        std::string samples(size.pixels() * sizeof(double), '\0');
+        for (std::size_t i = 0; i < lines; ++i) {
+            content.read(item, i * line.size(), line);
+            for (std::size_t j = 0; j < line.size(); ++j) {
+                const std::size_t pixel = isTurned ? j * columns + i : i * columns + j;
+                std::memcpy(samples.data() + pixel * sizeof(double), &line[j], sizeof(double));
             }
         }
         return samples;
@@ -315,22 +319,11 @@ private:
     StoredScan scan_;
 };
 
-/// Whether it is an HDF5 file that names one of the definitions: the library is not asked.
+/// Whether it is an HDF5 file that names one of the definitions.
 bool isNexusScan(const ByteSource& bytes) {
-    if (!bytes.startsWith(kHdf5)) {
-        return false;
-    }
-    constexpr std::uint64_t kChunk = std::uint64_t{1} << 20U;
-    constexpr std::uint64_t kOverlap = 16;
-    for (std::uint64_t place = 0; place < bytes.size(); place += kChunk - kOverlap) {
-        const std::string chunk = bytesOf(bytes, {place, std::min(kChunk, bytes.size() - place)});
-        if (std::ranges::any_of(kDefinitions, [&](std::string_view name) {
-                return chunk.find(name) != std::string::npos;
-            })) {
-            return true;
-        }
-    }
-    return false;
+    return isHdf5(bytes) && std::ranges::any_of(kDefinitions, [&](std::string_view name) {
+               return holdsName(bytes, name);
+           });
 }
 
 constexpr std::array<std::string_view, 1> kNexusExtensions{".nxs"};

@@ -170,12 +170,12 @@ private:
                 columns = description_.size.columns](int row, RowRoom& room, double* marks) {
             const auto count = static_cast<std::uint64_t>(columns);
             const std::uint64_t begin = first + static_cast<std::uint64_t>(row) * count;
-            room.resize((begin + count - 1) / 8 - begin / 8 + 1);
-            bytes->read(begin / 8, room);
+            room.bytes.resize((begin + count - 1) / 8 - begin / 8 + 1);
+            bytes->read(begin / 8, room.bytes);
             for (std::uint64_t i = 0; i < count; ++i) {
                 const std::uint64_t bit = begin % 8 + i;
                 const bool valid =
-                    (static_cast<unsigned char>(room[bit / 8]) >> (bit % 8) & 1U) != 0;
+                    (static_cast<unsigned char>(room.bytes[bit / 8]) >> (bit % 8) & 1U) != 0;
                 marks[i] = valid ? 0.0 : 1.0;
             }
         };
