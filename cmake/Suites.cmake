@@ -1,14 +1,16 @@
-# asperity_discover_suites(PROGRAM LABEL): makes each suite of a GoogleTest program a test of CTest,
-# run by tools/run_suite.py. A process for each test function would take longer to start than most
-# of them to run. The suites are listed when the program is linked (cmake/ListSuites.cmake).
+# asperity_discover_suites(PROGRAM LABEL): makes a GoogleTest program a test of CTest, run by
+# tools/run_suite.py; of one that needs a display, each suite. The suites are listed when the program is
+# linked (cmake/ListSuites.cmake).
 set(suites_script ${CMAKE_CURRENT_LIST_DIR}/ListSuites.cmake)
 set(suites_runner ${Python3_EXECUTABLE} -B ${PROJECT_SOURCE_DIR}/tools/run_suite.py)
 set(labels_with_display app gui vtk)
 
 function(asperity_discover_suites program label)
   set(runner ${suites_runner})
+  set(apart OFF)
   if(label IN_LIST labels_with_display)
     list(APPEND runner --display)
+    set(apart ON)
   endif()
   string(REGEX REPLACE "^asperity_|_tests$" "" prefix ${program})
   if(ASPERITY_GATE)
@@ -20,7 +22,7 @@ function(asperity_discover_suites program label)
     POST_BUILD
     BYPRODUCTS ${suites}
     COMMAND ${CMAKE_COMMAND} -D PROGRAM=$<TARGET_FILE:${program}> -D PREFIX=${prefix} -D LABEL=${label} -D
-            "RUNNER=${runner}" -D RESULTS=${CMAKE_BINARY_DIR}/results -D OUTPUT=${suites} -P
+            APART=${apart} -D "RUNNER=${runner}" -D RESULTS=${CMAKE_BINARY_DIR}/results -D OUTPUT=${suites} -P
             ${suites_script}
     VERBATIM)
   set_property(TARGET ${program} APPEND PROPERTY LINK_DEPENDS ${suites_script})

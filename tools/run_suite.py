@@ -206,8 +206,9 @@ def parsed_options():
 
 def remove_earlier_results(prefix):
     prefix.parent.mkdir(parents=True, exist_ok=True)
-    for file in prefix.parent.glob(f"{glob.escape(prefix.name)}.*.*"):
-        file.unlink()
+    for ending in ("[0-9]*", "missing"):  # "contact" is not to remove those of "contact.PullOffAlone"
+        for file in prefix.parent.glob(f"{glob.escape(prefix.name)}.{ending}.*"):
+            file.unlink()
 
 
 def main():
