@@ -69,8 +69,8 @@ void WindowWithStudy::dragAcross() {
 }
 
 void WindowWithStudy::goDown() {
-    for (int i = 0; i < 60 && !inContact(); ++i) {
-        turnWheel(-1);
+    for (int i = 0; i < 20 && !inContact(); ++i) {
+        turnWheel(-3);
         ASSERT_TRUE(runsFor(0.15));
     }
     EXPECT_TRUE(inContact()) << state();
