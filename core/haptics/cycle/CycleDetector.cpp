@@ -20,6 +20,14 @@ bool slides(const BaseMotion& base) noexcept {
     return std::hypot(base.velocity.x(), base.velocity.y()) > std::abs(base.velocity.z());
 }
 
+/// A reading with what else it may have missed [N].
+std::optional<Reading> withMissed(std::optional<Reading> reading, double missed) noexcept {
+    if (reading) {
+        reading->sigma = std::hypot(reading->sigma, missed);
+    }
+    return reading;
+}
+
 }  // namespace
 
 void CycleDetector::take(double time, const TickInput& input, const TickOutput& out) noexcept {
@@ -28,9 +36,11 @@ void CycleDetector::take(double time, const TickInput& input, const TickOutput& 
         return;
     }
     const CurveBranch branchBefore = branch_.branch();
-    const ForceDistancePoint before = point_;
+    const double baseBefore = point_.baseDistance;
     const double forceBefore = trend_.force();
     point_ = forceDistancePoint(out);
+    step_ = started_ ? point_.baseDistance - baseBefore : 0.0;
+    contactStiffness_ = out.model.contact.stiffness;
     takeTrends();
     const bool turned = branch_.take(input, out) != branchBefore;
     slides_ = slides(out.base);
@@ -56,9 +66,9 @@ void CycleDetector::take(double time, const TickInput& input, const TickOutput& 
     } else {
         takeApart(time, turned, trend_.pushes() || (bonded && acts));
     }
-    takeSnapIn(before);
+    takeSnapIn();
     if (started_ && (acts || cycle_.phase == CyclePhase::Contact)) {
-        takeAreas(before, forceBefore);
+        takeAreas(forceBefore);
     }
     started_ = true;
 }
@@ -132,20 +142,29 @@ void CycleDetector::takeContact(double time, bool turned, bool held) noexcept {
 /// An attraction that comes before contact counts, too: instrument and model seldom snap in at the
 /// same tick. The place lies between two ticks, and the noise lets a weaker pull further on seem
 /// the strongest.
-void CycleDetector::takeSnapIn(const ForceDistancePoint& before) noexcept {
+void CycleDetector::takeSnapIn() noexcept {
     const bool approaches =
         !cycle_.fromStart && !retracted_ && branch_.branch() == CurveBranch::Approach;
     if (!approaches || !trend_.pulls()) {
         return;
     }
     const bool isStrongest = snapInPull_.take(trend_.halves(-1.0), trend_.pull());
-    cycle_.snapIn = snapInPull_.reading();
     if (isStrongest) {
-        const double step = started_ ? point_.baseDistance - before.baseDistance : 0.0;
         cycle_.snapInBaseDistance = {
             .value = point_.baseDistance,
-            .sigma = std::hypot(step / std::sqrt(12.0), compliance() * trend_.sigma())};
+            .sigma = std::hypot(step_ / std::sqrt(12.0), compliance() * trend_.sigma())};
+        snapInMissed_ = missedByStep();
     }
+    cycle_.snapIn = withMissed(snapInPull_.reading(), snapInMissed_);
+}
+
+/// A jump comes anywhere between two ticks: meanwhile the base moves on by up to a step, and the
+/// force with it, as lever and contact let it, at most as the lever alone.
+double CycleDetector::missedByStep() const noexcept {
+    const double lever = compliance() > 0.0 ? 1.0 / compliance() : 0.0;
+    const double together = std::abs(contactStiffness_ * lever / (contactStiffness_ + lever));
+    const double slope = together < lever ? together : lever;  // where it jumps they cancel
+    return slope * std::abs(step_) / std::sqrt(3.0);           // root mean square of 0 to all of it
 }
 
 void CycleDetector::takePullOff() noexcept {
@@ -153,25 +172,25 @@ void CycleDetector::takePullOff() noexcept {
         return;
     }
     const bool isStrongest = pullOffPull_.take(trend_.halves(-1.0), trend_.pull());
-    cycle_.pullOff = pullOffPull_.reading();
     if (isStrongest) {
+        pullOffMissed_ = missedByStep();
         cycle_.pullOffSeparation = point_.separation;
         cycle_.pullOffBaseDistance = point_.baseDistance;
     }
+    cycle_.pullOff = withMissed(pullOffPull_.reading(), pullOffMissed_);
 }
 
 /// By the trapezoidal rule, over the base distance: it has no noise.
-void CycleDetector::takeAreas(const ForceDistancePoint& before, double forceBefore) noexcept {
-    const double way = point_.baseDistance - before.baseDistance;
+void CycleDetector::takeAreas(double forceBefore) noexcept {
     const double force = trend_.force();
-    cycle_.hysteresis -= 0.5 * (force + forceBefore) * way;
+    cycle_.hysteresis -= 0.5 * (force + forceBefore) * step_;
     // A jump lies anywhere between its two ticks.
-    const double jump = (force - forceBefore) * way;
-    areaVariance_ += jump * jump / 12.0 + trend_.sigma() * trend_.sigma() * way * way;
+    const double jump = (force - forceBefore) * step_;
+    areaVariance_ += jump * jump / 12.0 + trend_.sigma() * trend_.sigma() * step_ * step_;
     cycle_.areaSigma = std::sqrt(areaVariance_);
     if (cycle_.phase == CyclePhase::Contact && branch_.branch() == CurveBranch::Retract) {
         const double pull = std::max(0.0, -force) + std::max(0.0, -forceBefore);
-        cycle_.adhesionWork += 0.5 * pull * way;
+        cycle_.adhesionWork += 0.5 * pull * step_;
     }
 }
 

@@ -39,9 +39,12 @@ private:
     [[nodiscard]] double compliance() const noexcept;
     void takeApart(double time, bool turned, bool touches) noexcept;
     void takeContact(double time, bool turned, bool held) noexcept;
-    void takeSnapIn(const ForceDistancePoint& before) noexcept;
+    void takeSnapIn() noexcept;
     void takePullOff() noexcept;
-    void takeAreas(const ForceDistancePoint& before, double forceBefore) noexcept;
+    void takeAreas(double forceBefore) noexcept;
+    /// Returns how much stronger a force was before a jump, or after it, than the tick beside
+    /// shows: root mean square [N].
+    [[nodiscard]] double missedByStep() const noexcept;
     void takeUnloading() noexcept;
     void begin() noexcept;
 
@@ -54,6 +57,10 @@ private:
     double deflectionTimesForce_ = 0.0;
     double forceSquares_ = 0.0;
     ForceDistancePoint point_;
+    double step_ = 0.0;              ///< of its base distance, since the tick before [m]
+    double contactStiffness_ = 0.0;  ///< of the contact model there [N/m]
+    double snapInMissed_ = 0.0;      ///< see missedByStep() [N]
+    double pullOffMissed_ = 0.0;     ///< likewise [N]
     UnloadingFit unloading_;
     StrongestForce push_{StrongestForce::kGrowing};         ///< in contact
     StrongestForce snapInPull_{StrongestForce::kSudden};    ///< of the first approach

@@ -43,6 +43,22 @@ TEST(CycleDetector, SaysWhereThePullOffWas) {
                 1.01 * SpringContact::kStep);
 }
 
+/// A run of few ticks read 423 pN +- 15 where the law says 935: the base had moved on by a step.
+TEST(CycleDetector, AForceAtAJumpIsAsSureAsTheStepsOfTheBaseMakeIt) {
+    SpringContact fine;
+    fine.oneCycle();
+    SpringContact coarse;
+    coarse.step = 0.15e-9;  // no part of the way to pull-off
+    coarse.oneCycle();
+    const Reading& pullOff = coarse.cycle().pullOff.value();
+    EXPECT_LT(pullOff.value, 0.95 * SpringContact::kPull);
+    EXPECT_NEAR(pullOff.sigma, SpringContact::kTogether * coarse.step / std::sqrt(3.0),
+                2.0 * SpringContact::kSigma);
+    EXPECT_LT(pullOff.value, SpringContact::kPull);
+    EXPECT_GT(pullOff.value + 2.0 * pullOff.sigma, SpringContact::kPull);
+    EXPECT_LT(fine.cycle().pullOff.value().sigma, SpringContact::kSigma) << "noise alone";
+}
+
 TEST(CycleDetector, ATipThatNothingPullsHasNoSnapIn) {
     SpringContact run(SpringContact::kSigma);
     run.oneCycle();

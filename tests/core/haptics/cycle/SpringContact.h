@@ -19,15 +19,15 @@ public:
     static constexpr double kTogether = kLever * kContact / (kLever + kContact);
     static constexpr double kWork = 0.5 * kPull * kPull / kTogether;  ///< of adhesion [J]
     static constexpr double kSigma = 0.1e-9;                          ///< of an estimate [N]
-    static constexpr double kStep = 2e-12;                            ///< of the base a tick [m]
+    static constexpr double kStep = 2e-12;  ///< of the base a tick, but for `step` [m]
 
     /// @param noise of the estimate [N]
     explicit SpringContact(double noise = 0.0) : noise_(noise) {}
 
     /// Moves the base to this distance from first touch [m].
     void moveTo(double distance) {
-        while (std::abs(distance - base_) > 0.5 * kStep) {
-            base_ += std::copysign(kStep, distance - base_);
+        while (std::abs(distance - base_) > 0.5 * step) {
+            base_ += std::copysign(step, distance - base_);
             tick();
         }
     }
@@ -47,7 +47,8 @@ public:
     double attraction = 0.0;               ///< of the free tip within 1 nm [N]
     long modelLag = 0;  ///< ticks by which the model comes off later; < 0: before any pull
     bool solved = true;
-    int touches = 0;  ///< cycles that came into contact
+    double step = kStep;  ///< of the base a tick [m]
+    int touches = 0;      ///< cycles that came into contact
 
     [[nodiscard]] const ContactCycle& cycle() const { return detector.cycle(); }
 
@@ -59,6 +60,7 @@ private:
         out.model.tip.z() = base_ + force / kLever;
         out.model.contact.indentation = -out.model.tip.z();
         out.model.contact.branch = modelBonded(force) ? ContactBranch::Bonded : ContactBranch::Far;
+        out.model.contact.stiffness = bonded_ ? kContact : 0.0;
         out.model.contact.status =
             solved ? ContactStatus::Solved : ContactStatus::ApproachOutOfRange;
         out.estimate.force.z() = force + noise_ * random_.normal();
