@@ -10,6 +10,8 @@ namespace asperity {
 namespace {
 
 constexpr int kMapPixels = 256;
+/// A soft lever that holds on to a plane is bent by many windows, and its tip moves along.
+constexpr double kWindowsBeyond = 100.0;
 
 /// About an axis along y, so that poles, which cost the search time, are where no tip gets.
 RevolutionFrame frameOf(const ShapeDescription& shape) {
@@ -50,9 +52,11 @@ NurbsSurface shapeSurface(const ShapeDescription& shape) {
     case ShapeKind::Plane:
         break;
     }
-    const double rise = std::tan(shape.slope) * shape.size;
-    return planeSurface(Vector3(0.0, 0.0, -0.5 * rise), Vector3(shape.size, 0.0, rise),
-                        Vector3(0.0, shape.size, 0.0));
+    const double side = (1.0 + 2.0 * kWindowsBeyond) * shape.size;
+    const double corner = -kWindowsBeyond * shape.size;
+    const double rise = std::tan(shape.slope) * side;
+    return planeSurface(Vector3(corner, corner, -0.5 * rise), Vector3(side, 0.0, rise),
+                        Vector3(0.0, side, 0.0));
 }
 
 HeightMap shapeMap(const ShapeDescription& shape) {

@@ -39,9 +39,9 @@ ValidityFlags quickValidity(const Scene& scene, const ProbeSystem& system,
     const Vector3& closest = state.closest.point;
     ValidityFlags flags;
     flags.set(Validity::LargeContact, isLargeContact(state.contactRatio, 1.0));
-    // A shape goes on beyond the window.
-    flags.set(Validity::OutsideScan,
-              !state.closest.insideScan || !scene.surface.contains(closest.x(), closest.y()));
+    // An exact shape goes on beyond the window in which it is drawn.
+    const bool isDrawn = scene.surface.contains(closest.x(), closest.y());
+    flags.set(Validity::OutsideScan, !state.closest.insideScan || !(isDrawn || scene.shape));
     flags.set(Validity::FilledPixel, !scene.surface.isMeasured(closest.x(), closest.y()));
     flags.set(Validity::ClosestPointNotFound, !state.closest.converged);
     flags.set(Validity::NotInEquilibrium, !state.converged || !state.contact.solved());

@@ -203,6 +203,17 @@ TEST(HapticTick, FlagsWhatTheModelDoesNotHoldFor) {
         tick(scene, inputAt({-50.0_nm, 64.0_nm, 1.0_nm}), memory).flags.has(Validity::OutsideScan));
 }
 
+/// A soft lever bends a contact out of the window; the cycle lost its pull-off there.
+TEST(HapticTick, AnExactShapeGoesOnBeyondItsWindow) {
+    SceneDescription description = test::plainScene();
+    description.sample.shape = ShapeDescription{.kind = ShapeKind::Plane, .size = 100.0_nm};
+    const Scene scene = buildScene(description);
+    TickMemory memory;
+    const TickOutput beyond = tick(scene, inputAt({-50.0_nm, 50.0_nm, -1.0_nm}), memory);
+    EXPECT_FALSE(beyond.flags.has(Validity::OutsideScan));
+    EXPECT_GT(beyond.model.force.z(), 0.0);
+}
+
 TEST(HapticTick, FlagsSamplesTooCurvedForOneEffectiveRadius) {
     const Scene ridges = buildScene(test::plainScene(), test::ridgedMap(9.0_nm));
     TickMemory onCrest;
