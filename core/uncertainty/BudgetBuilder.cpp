@@ -12,8 +12,10 @@ namespace {
 /// By how much a landmark differs; where one side has none, the way to the other, where none has
 /// one, all of it.
 double halfDifference(double up, double down, double middle) {
+    constexpr double kRounding = 1e-12;  // of the landmark: less is no move
     if (std::isfinite(up) && std::isfinite(down)) {
-        return 0.5 * (up - down);
+        const double half = 0.5 * (up - down);
+        return std::abs(half) > kRounding * std::abs(middle) ? half : 0.0;
     }
     if (!std::isfinite(middle)) {
         return 0.0;

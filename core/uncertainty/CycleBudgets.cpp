@@ -43,10 +43,12 @@ bool isOfOneContact(const ContactCycle& cycle) { return cycle.contacts <= 1 && !
 
 Budget budgetOf(const CycleReading& row, const Reading& reading, const PlaceBudgets& budgets,
                 bool isKnown) {
-    if (!isKnown && row.landmark != Landmark::NormalForce) {
+    const Budget& ofPlace = budgetOf(budgets, row.landmark);
+    const bool hasLandmark = std::isfinite(ofPlace.value);  // the law at the place has it, too
+    if (!hasLandmark || (!isKnown && row.landmark != Landmark::NormalForce)) {
         return budgetByNoise(reading.value, reading.sigma);
     }
-    const Budget budget = budgetOf(budgets, row.landmark).of(reading.value, reading.sigma);
+    const Budget budget = ofPlace.of(reading.value, reading.sigma);
     return row.isOfSignals ? withInstrument(budget, budgetOf(budgets, Landmark::NormalForce))
                            : budget;
 }
@@ -55,9 +57,11 @@ Budget budgetOf(const CycleReading& row, const Reading& reading, const PlaceBudg
 
 std::vector<CycleBudget> cycleBudgets(const PlaceBudgets& budgets, const ContactCycle& cycle) {
     std::vector<CycleBudget> list;
+    // Where the law has nothing like it either, noise makes cycles that are none.
+    const bool pushes = cycle.maxForce.value > cycle.maxForce.sigma;
     for (const CycleReading& row : kReadings) {
         const std::optional<Reading> reading = row.of(cycle);
-        if (reading && std::isfinite(budgetOf(budgets, row.landmark).value)) {
+        if (reading && (pushes || std::isfinite(budgetOf(budgets, row.landmark).value))) {
             list.push_back({row.key, row.name, row.unit(),
                             budgetOf(row, *reading, budgets, isOfOneContact(cycle))});
         }

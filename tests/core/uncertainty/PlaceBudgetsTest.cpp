@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 namespace asperity {
 namespace {
@@ -188,6 +189,24 @@ TEST(PlaceBudgets, OfReadingsHoldTheLever) {
         EXPECT_GE(read->share(UncertaintyInput::InvOls), 0.029 * read->value) << key;
     }
     EXPECT_NEAR(relative(budgets, Landmark::AdhesionForce, UncertaintyInput::Stiffness), 0.0, 1e-6);
+}
+
+/// A reading does not go where the law at the place has nothing like it: all of a colloid's did.
+TEST(PlaceBudgets, WithoutALandmarkLeaveAReadingItsNoise) {
+    PlaceBudgets budgets = budgetsAt(buildScene(softScene(), test::flatMap()), kMiddle, 2e-9);
+    budgets[static_cast<std::size_t>(Landmark::AdhesionForce)].value =
+        std::numeric_limits<double>::quiet_NaN();
+    ContactCycle cycle;
+    cycle.pullOff = Reading{5e-9, 0.1e-9};
+    cycle.maxForce = {2e-9, 0.1e-9};
+    const std::optional<Budget> read =
+        budgetNamed(cycleBudgets(budgets, cycle), "pull_off_force_n");
+    ASSERT_TRUE(read);
+    EXPECT_EQ(read->value, 5e-9);
+    EXPECT_EQ(read->noise, 0.1e-9);
+    EXPECT_FALSE(read->isModelKnown());
+    cycle.maxForce = {0.05e-9, 0.1e-9};
+    EXPECT_FALSE(budgetNamed(cycleBudgets(budgets, cycle), "pull_off_force_n")) << "of noise alone";
 }
 
 /// What the output says of its model's error is in each deviation.
