@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <span>
 
 namespace asperity {
@@ -93,6 +94,22 @@ const ModelSample& SampledRuns::of(const ForceModelOptions& model) {
         sample.cycles.push_back(sampleCycle(scene_, place, scene_.description.setpoint));
     }
     return samples_.emplace_back(std::move(sample));
+}
+
+double SampledRuns::timeDifference(const ForceModelOptions& one, const ForceModelOptions& other) {
+    constexpr int kRounds = 3;
+    const std::vector<ModelInputs> first(runs_.begin(), runs_.begin() + 1);
+    const auto timeOf = [&](const ForceModelOptions& model) {
+        setModel(scene_, model);
+        return quantile(runModel(scene_, first, progress_).times, 0.5);
+    };
+    double ofOne = std::numeric_limits<double>::infinity();
+    double ofOther = ofOne;
+    for (int round = 0; round < kRounds; ++round) {  // the shortest: others work meanwhile
+        ofOne = std::min(ofOne, timeOf(one));
+        ofOther = std::min(ofOther, timeOf(other));
+    }
+    return ofOne - ofOther;
 }
 
 QuantityErrors SampledRuns::errors(const ForceModelOptions& model,

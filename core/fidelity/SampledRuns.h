@@ -47,6 +47,12 @@ public:
     [[nodiscard]] QuantityErrors errors(const ForceModelOptions& model,
                                         const ForceModelOptions& reference);
 
+    /// Returns by how much the median tick of one model takes longer than that of another one in
+    /// the first run [s]. They take turns, so that both meet the same machine. Sets the scene's
+    /// model.
+    [[nodiscard]] double timeDifference(const ForceModelOptions& one,
+                                        const ForceModelOptions& other);
+
 private:
     void addRun(const DevicePath& path);
 

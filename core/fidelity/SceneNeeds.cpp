@@ -79,9 +79,8 @@ private:
         need.effect = errors.worst();
         need.quantity = errors.worstQuantity();
         const TermPair models = pairOf(need.term, needs_.full);
-        const double less = runs_.of(models.without).tickTime;
+        need.time = runs_.timeDifference(models.with, models.without);
         const ModelSample& more = runs_.of(models.with);  // the scene has the term then
-        need.time = more.tickTime - less;
         need.fact = factOf(need.term, scene_, more.run);
     }
 
@@ -105,8 +104,10 @@ private:
         }
     }
 
+    /// The exact sphere stays where contacts are wide without load: it is the instrument's law
+    /// there.
     [[nodiscard]] ForceModelOptions withBestLaw(const ForceModelOptions& model) {
-        const bool isWide = has(model, ModelTerm::SphereCorrection);  // without load already
+        const bool isWide = has(model, ModelTerm::SphereCorrection);
         return isWide ? model : withLawThatLeavesOutLeast(model);
     }
 

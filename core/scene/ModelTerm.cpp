@@ -28,10 +28,13 @@ ContactLaw switched(ContactLaw law, ModelTerm term, bool on) {
 }
 
 ForceModelOptions switched(ForceModelOptions model, ModelTerm term, bool on) {
-    if (has(model, term) == on) {
+    const auto option = traitsOf(term).option;
+    // An option without effect under the present law would have one under the next.
+    const bool isSet = option && model.*option != on;
+    if (has(model, term) == on && !isSet) {
         return model;
     }
-    if (const auto option = traitsOf(term).option) {
+    if (option) {
         if (on && term == ModelTerm::BodyAttraction && !hasTail(model.law)) {
             model.law = switched(model.law, ModelTerm::VanDerWaalsTail, true);
         }

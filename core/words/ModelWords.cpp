@@ -115,8 +115,14 @@ std::string whyOf(const LawChoice& choice) {
 }
 
 std::string lawNote(const Scene& scene) {
+    const LawChoice usual = usualLaw(scene.description);
+    const bool isOther = isSphere(scene.model.law) != isSphere(usual.law) ||
+                         isFilm(scene.model.law) != isFilm(usual.law);
     std::string note = std::string("contact law: ") + keyOf(scene.model.law) + " (" +
-                       whyOf(usualLaw(scene.description)) + ")";
+                       (isOther ? std::string("auto: what ") + keyOf(usual.law) +
+                                      " cannot include matters more here"
+                                : whyOf(usual)) +
+                       ")";
     if (const MaugisTable* table = scene.belief.contact.table()) {
         note += formatted("; tabulated, error at most %.2g of the force or pi w R",
                           table->errorBound());
