@@ -105,6 +105,8 @@ ValidityFlags flagsOf(const CurveResult& result, const ForceCurvePoint& point) {
     ValidityFlags flags = contactValidity(asked.model, point.state, asked.material);
     flags.add(attractionValidity(asked.model, point.state, asked.compliance,
                                  flags.has(Validity::ElasticLimit)));
+    flags.set(Validity::LargeDeflection,
+              asked.scene.probe.isBentTooFar(asked.compliance * point.state.force));
     return flags;
 }
 

@@ -110,10 +110,13 @@ Cantilever::Cantilever(const CantileverGeometry& geometry) : geometry_(geometry)
     torsionPerFy_ = torsion / height;
 }
 
-bool Cantilever::isBentTooFar(const Vector3& force) const noexcept {
+bool CantileverGeometry::isBentTooFar(double deflection) const noexcept {
     constexpr double kMaxDeflection = 0.2;  // of the length up to the tip
-    const double deflection = compliance_.row(2).dot(rotation_ * force);
-    return std::abs(deflection) > kMaxDeflection * geometry_.loadPoint();
+    return std::abs(deflection) > kMaxDeflection * loadPoint();
+}
+
+bool Cantilever::isBentTooFar(const Vector3& force) const noexcept {
+    return geometry_.isBentTooFar(compliance_.row(2).dot(rotation_ * force));
 }
 
 Cantilever Cantilever::rigidInTorsion() const noexcept {

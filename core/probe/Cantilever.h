@@ -20,6 +20,11 @@ struct CantileverGeometry {
 
     /// Clamp to tip, where the force acts and the slope is read [m].
     [[nodiscard]] double loadPoint() const noexcept { return length - setBack; }
+    /// Returns whether the beam is bent at the tip by more than a fifth of its length up to there,
+    /// by linear theory. There it takes 4 % more force than the linear one, growing as the square
+    /// of the deflection, and its free end has come nearer to the clamp by 2.4 % of the length.
+    /// @param deflection [m] Source: docs/theory.md 5.7.
+    [[nodiscard]] bool isBentTooFar(double deflection) const noexcept;
 
     bool operator==(const CantileverGeometry&) const = default;
 };
@@ -57,10 +62,7 @@ public:
     [[nodiscard]] double bendingPerFz() const noexcept { return bendingPerFz_; }  ///< cz [rad/N]
     [[nodiscard]] double bendingPerFx() const noexcept { return bendingPerFx_; }  ///< cx [rad/N]
     [[nodiscard]] double torsionPerFy() const noexcept { return torsionPerFy_; }  ///< cy [rad/N]
-    /// Returns whether a force at the tip (lab frame [N]) bends the beam by more than a fifth of
-    /// its length by linear theory. There the beam takes 4 % more force than the linear one,
-    /// growing as the square of the deflection, and its free end has come nearer to the clamp
-    /// by 2.4 % of the length. Source: docs/theory.md 5.7.
+    /// Returns whether a force at the tip (lab frame [N]) does so, see CantileverGeometry.
     [[nodiscard]] bool isBentTooFar(const Vector3& force) const noexcept;
 
     /// kappa: how much bending signal Fx causes next to Fz.

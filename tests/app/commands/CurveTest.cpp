@@ -116,6 +116,13 @@ TEST_F(CurveCommand, TellsTheJumpsInAFewWords) {
     }
 }
 
+TEST_F(CurveCommand, SaysWhereTheLeverIsBentTooFar) {
+    (void)tableOf("--material silicon_oxide --radius 5000e-9 --stiffness 0.1 --points 20");
+    EXPECT_NE(said.find("large_deflection at base "), std::string::npos) << said;
+    (void)tableOf("--material silicon_oxide --stiffness 14 --points 20");
+    EXPECT_EQ(said.find("large_deflection"), std::string::npos) << said;
+}
+
 /// The summary says of the whole curve what the table says of each point.
 TEST_F(CurveCommand, SaysWhatTheLawDoesNotHoldFor) {
     (void)tableOf("--material silicon_oxide --law hertz --points 20");
