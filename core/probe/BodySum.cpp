@@ -275,8 +275,9 @@ public:
             static_cast<int>(std::floor(std::log2(0.5 * of_.radius / widest))), 1, kCoarsest);
         const double width = side(grid.pitchX, level);
         const double height = side(grid.pitchY, level);
-        const auto at = [](double place, double length) {
-            return static_cast<int>(std::floor(place / length));
+        const auto at = [](double place, double length) {  // far off the scan there is no square
+            constexpr double kMost = 1 << 24;
+            return static_cast<int>(std::clamp(std::floor(place / length), -kMost, kMost));
         };
         const Vector3& tip = of_.tip;
         const double reach = std::sqrt(kReach) * of_.radius;
