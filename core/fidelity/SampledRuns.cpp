@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <span>
 
 namespace asperity {
@@ -97,19 +96,13 @@ const ModelSample& SampledRuns::of(const ForceModelOptions& model) {
 }
 
 double SampledRuns::timeDifference(const ForceModelOptions& one, const ForceModelOptions& other) {
-    constexpr int kRounds = 3;
     const std::vector<ModelInputs> first(runs_.begin(), runs_.begin() + 1);
     const auto timeOf = [&](const ForceModelOptions& model) {
         setModel(scene_, model);
         return quantile(runModel(scene_, first, progress_).times, 0.5);
     };
-    double ofOne = std::numeric_limits<double>::infinity();
-    double ofOther = ofOne;
-    for (int round = 0; round < kRounds; ++round) {  // the shortest: others work meanwhile
-        ofOne = std::min(ofOne, timeOf(one));
-        ofOther = std::min(ofOther, timeOf(other));
-    }
-    return ofOne - ofOther;
+    const double ofOther = timeOf(other);
+    return timeOf(one) - ofOther;
 }
 
 QuantityErrors SampledRuns::errors(const ForceModelOptions& model,

@@ -48,8 +48,8 @@ public:
                                         const ForceModelOptions& reference);
 
     /// Returns by how much the median tick of one model takes longer than that of another one in
-    /// the first run [s]. They take turns, so that both meet the same machine. Sets the scene's
-    /// model.
+    /// the first run [s]. One comes right after the other: others work on the machine, too. Sets
+    /// the scene's model.
     [[nodiscard]] double timeDifference(const ForceModelOptions& one,
                                         const ForceModelOptions& other);
 
