@@ -1,5 +1,7 @@
 #include "core/io/heightmap/Hdf5Names.h"
 
+#include "core/io/ByteReader.h"
+
 #include <algorithm>
 #include <cstdint>
 #include <string>
