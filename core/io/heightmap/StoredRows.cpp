@@ -102,9 +102,9 @@ void readRows(SharedRows& rows, const ScanMap& map, RowRoom& room, Progress* pro
     if (map.heights.size() >= kWorthAThread) {
         helper = std::jthread([&](const std::stop_token& stop) {
             try {
-                RowRoom room;
+                RowRoom own;
                 std::vector<double> values(columns);
-                while (!stop.stop_requested() && rows.readNext(room, values)) {
+                while (!stop.stop_requested() && rows.readNext(own, values)) {
                 }
             } catch (...) {
                 failure = std::current_exception();

@@ -3,6 +3,7 @@
 #include "tests/app/session/ControlFixture.h"
 #include "ui/panels/ControlBar.h"
 #include "ui/panels/EngageBar.h"
+#include "ui/view/ZoomView.h"
 
 #include <QComboBox>
 #include <QDoubleSpinBox>
