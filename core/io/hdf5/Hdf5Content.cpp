@@ -172,11 +172,12 @@ Hdf5Content::Hdf5Content(std::shared_ptr<const ByteSource> content, std::string 
 }
 
 const Hdf5Item* Hdf5Content::find(Hdf5Item::Kind kind, std::string_view path) const {
-    const auto alike = std::ranges::equal_range(
-        byPath_, path, {}, [this](std::size_t i) -> std::string_view { return items_[i].path; });
-    const auto found =
-        std::ranges::find_if(alike, [&](std::size_t i) { return items_[i].kind == kind; });
-    return found == alike.end() ? nullptr : &items_[*found];
+    const auto pathOf = [this](std::size_t i) -> std::string_view { return items_[i].path; };
+    auto found = std::ranges::lower_bound(byPath_, path, {}, pathOf);
+    while (found != byPath_.end() && pathOf(*found) == path && items_[*found].kind != kind) {
+        ++found;
+    }
+    return found != byPath_.end() && pathOf(*found) == path ? &items_[*found] : nullptr;
 }
 
 void Hdf5Content::requireValues(const Hdf5Item& item, std::uint64_t first,
