@@ -48,7 +48,7 @@ public:
     void lift(double notches, double fineStep);
     void setVelocity(const Vector3& velocity);
     void travelTo(const Vector2& place);
-    /// Whether it is on its way to where travelTo() or pilotAlong() sent it.
+    /// Returns whether the tip still moves to the place of travelTo() or along pilotAlong().
     [[nodiscard]] bool isTraveling() const { return pilot_.traveling(); }
     /// In the place of mouse and keyboard: pilots the base along a path, as well as the device can.
     void pilotAlong(const DevicePath& path) { pilot_.follow(path); }

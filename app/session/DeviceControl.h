@@ -26,7 +26,7 @@ public:
     void engage(double setpoint);
     /// Goes up from the sample, out of its reach. There is a run.
     void withdraw();
-    /// Whether the tip is on its way to where withdraw(), or a click on the overview, sent it.
+    /// Returns whether the tip still moves by itself: after withdraw() or a click on the overview.
     [[nodiscard]] bool isTraveling() const { return device_.isTraveling(); }
     /// The approach that has the tip; null: none has.
     [[nodiscard]] const ApproachDevice* approaching() const { return device_.approaching(); }

@@ -59,8 +59,8 @@ private:
     ForceDistancePoint point_;
     double step_ = 0.0;              ///< of its base distance, since the tick before [m]
     double contactStiffness_ = 0.0;  ///< of the contact model there [N/m]
-    double snapInMissed_ = 0.0;      ///< see missedByStep() [N]
-    double pullOffMissed_ = 0.0;     ///< likewise [N]
+    double snapInMissed_ = 0.0;      ///< of the snap-in, see missedByStep() [N]
+    double pullOffMissed_ = 0.0;     ///< of the pull-off [N]
     UnloadingFit unloading_;
     StrongestForce push_{StrongestForce::kGrowing};         ///< in contact
     StrongestForce snapInPull_{StrongestForce::kSudden};    ///< of the first approach

@@ -6,11 +6,11 @@
 
 namespace asperity {
 
-/// Whether the file begins as HDF5 does.
+/// Returns whether a file begins as HDF5 files do.
 [[nodiscard]] bool isHdf5(const ByteSource& bytes);
 
-/// Whether a name, of at most 64 characters, of an attribute, group or dataset stands somewhere in
-/// the file. A library that can be made to crash by the file is not asked.
+/// Returns whether the bytes of a file contain the name of an attribute, group or dataset, of at
+/// most 64 characters. It does not ask the HDF5 library, which damaged files can crash.
 [[nodiscard]] bool holdsName(const ByteSource& bytes, std::string_view name);
 
 }  // namespace asperity

@@ -14,7 +14,7 @@
 
 namespace asperity {
 
-/// What an encoder says of a file that could not be written to its end.
+/// The error of an encoder that could not write its file to the end.
 inline constexpr const char* kStoppedHalfWay = "writing stopped half-way (disk full?)";
 
 /// Closes a stream. @throw Error when not all could be written

@@ -18,8 +18,8 @@
 
 namespace asperity {
 
-/// What reading one row after another needs; each thread has its own. Where samples have to be
-/// decoded they live as long as those who read them: with the last room, their memory is free.
+/// Memory for reading one row after another; each thread has its own. It keeps decoded samples
+/// alive: when the last room goes, so do they.
 struct RowRoom {
     std::vector<char> bytes;  ///< of a row as it is stored, used again for the next one
     /// Decoded samples, by who decoded them.

@@ -319,7 +319,7 @@ private:
     StoredScan scan_;
 };
 
-/// Whether it is an HDF5 file that names one of the definitions.
+/// Returns whether an HDF5 file names one of the definitions.
 bool isNexusScan(const ByteSource& bytes) {
     return isHdf5(bytes) && std::ranges::any_of(kDefinitions, [&](std::string_view name) {
                return holdsName(bytes, name);
