@@ -58,6 +58,7 @@ struct ExploreOptions {
     double duration = 0.0;  // [s]; 0: the path's own
     RunFormat format = RunFormat::Csv;
     bool force = false;
+    bool noPictures = false;
     SceneOverrides overrides;
 };
 
@@ -158,7 +159,7 @@ struct MissedSetpoint {
 struct FinishedRun {
     RunEvents events;
     RunCurves curves;
-    RunPictures pictures;
+    std::optional<RunPictures> pictures;   ///< none: not wanted
     std::vector<std::string> remarks;      ///< on smoothing and pixels
     std::vector<std::string> results;      ///< of each cycle, with what is open in them
     double tickRate = 0.0;                 ///< [Hz]
@@ -274,7 +275,8 @@ void takeResults(const Scene& scene, const std::vector<ContactCycle>& cycles, Fi
 }
 
 /// Runs, and leaves in the folder all but the pictures.
-FinishedRun finishedRun(const Prepared& prepared, const std::filesystem::path& out) {
+FinishedRun finishedRun(const Prepared& prepared, bool hasPictures,
+                        const std::filesystem::path& out) {
     const auto& [loaded, plan] = prepared;
     const Scene& scene = loaded.scene;
     RunKeeper keeper{.recorder = RunRecorder(out, scene.belief.field), .events = {}, .curves = {}};
@@ -286,11 +288,14 @@ FinishedRun finishedRun(const Prepared& prepared, const std::filesystem::path& o
     writeTextFile(out / run_files::kSummary, runSummary(loaded, events));
     FinishedRun finished{.events = events,
                          .curves = std::move(keeper.curves),
-                         .pictures = RunPictures(scene, events),
+                         .pictures = {},
                          .remarks = {},
                          .results = {},
                          .tickRate = scene.description.tickRate,
                          .missed = missed};
+    if (hasPictures) {
+        finished.pictures.emplace(scene, events);
+    }
     takeResults(scene, events.cycles, finished);
     return finished;
 }
@@ -298,27 +303,33 @@ FinishedRun finishedRun(const Prepared& prepared, const std::filesystem::path& o
 /// @throw Canceled
 void draw(const FinishedRun& run, const std::filesystem::path& folder) {
     ProgressLine line("drawing");
-    run.pictures.write(folder, run.curves, &line);
+    run.pictures->write(folder, run.curves, &line);
 }
 
 void explore(const ExploreOptions& options) {
     requireApproach(options);
-    const CancelOnSignal cancel;   // between one piece of work and the next, too
-    const VirtualDisplay display;  // before anything is written: pictures need it at the end
+    const CancelOnSignal cancel;  // between one piece of work and the next, too
+    std::optional<VirtualDisplay> display;
+    if (!options.noPictures) {
+        display.emplace();  // before anything is written: pictures need it at the end
+    }
     std::optional<Prepared> prepared(prepare(options));
     OutputFolder out(options.out, exploredRun(), options.force);
     std::optional<FinishedRun> run;
-    out.collect(
-        [&](const std::filesystem::path& folder) { run.emplace(finishedRun(*prepared, folder)); });
+    out.collect([&](const std::filesystem::path& folder) {
+        run.emplace(finishedRun(*prepared, !options.noPictures, folder));
+    });
     if (options.format == RunFormat::Hdf5) {
         out.collect(packRun);
     }
     prepared.reset();  // drawing takes as much memory as a large scan
-    try {
-        out.collect([&](const std::filesystem::path& folder) { draw(*run, folder); });
-    } catch (const Error&) {
-        out.commit();  // what was measured is kept where it cannot be drawn
-        throw;
+    if (run->pictures) {
+        try {
+            out.collect([&](const std::filesystem::path& folder) { draw(*run, folder); });
+        } catch (const Error&) {
+            out.commit();  // what was measured is kept where it cannot be drawn
+            throw;
+        }
     }
     out.commit();
     tellOutcome(*run);
@@ -340,6 +351,8 @@ void addExploreCommand(CLI::App& program) {
     addOutputFolder(*command, options->out, "folder for the results");
     addFormatOption(*command, options->format, "how the tables of the run are kept");
     addForce(*command, options->force);
+    command->add_flag("--no-pictures", options->noPictures,
+                      "numbers and tables only, without deformation.exr; needs no display");
     command
         ->add_option("--path", options->path,
                      pathWords() + ", or a CSV file with time_s, x_m, y_m, z_m")

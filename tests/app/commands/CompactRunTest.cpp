@@ -26,7 +26,7 @@ protected:
         for (const auto& [format, folder] :
              {std::pair("h5", "compact"), std::pair("csv", "text")}) {
             const auto made = test::runProgram(
-                "explore " + test::shippedScene("polystyrene").string() +
+                "explore --no-pictures " + test::shippedScene("polystyrene").string() +
                 " --duration 3 --format " + format + " --out " + scratch->file(folder).string());
             ASSERT_EQ(made.exitCode, 0) << made.output;
         }
@@ -86,8 +86,9 @@ TEST_F(CompactRun, IsConvertedToTextAndBackToTheSameBytes) {
 }
 
 TEST_F(CompactRun, IsConvertedOntoNoOtherRunUnasked) {
-    const auto other = test::runProgram("explore " + test::shippedScene("granular_film").string() +
-                                        " --duration 0.1 --out " + in("theirs"));
+    const auto other =
+        test::runProgram("explore --no-pictures " + test::shippedScene("granular_film").string() +
+                         " --duration 0.1 --out " + in("theirs"));
     ASSERT_EQ(other.exitCode, 0) << other.output;
     fs::create_directory(scratch->file("lone"));
     fs::copy_file(scratch->file("compact") / "recording.h5",
@@ -122,7 +123,8 @@ TEST_F(CompactRun, IsNotConvertedInVain) {
 }
 
 TEST_F(CompactRun, ReplacesAnotherRunAndIsReplaced) {
-    const std::string explore = "explore " + test::shippedScene("polystyrene").string() +
+    const std::string explore = "explore --no-pictures " +
+                                test::shippedScene("polystyrene").string() +
                                 " --duration 0.1 --out " + in("replaced");
     ASSERT_EQ(run(explore).exitCode, 0);
     ASSERT_EQ(run(explore + " --format h5").exitCode, 0);

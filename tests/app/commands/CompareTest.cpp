@@ -30,8 +30,8 @@ protected:
         const auto scene = scratch->write(name + ".toml", "[sample]\nshape = \"plane\"\n"
                                                           "work_of_adhesion_j_m2 = " +
                                                               work + "\n");
-        const auto made =
-            test::runProgram("explore " + scene.string() + " --duration 1 --out " + in(name));
+        const auto made = test::runProgram("explore --no-pictures " + scene.string() +
+                                           " --duration 1 --out " + in(name));
         ASSERT_EQ(made.exitCode, 0) << made.output;
     }
     static std::string in(const std::string& name) { return scratch->file(name).string(); }

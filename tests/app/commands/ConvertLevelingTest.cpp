@@ -228,9 +228,9 @@ TEST_F(ConvertSteps, ThreePointTakesItsPlaces) {
 TEST_F(ConvertSteps, AreThoseOfEveryCommandThatOpensAScan) {
     const std::string input = scratch.file("in.gwy").string();
     const std::string points = " --level-points 100e-9,100e-9,500e-9,100e-9,300e-9,350e-9";
-    const auto explored =
-        test::runProgram("explore " + input + " --out " + scratch.file("run").string() +
-                         " --path slide --duration 0.1 --level three_point,zero" + points);
+    const auto explored = test::runProgram(
+        "explore --no-pictures " + input + " --out " + scratch.file("run").string() +
+        " --path slide --duration 0.1 --level three_point,zero" + points);
     EXPECT_EQ(explored.exitCode, 0) << explored.output;
     EXPECT_THAT(explored.output, HasSubstr("leveling, step 1 of 2: plane through three places"));
     EXPECT_THAT(test::contentOf(scratch.file("run") / "scene.toml"),

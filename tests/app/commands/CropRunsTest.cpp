@@ -18,8 +18,8 @@ protected:
     CropRuns() { writeHeightMap(scan, bumpyMap(64, 48), {}); }
 
     [[nodiscard]] ProgramRun explore(const std::string& input, const std::string& rest) const {
-        return runProgram("explore '" + input + "' --duration 0.2 --force --out '" + out.string() +
-                          "' " + rest);
+        return runProgram("explore --no-pictures '" + input + "' --duration 0.2 --force --out '" +
+                          out.string() + "' " + rest);
     }
 
     ScratchFolder folder;

@@ -143,8 +143,8 @@ TEST(ExploreSetpoint, EndsTheApproachAndNothingGoesAside) {
          {std::pair("", 5e-9), std::pair(" --setpoint 12nN", 12e-9),
           std::pair(" --setpoint '0.8 nN'", 0.8e-9)}) {
         const auto out = scratch.path() / "out";
-        const auto run =
-            test::runProgram("explore " + scene + option + " --duration 3 --out " + out.string());
+        const auto run = test::runProgram("explore --no-pictures " + scene + option +
+                                          " --duration 3 --out " + out.string());
         ASSERT_EQ(run.exitCode, 0) << run.output;
         const Extremes extremes(out);
         EXPECT_NEAR(extremes.strongestPush, setpoint, 0.7e-9) << option;
@@ -157,8 +157,9 @@ TEST(ExploreSetpoint, ThatIsNotReachedIsSaid) {
     const test::ScratchFolder scratch;
     const auto scene = scratch.write(
         "soft.toml", "[sample]\nshape = \"plane\"\n[truth]\nyoungs_modulus_pa = 5e6\n");
-    const auto run = test::runProgram("explore " + scene.string() + " --duration 2 --out " +
-                                      scratch.file("out").string() + " --setpoint 50nN");
+    const auto run =
+        test::runProgram("explore --no-pictures " + scene.string() + " --duration 2 --out " +
+                         scratch.file("out").string() + " --setpoint 50nN");
     ASSERT_EQ(run.exitCode, 0) << run.output;
     EXPECT_NE(run.output.find("the force did not reach the setpoint of 50 nN"), std::string::npos)
         << run.output;
@@ -168,8 +169,9 @@ TEST(ExploreSetpoint, ThatIsNotReachedIsSaid) {
 TEST(ExploreDefaultScene, RaisesNoDoubt) {
     const test::ScratchFolder scratch;
     const auto out = scratch.path() / "out";
-    const auto run = test::runProgram("explore " + test::shippedScene("granular_film").string() +
-                                      " --duration 4 --out " + out.string());
+    const auto run =
+        test::runProgram("explore --no-pictures " + test::shippedScene("granular_film").string() +
+                         " --duration 4 --out " + out.string());
     ASSERT_EQ(run.exitCode, 0) << run.output;
     const nlohmann::json summary = summaryOf(out);
     const nlohmann::json& flagged = summary["statistics"]["ticks_flagged"];
@@ -196,7 +198,8 @@ TEST(ExplorePaths, SlideRasterScratchAndFileRunToTheirEnd) {
     for (const auto& [path, ticks] : paths) {
         const auto out = scratch.path() / "out";
         std::ostringstream call;
-        call << "explore " << scene << " --path " << path << " --out " << out.string();
+        call << "explore --no-pictures " << scene << " --path " << path << " --out "
+             << out.string();
         const auto run = test::runProgram(call.str());
         ASSERT_EQ(run.exitCode, 0) << run.output;
         expectWholeLog(out, ticks, 1000.0);
@@ -207,8 +210,9 @@ TEST(ExplorePaths, SlideRasterScratchAndFileRunToTheirEnd) {
 TEST(ExplorePaths, ThatAreNeitherAWordNorAFileAreRefusedWithTheWords) {
     const test::ScratchFolder scratch;
     const auto out = scratch.file("out");
-    const auto run = test::runProgram("explore " + test::shippedScene("silicon").string() +
-                                      " --path zigzag --out " + out.string());
+    const auto run =
+        test::runProgram("explore --no-pictures " + test::shippedScene("silicon").string() +
+                         " --path zigzag --out " + out.string());
     EXPECT_EQ(run.exitCode, 2) << run.output;
     EXPECT_NE(run.output.find("expected approach, slide, raster, scratch or a CSV "
                               "file, not 'zigzag'"),
@@ -231,7 +235,7 @@ TEST(ExplorePaths, WithoutDataUnderThemSaySo) {
     }
     writeHeightMap(scratch.file("edge.gsf"), edge, {});
     const auto run =
-        test::runProgram("explore " + scratch.file("edge.gsf").string() +
+        test::runProgram("explore --no-pictures " + scratch.file("edge.gsf").string() +
                          " --level none --duration 0.1 --out " + scratch.file("out").string());
     ASSERT_EQ(run.exitCode, 0) << run.output;
     EXPECT_NE(run.output.find("note: in 101 of 101 ticks: the scan holds no data here"),
@@ -245,7 +249,7 @@ TEST(ExploreModel, TellsTheWholeErrorOfItsForces) {
     const std::filesystem::path scene = scratch.file("hertz.toml");
     std::ofstream(scene) << "[sample]\nfile = \"" << test::dataFolder().string()
                          << "/samples/steps.gsf\"\n[physics]\nlaw = \"hertz\"\n";
-    const auto run = test::runProgram("explore " + scene.string() + " --out " +
+    const auto run = test::runProgram("explore --no-pictures " + scene.string() + " --out " +
                                       scratch.file("out").string() + " --duration 0.2");
     ASSERT_EQ(run.exitCode, 0) << run.output;
     const nlohmann::json model = summaryOf(scratch.file("out"))["model"];
@@ -284,8 +288,8 @@ TEST(ExploreUncertainty, IsNotStatedOfSeveralContacts) {
         scratch.write("scene.toml", "[sample]\nfile = \"groove.gsf\"\nlevel = \"none\"\n");
     const auto down = scratch.write("down.csv", "time_s,x_m,y_m,z_m\n0,48e-9,48e-9,14e-9\n"
                                                 "1,48e-9,48e-9,2e-9\n2,48e-9,48e-9,14e-9\n");
-    const auto run = test::runProgram("explore " + scene.string() + " --path " + down.string() +
-                                      " --out " + scratch.file("out").string());
+    const auto run = test::runProgram("explore --no-pictures " + scene.string() + " --path " +
+                                      down.string() + " --out " + scratch.file("out").string());
     ASSERT_EQ(run.exitCode, 0) << run.output;
     EXPECT_NE(run.output.find("up to 2 contacts at once"), std::string::npos) << run.output;
     const nlohmann::json cycle = summaryOf(scratch.file("out"))["cycles"].at(0);
@@ -296,7 +300,8 @@ TEST(ExploreUncertainty, IsNotStatedOfSeveralContacts) {
 
 TEST(ExploreLeveling, IsSaidAndCanBeSwitchedOff) {
     const test::ScratchFolder scratch;
-    const std::string start = "explore " + test::shippedScene("polystyrene").string() +
+    const std::string start = "explore --no-pictures " +
+                              test::shippedScene("polystyrene").string() +
                               " --duration 0.1 --out " + scratch.file("out").string();
     EXPECT_NE(test::runProgram(start).output.find("leveling: plane with slopes"),
               std::string::npos);

@@ -23,8 +23,9 @@ class Film : public ::testing::Test {
 protected:
     static void SetUpTestSuite() {
         shared = std::make_unique<test::ScratchFolder>();
-        (void)test::runProgram("explore " + test::shippedScene("polystyrene").string() +
-                               " --duration 2 --out " + run());
+        (void)test::runProgram("explore --no-pictures " +
+                               test::shippedScene("polystyrene").string() + " --duration 2 --out " +
+                               run());
     }
     static void TearDownTestSuite() { shared.reset(); }
 

@@ -75,8 +75,9 @@ protected:
     }
 
     void bundleRun(int kills) {
-        const auto made = runProgram("explore " + shippedScene("polystyrene").string() +
-                                     " --duration 0.1 --out " + in("run"));
+        const auto made =
+            runProgram("explore --no-pictures " + shippedScene("polystyrene").string() +
+                       " --duration 0.1 --out " + in("run"));
         ASSERT_EQ(made.exitCode, 0) << made.output;
         killAndRepeat({"bundle", in("run"), in("run.zip"), "--force"}, "run.zip", kills);
     }

@@ -27,7 +27,7 @@ const std::filesystem::path& madeOnce() {
     static const std::filesystem::path folder = [] {
         std::filesystem::copy(test::shippedScene("polystyrene").parent_path().parent_path(),
                               scratch.path() / "data", copy_options::recursive);
-        (void)test::runProgram("explore " +
+        (void)test::runProgram("explore --no-pictures " +
                                (scratch.path() / "data/scenes/polystyrene.toml").string() +
                                " --duration 0.5 --out " + scratch.file("run").string());
         return scratch.path();
@@ -103,8 +103,9 @@ TEST(ReplayOfShippedScenes, IsBitIdentical) {
     const test::ScratchFolder scratch;
     for (const char* scene : {"silicon", "silicon_oxide", "silicone_rubber", "sphere"}) {
         const auto run = scratch.file(scene);
-        const auto made = test::runProgram("explore " + test::shippedScene(scene).string() +
-                                           " --duration 0.3 --out " + run.string());
+        const auto made =
+            test::runProgram("explore --no-pictures " + test::shippedScene(scene).string() +
+                             " --duration 0.3 --out " + run.string());
         ASSERT_EQ(made.exitCode, 0) << made.output;
         const auto again = test::runProgram("replay " + run.string() + " --out " +
                                             scratch.file(std::string(scene) + "_again").string());
@@ -256,8 +257,8 @@ TEST(ReplayOfACutOffRecording, NamesACorrectionThatIsKnown) {
         "scan.spm",
         test::nanoscopeFile({.samples = "24", .lines = "16", .dataLength = "768"}, counts));
     const std::filesystem::path run = scratch.file("run");
-    const auto made =
-        test::runProgram("explore " + scan.string() + " --duration 0.1 --out " + run.string());
+    const auto made = test::runProgram("explore --no-pictures " + scan.string() +
+                                       " --duration 0.1 --out " + run.string());
     ASSERT_EQ(made.exitCode, 0) << made.output;
     const auto summary = nlohmann::json::parse(test::contentOf(run / "summary.json"));
     std::filesystem::remove(run / "summary.json");

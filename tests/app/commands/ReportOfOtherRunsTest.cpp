@@ -33,8 +33,8 @@ protected:
         return scratch.file(name).string();
     }
     void explore(const std::string& name, const std::string& options) const {
-        expectRuns("explore " + test::shippedScene("polystyrene").string() + " " + options +
-                   " --out " + in(name));
+        expectRuns("explore --no-pictures " + test::shippedScene("polystyrene").string() + " " +
+                   options + " --out " + in(name));
     }
     [[nodiscard]] ReportedPage pageOf(const std::string& run) const {
         expectRuns("report " + in(run) + " --force --out " + in("out"));

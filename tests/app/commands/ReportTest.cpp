@@ -80,9 +80,10 @@ private:
                                           const std::string& options) {
         const std::filesystem::path folder = shared->path() / run;
         if (!std::filesystem::exists(folder)) {
-            const auto made = test::runProgram(
-                "explore " + (shared->path() / "data/scenes" / (scene + ".toml")).string() + " " +
-                options + " --out " + folder.string());
+            const auto made =
+                test::runProgram("explore --no-pictures " +
+                                 (shared->path() / "data/scenes" / (scene + ".toml")).string() +
+                                 " " + options + " --out " + folder.string());
             EXPECT_EQ(made.exitCode, 0) << made.output;
         }
         return folder;
@@ -197,8 +198,9 @@ TEST_F(Report, SaysOfAnotherTipThatItIsTheScenes) {
     const auto run = scratch.file("tip");
     (void)scratch.write("tip.toml", "[sample]\nshape = \"plane\"\nyoungs_modulus_pa = 3.3e9\n"
                                     "[tip]\nradius_m = 22e-9\n[truth]\nstiffness_n_m = 16.0\n");
-    const auto made = test::runProgram("explore " + scratch.file("tip.toml").string() +
-                                       " --duration 1 --out " + run.string());
+    const auto made =
+        test::runProgram("explore --no-pictures " + scratch.file("tip.toml").string() +
+                         " --duration 1 --out " + run.string());
     ASSERT_EQ(made.exitCode, 0) << made.output;
     const ReportedPage page = pageOf(run);
     const std::string text = page.text();

@@ -135,13 +135,13 @@ TEST_F(ScaleRuns, ASceneSaysTheScale) {
     const auto scene = scratch.write("scene.toml", "[sample]\nfile = \"bare matrix.txt\"\n"
                                                    "size_x_m = 320e-9\nsize_y_m = 160e-9\n"
                                                    "z_scale_m = 0.5e-9\n");
-    const auto byScene =
-        test::runProgram("explore " + scene.string() + " --duration 0.2 --out" + out("scene"));
+    const auto byScene = test::runProgram("explore --no-pictures " + scene.string() +
+                                          " --duration 0.2 --out" + out("scene"));
     ASSERT_EQ(byScene.exitCode, 0) << byScene.output;
     const auto byOptions = test::runProgram("explore" + quoted(bareMatrix()) +
                                             " --duration 0.2 --out" + out("options") + kScale);
     ASSERT_EQ(byOptions.exitCode, 0) << byOptions.output;
-    const auto overruled = test::runProgram("explore " + scene.string() +
+    const auto overruled = test::runProgram("explore --no-pictures " + scene.string() +
                                             " --duration 0.2 --size 64x32nm --out" + out("other"));
     ASSERT_EQ(overruled.exitCode, 0) << overruled.output;
     EXPECT_EQ(test::contentOf(scratch.file("scene") / "force_log.csv"),

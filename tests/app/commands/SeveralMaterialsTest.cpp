@@ -29,8 +29,8 @@ protected:
                  fs::copy_options::recursive);
         const auto path = scratch->write("across.csv", "time_s,x_m,y_m,z_m\n0,20e-9,200e-9,50e-9\n"
                                                        "1,380e-9,200e-9,50e-9\n");
-        const auto made = run("explore " + in("data/scenes/particles.toml") + " --path " +
-                              path.string() + " --out " + in("run"));
+        const auto made = run("explore --no-pictures " + in("data/scenes/particles.toml") +
+                              " --path " + path.string() + " --out " + in("run"));
         ASSERT_EQ(made.exitCode, 0) << made.output;
     }
     static void TearDownTestSuite() { scratch.reset(); }

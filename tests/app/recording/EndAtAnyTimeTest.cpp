@@ -103,8 +103,9 @@ protected:
         setenv("HOME", scratch.path().c_str(), 1);  // where the window looks for recordings
         setenv("XDG_DOCUMENTS_DIR", scratch.path().c_str(), 1);
         setenv("XDG_CONFIG_HOME", scratch.path().c_str(), 1);  // and leaves its place
-        const auto made = test::runProgram("explore " + scene + " --duration 0.2 --out " +
-                                           scratch.file("older").string());
+        const auto made =
+            test::runProgram("explore --no-pictures " + scene + " --duration 0.2 --out " +
+                             scratch.file("older").string());
         ASSERT_EQ(made.exitCode, 0) << made.output;
     }
 

@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 class OutputFolders : public ::testing::Test {
 protected:
     [[nodiscard]] std::string explore(const std::string& more = {}) const {
-        return "explore " + scene + " --duration 0.1 --out " + out.string() + more;
+        return "explore --no-pictures " + scene + " --duration 0.1 --out " + out.string() + more;
     }
     static void expectEnds(const std::string& call, int exitCode, const std::string& says = {}) {
         const auto run = test::runProgram(call);
@@ -48,31 +48,48 @@ protected:
 };
 
 TEST_F(OutputFolders, AreFilledAgainAndAgainAndKeepWhatIsNotThePrograms) {
-    expectEnds(explore(), 0);
+    const std::string call = "explore " + scene + " --duration 0.1 --out " + out.string();
+    expectEnds(call, 0);
     const auto first = content();
     EXPECT_EQ(first.size(), 8U);
     write("notes.txt", "mine");
     write("energy_log.csv", "of an earlier run");
     fs::remove(out / "forces.png");
-    expectEnds(explore(), 0);
+    expectEnds(call, 0);
     auto second = content();
     EXPECT_EQ(second["notes.txt"], "mine");
     second.erase("notes.txt");
     EXPECT_EQ(second, first);
 }
 
+TEST_F(OutputFolders, OfARunWithoutPicturesHaveNoneNorThoseOfARunBefore) {
+    expectEnds("explore " + scene + " --duration 0.1 --out " + out.string(), 0);
+    auto drawn = content();
+    const auto withoutDisplay =
+        test::runProgram(explore(), "DISPLAY= PATH=" + scratch.path().string());
+    EXPECT_EQ(withoutDisplay.exitCode, 0) << withoutDisplay.output;
+    for (const char* picture :
+         {"deformation.png", "deformation.exr", "forces.png", "overview.png"}) {
+        EXPECT_EQ(drawn.erase(picture), 1U) << picture;
+    }
+    EXPECT_EQ(content(), drawn);
+}
+
 TEST_F(OutputFolders, StayAsTheyAreWhereACommandFails) {
-    expectEnds("explore " + scene + " --path /nonexistent.csv --out " + out.string(), 3);
+    expectEnds("explore --no-pictures " + scene + " --path /nonexistent.csv --out " + out.string(),
+               3);
     EXPECT_FALSE(fs::exists(out));
     expectEnds(explore(), 0);
     const auto before = content();
     test::ChildProgram child({"explore", scene, "--duration", "3600", "--out", out.string()});
-    while (std::distance(fs::directory_iterator(out), {}) < 9 && !child.hasEnded()) {
+    const auto more = static_cast<std::ptrdiff_t>(before.size()) + 1;
+    while (std::distance(fs::directory_iterator(out), {}) < more && !child.hasEnded()) {
         std::this_thread::sleep_for(std::chrono::milliseconds(1));
     }
     child.send(SIGKILL);
     child.wait();
-    EXPECT_EQ(std::distance(fs::directory_iterator(out), {}), 9) << "what was killed left a folder";
+    EXPECT_EQ(std::distance(fs::directory_iterator(out), {}), more)
+        << "what was killed left a folder";
     for (const auto& [name, text] : before) {
         EXPECT_EQ(test::contentOf(out / name), text) << name;
     }
@@ -81,7 +98,8 @@ TEST_F(OutputFolders, StayAsTheyAreWhereACommandFails) {
 }
 
 TEST_F(OutputFolders, AreNamedAsGivenWhereTheDiskIsFull) {
-    const std::string call = "explore " + scene + " --duration 2 --out " + out.string();
+    const std::string call =
+        "explore --no-pictures " + scene + " --duration 2 --out " + out.string();
     const auto run = test::runProgram(call, "ulimit -f 200;");
     EXPECT_EQ(run.exitCode, 1) << run.output;
     const std::string sentence = (out / "force_log.csv").string() + ": cannot be written";
@@ -99,7 +117,7 @@ TEST_F(OutputFolders, WithARecordingAreRefusedWithoutForce) {
     expectEnds("replay " + out.string() + " --out " + scratch.file("again").string(), 0);
     EXPECT_EQ(content(), recording);
     expectEnds(explore(" --force"), 0);
-    EXPECT_EQ(content().size(), 8U);
+    EXPECT_EQ(content().size(), 4U);
     EXPECT_FALSE(content().contains("tick_memory.csv"));
 }
 
@@ -144,7 +162,7 @@ TEST_F(OutputFolders, WithARunTakeNoRecordingAndNoReplayWithoutForce) {
     const auto run = content();
     expectEnds("loop " + scene + " --duration 2.5 --record " + out.string(), 1, "--force");
     const fs::path other = scratch.file("other");
-    expectEnds("explore " + scene + " --duration 0.1 --out " + other.string(), 0);
+    expectEnds("explore --no-pictures " + scene + " --duration 0.1 --out " + other.string(), 0);
     expectEnds("replay " + other.string() + " --out " + out.string(), 1, "--force");
     EXPECT_EQ(content(), run);
     write("notes.txt", "mine");
@@ -160,10 +178,10 @@ TEST_F(OutputFolders, MayBeLinksAndThePresentOne) {
     fs::create_directory_symlink("far", out);
     expectEnds(explore(), 0);
     EXPECT_TRUE(fs::is_symlink(out));
-    EXPECT_TRUE(fs::exists(scratch.file("far") / "overview.png"));
+    EXPECT_TRUE(fs::exists(scratch.file("far") / "summary.json"));
     const fs::path before = fs::current_path();
     fs::current_path(scratch.file("far"));
-    expectEnds("explore " + scene + " --duration 0.1 --out .", 0);
+    expectEnds("explore --no-pictures " + scene + " --duration 0.1 --out .", 0);
     fs::current_path(before);
 }
 

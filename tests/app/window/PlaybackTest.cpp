@@ -42,7 +42,7 @@ protected:
         scratch.reset();
     }
     static void explore(const std::string& scene) {
-        const ProgramRun made = runProgram("explore " + shippedScene(scene).string() +
+        const ProgramRun made = runProgram("explore --no-pictures " + shippedScene(scene).string() +
                                            " --duration 2 --out " + of(scene).string());
         ASSERT_EQ(made.exitCode, 0) << made.output;
     }
