@@ -33,7 +33,7 @@ run_tests() {
         results+=("$top/build/$preset/results")
     done
     rm -rf "${results[@]}"
-    ctest --test-dir "$top/build/$2" --output-on-failure --no-tests=error -j2 "${@:3}" | tee "$log" || status=$?
+    ctest --test-dir "$top/build/$2" --output-on-failure --no-tests=error -j3 "${@:3}" | tee "$log" || status=$?
     echo "== running the tests: $((SECONDS - begin)) s"
     skip_reasons "$log" "$top/build/$2/Testing/Temporary/LastTest.log"
     "$top/tools/gtest_results.py" "${results[@]}" || status=1

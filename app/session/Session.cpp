@@ -13,12 +13,11 @@ namespace asperity {
 
 namespace {
 
-constexpr int kFramePeriod = 16;       // [ms]
 constexpr double kMaxFrameTime = 0.1;  // that a held key moves the device for [s]
 
 }  // namespace
 
-Session::Session(MainWindow& window)
+Session::Session(MainWindow& window, int framePeriod)
     : window_(window)
     , runs_(window)
     , edits_(window, runs_)
@@ -61,7 +60,7 @@ Session::Session(MainWindow& window)
     qApp->installEventFilter(this);
     frames_.setTimerType(Qt::PreciseTimer);
     connect(&frames_, &QTimer::timeout, this, &Session::advance);
-    frames_.start(kFramePeriod);
+    frames_.start(framePeriod);
 }
 
 Session::~Session() { runs_.end(); }

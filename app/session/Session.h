@@ -37,7 +37,8 @@ namespace asperity {
 /// on once a frame.
 class Session : public QObject {
 public:
-    explicit Session(MainWindow& window);
+    /// @param framePeriod from one frame to the next [ms]; tests that share a processor take longer
+    explicit Session(MainWindow& window, int framePeriod = kFramePeriod);
     ~Session() override;
     Session(const Session&) = delete;
     Session& operator=(const Session&) = delete;
@@ -69,6 +70,8 @@ public:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
+    static constexpr int kFramePeriod = 16;  ///< [ms]
+
     void stop();
     void advance();
 

@@ -185,13 +185,25 @@ TEST(Loop, RecordsWithTheSimulatedDeviceMeanwhile) { expectRecords("loop --simul
 
 TEST(Loop, RecordsInTheWindowMeanwhile) { expectRecords("loop --window"); }
 
+/// On a machine with other work the first frames can take longer than a short run.
 TEST(Loop, DrawsEveryViewMeanwhile) {
-    const auto run = test::runProgram("loop --duration 2.5 --window --json", "DISPLAY=");
-    ASSERT_EQ(run.exitCode, 0) << run.output;
-    const auto report = nlohmann::json::parse(run.output.substr(run.output.find('{')));
-    for (const std::string view : {"zoom", "second", "forces", "cantilever", "overview"}) {
-        EXPECT_GT(report["frames_per_second"][view], 0.0) << view;
+    std::string missing;
+    for (const char* const duration : {"2.5", "10", "40"}) {
+        const auto run = test::runProgram(
+            std::string("loop --window --json --duration ") + duration, "DISPLAY=");
+        ASSERT_EQ(run.exitCode, 0) << run.output;
+        const auto report = nlohmann::json::parse(run.output.substr(run.output.find('{')));
+        missing.clear();
+        for (const char* const view : {"zoom", "second", "forces", "cantilever", "overview"}) {
+            if (!(report["frames_per_second"][view] > 0.0)) {
+                missing.append(view).append(" ");
+            }
+        }
+        if (missing.empty()) {
+            break;
+        }
     }
+    EXPECT_EQ(missing, "");
 }
 
 /// As a file that cannot be read; a scan that could not be written ended with 1.

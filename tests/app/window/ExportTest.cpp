@@ -105,7 +105,7 @@ protected:
 };
 
 TEST_F(WindowThatExports, NothingBeforeThereIsAScan) {
-    live(100);  // some frames, none of which may offer it
+    live(200);  // some frames, none of which may offer it
     EXPECT_FALSE(window.menus().exportView->isEnabled());
     QTest::keyClick(&window, Qt::Key_E, Qt::ControlModifier);
     EXPECT_EQ(dialog(), nullptr);

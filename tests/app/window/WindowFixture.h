@@ -68,9 +68,13 @@ protected:
 
     ScratchFolder folder;
     MainWindow window;
-    Session session{window};
+    Session session{window, kFramePeriod};
 
 private:
+    /// Drawing takes most of a window's processor time: fewer frames than a user's leave it to the
+    /// other tests [ms].
+    static constexpr int kFramePeriod = 100;
+
     /// Of the latest tick [s].
     double tickTime();
 };

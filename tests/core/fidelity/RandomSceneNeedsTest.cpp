@@ -86,7 +86,7 @@ class RandomSceneNeeds : public ::testing::TestWithParam<unsigned> {};
 class RandomSceneNeedsLong : public RandomSceneNeeds {};
 
 TEST_P(RandomSceneNeeds, KeepWhatMovesTheForceAndLeaveOutWhatDoesNot) {
-    expectKeepWhatMovesTheForce(GetParam(), 10);
+    expectKeepWhatMovesTheForce(GetParam(), 5);
 }
 INSTANTIATE_TEST_SUITE_P(Seeds, RandomSceneNeeds, ::testing::Values(20261122U, 1U));
 
@@ -126,7 +126,7 @@ void expectSettledGivesTheSameAgain(int scenes) {
 }
 
 TEST(RandomScenes, TheSettledDescriptionGivesTheSameModelAgain) {
-    expectSettledGivesTheSameAgain(5);
+    expectSettledGivesTheSameAgain(3);
 }
 
 TEST(RandomScenesLong, TheSettledDescriptionGivesTheSameModelAgain) {
@@ -135,7 +135,7 @@ TEST(RandomScenesLong, TheSettledDescriptionGivesTheSameModelAgain) {
 
 TEST(RandomScenes, AWiderToleranceLeavesOutNoLess) {
     Random random(5);
-    for (int i = 0; i < 10; ++i) {
+    for (int i = 0; i < 5; ++i) {
         Scene scene = test::randomScene(random);
         const auto count = [&](double tolerance) {
             scene.description.tolerance = tolerance;
