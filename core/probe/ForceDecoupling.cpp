@@ -30,6 +30,7 @@ constexpr double kMaxInput = 1e12;           // in SI: far beyond any measuremen
 constexpr double kMinSigma = 1e-30;          // likewise
 constexpr double kMinNormal = 1e-30;         // shorter ones lose their direction when squared
 constexpr double kPlausibleSigmas = 3.0;
+constexpr double kSureSigmas = 5.0;   // of one signal: its noise does so once in half an hour
 constexpr double kUsableRest = 1e-3;  // of sigma_N: below it only the model told N
 
 bool usable(double value) noexcept { return isWithin(value, -kMaxInput, kMaxInput); }
@@ -147,6 +148,18 @@ double deviationAlong(const Matrix3& covariance, const Vector3& direction) noexc
     return std::sqrt(std::max(0.0, direction.dot(covariance * direction)));
 }
 
+/// Returns whether the torsion shows more force than the estimate holds, by more than its noise and
+/// the rest of the estimate leave open: a friction law that is too sure outweighs it.
+bool outweighsTorsion(const WhitenedSystem& system, const Vector3& force,
+                      const Matrix3& inverse) noexcept {
+    const double measured = system.values(1);
+    const double estimated = system.rows.row(1).dot(force);
+    const double known = (system.rows.row(1) * inverse).squaredNorm();
+    const double rest = std::sqrt(std::max(0.0, 1.0 - known));
+    return std::abs(measured) > std::abs(estimated) && rest > kUsableRest &&
+           std::abs(measured - estimated) > kSureSigmas * rest;
+}
+
 /// Force and covariance in the frame of the geometry.
 Plausibility plausibilityOf(const DecouplingInput& in, const ContactGeometry& geometry,
                             const Vector3& force, const Matrix3& covariance) noexcept {
@@ -211,6 +224,7 @@ ForceEstimate estimateForce(const Cantilever& cantilever, const DecouplingInput&
     estimate.covariance = 0.5 * (covariance + covariance.transpose());  // exactly symmetric
     estimate.deflection = cantilever.compliance() * estimate.force;
     estimate.plausibility = plausibilityOf(input, geometry, local, inverse * inverse.transpose());
+    estimate.plausibility.excessFriction |= outweighsTorsion(system, local, inverse);
     estimate.condition = conditionOf(geometry, cantilever.couplingRatio());
     estimate.kind = kindOf(geometry, estimate.condition);
     return estimate;

@@ -52,7 +52,8 @@ inline constexpr auto kEnumTable<DecouplingCase> =
 /// Whether the estimated force is one that the assumptions allow. Source: docs/theory.md 6.5 (e).
 struct Plausibility {
     bool pushesAlong = false;  ///< T < 0 (by more than 1 pN): friction would drive the tip
-    /// |T| > max(0, mu N + tau A) by three standard deviations of estimate and friction law
+    /// |T| > max(0, mu N + tau A) by three standard deviations of estimate and friction law, or the
+    /// torsion shows more than the estimate holds, by five of what that leaves open
     bool excessFriction = false;
     /// N is not that of the contact model, by three standard deviations of what the model may
     /// still differ by from an estimate that it took part in

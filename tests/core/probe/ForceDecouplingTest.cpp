@@ -22,6 +22,7 @@ namespace {
 
 using std::numbers::pi;
 using test::inputOfRow;
+using test::kSignalNoise;
 using test::referenceLever;
 using test::ReferenceTable;
 using test::Situation;
@@ -234,6 +235,20 @@ TEST(ForceDecoupling, SaysHowLittleItKnowsWhenSlidingAlongTheBeam) {
         const ForceEstimate estimate = estimateForce(situation.lever, situation.input);
         EXPECT_NEAR(std::sqrt(estimate.covariance(0, 0)) / 1_nN, sigmaX, 0.006);
     }
+}
+
+/// Without friction nothing but noise is expected in the torsion, and the law is certain of it.
+TEST(ForceDecoupling, SaysWhereItFollowsAFrictionLawAgainstTheTorsion) {
+    Situation situation = slidingSituation(Vector3::UnitZ(), 1e-6 * Vector3::UnitY());
+    situation.input.frictionCoefficient = 0.0;
+    const auto torsionOf = [&](double deviations) {
+        situation.input.signals.torsion = deviations * kSignalNoise;
+        return estimateForce(situation.lever, situation.input).plausibility;
+    };
+    EXPECT_TRUE(torsionOf(0.0).holds());
+    EXPECT_TRUE(torsionOf(-4.0).holds());
+    EXPECT_TRUE(torsionOf(-10.0).excessFriction);
+    EXPECT_TRUE(torsionOf(10.0).excessFriction);
 }
 
 TEST(ForceDecoupling, ReturnsTheTrueForceWhenAllAssumptionsHold) {
