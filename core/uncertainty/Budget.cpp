@@ -62,6 +62,7 @@ Budget Budget::of(double reading, double deviation) const noexcept {
     budget.noise = deviation;
     budget.shift *= scale;
     budget.leftOut *= scale;
+    budget.hidden *= scale;
     for (double& one : budget.shares) {
         one *= scale;
     }

@@ -21,6 +21,9 @@ struct Budget {
     /// What terms that the model leaves out, or its law has no room for, change the result by, at
     /// most on the sampled runs of SceneNeeds, >= 0. It counts as a standard deviation.
     double leftOut = 0.0;
+    /// What roughness that the noise of the heights hides may move the result by, taken away by
+    /// smoothing or pixels, >= 0. No part of any deviation: nothing says that it is there.
+    double hidden = 0.0;
 
     [[nodiscard]] double share(UncertaintyInput input) const noexcept {
         return shares[static_cast<std::size_t>(input)];

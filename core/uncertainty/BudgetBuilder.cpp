@@ -2,6 +2,7 @@
 
 #include "core/uncertainty/ForceBudget.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -65,6 +66,12 @@ void BudgetBuilder::add(UncertaintyInput input, const LandmarkMoves& moves) {
     for (std::size_t i = 0; i < kLandmarkCount; ++i) {
         double& share = budgets_[i].shares[static_cast<std::size_t>(input)];
         share = std::hypot(share, moves[i]);
+    }
+}
+
+void BudgetBuilder::hide(const LandmarkMoves& moves) {
+    for (std::size_t i = 0; i < kLandmarkCount; ++i) {
+        budgets_[i].hidden = std::max(budgets_[i].hidden, moves[i]);
     }
 }
 

@@ -33,6 +33,8 @@ public:
     [[nodiscard]] LandmarkMoves movesTo(const PlaceNumbers& numbers) const;
     /// Adds moves to those of an input, by their squares.
     void add(UncertaintyInput input, const LandmarkMoves& moves);
+    /// Takes moves that noise hides, the larger ones, see Budget::hidden.
+    void hide(const LandmarkMoves& moves);
 
     /// The setpoint is one of deflection: the force there goes as k and InvOLS. A k by thermal
     /// spectrum goes as 1 / InvOLS^2; that part of it is InvOLS's own.

@@ -32,7 +32,7 @@ std::string noisyWords(const Scene& scene) {
     constexpr double kNoisy = 0.15;  // of the tip's own curvature
     return scene.description.tip.radius * scene.curvatureNoise > kNoisy
                ? "; the tip touches the highest of noisy places first: pull-off and stiffness come "
-                 "out too low, by more than their deviations say"
+                 "out too low, on ground blunter than the tip by more than their deviations say"
                : "";
 }
 

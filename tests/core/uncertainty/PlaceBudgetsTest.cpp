@@ -329,6 +329,23 @@ TEST(PlaceBudgets, SmoothingThatMovesTheResultIsNamed) {
     EXPECT_EQ(truth.share(UncertaintyInput::Smoothing), 0.0);
 }
 
+/// Flat ground without noise has nothing to hide. With noise, what a low-pass took of a rougher one
+/// could not be told from it.
+TEST(PlaceBudgets, NoiseSaysWhatRoughnessItHides) {
+    SceneDescription description = softScene();
+    description.sample.smoothingPixels = 2.0;
+    const auto pullOff = [&] {
+        const Scene scene = buildScene(description, test::flatMap());
+        return budgetOf(budgetsAt(scene, kMiddle, 2e-9), Landmark::AdhesionForce);
+    };
+    EXPECT_EQ(pullOff().hidden, 0.0);
+    description.uncertainty.heightNoise = 30e-12;
+    const Budget noisy = pullOff();
+    EXPECT_EQ(noisy.share(UncertaintyInput::Smoothing), 0.0);
+    EXPECT_GT(noisy.hidden, 0.3 * noisy.share(UncertaintyInput::HeightNoise));
+    EXPECT_DOUBLE_EQ(noisy.of(0.5 * noisy.value, 0.0).hidden, 0.5 * noisy.hidden);
+}
+
 TEST(PlaceBudgets, AnExactShapeHasNoShareOfHeights) {
     SceneDescription description = softScene();
     description.sample.shape = ShapeDescription{};

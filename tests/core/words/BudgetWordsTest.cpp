@@ -57,5 +57,15 @@ TEST(BudgetWords, NameSmoothingThatMattersMoreThanTheTolerance) {
     EXPECT_EQ(resolutionText(pullOff(), "pull-off force", 0.2), "");
 }
 
+TEST(BudgetWords, NameRoughnessThatNoiseMayHide) {
+    Budget budget = pullOff();
+    budget.hidden = 2e-9;
+    EXPECT_EQ(resolutionText(budget, "pull-off force", 0.2), "");
+    budget.hidden = 5e-9;
+    EXPECT_EQ(resolutionText(budget, "pull-off force", 0.2),
+              "noise of the heights hides roughness that may move the pull-off force by 30 %; the "
+              "stated deviations do not hold it");
+}
+
 }  // namespace
 }  // namespace asperity

@@ -62,11 +62,10 @@ TEST(SceneWords, SayByWhatAScanIsSmoothed) {
     scene.heightNoise = 30e-12;
     EXPECT_EQ(smoothingNote(scene), "smoothing: none, as the scene states; 30 pm of height noise");
     scene.curvatureNoise = 1.0 / scene.description.tip.radius;
-    EXPECT_EQ(
-        smoothingNote(scene),
-        "smoothing: none, as the scene states; 30 pm of height noise; the tip touches the "
-        "highest of noisy places first: pull-off and stiffness come out too low, by more than "
-        "their deviations say");
+    EXPECT_EQ(smoothingNote(scene),
+              "smoothing: none, as the scene states; 30 pm of height noise; the tip touches the "
+              "highest of noisy places first: pull-off and stiffness come out too low, on ground "
+              "blunter than the tip by more than their deviations say");
     scene.description.sample.smoothingPixels = 1.0;
     EXPECT_NE(smoothingNote(scene).find("too low"), std::string::npos) << "too little";
     scene.curvatureNoise = 0.09 / scene.description.tip.radius;
