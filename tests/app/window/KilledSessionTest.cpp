@@ -23,7 +23,9 @@ namespace {
 namespace fs = std::filesystem;
 using namespace std::chrono_literals;
 
-constexpr double kMayBeLost = 1.0;  // [s]
+/// Of the editor's changes, one each 20 ms: a second, by its own event loop. On a machine with
+/// other work both come later, the changes and the timer that keeps them.
+constexpr int kMayBeLost = 50;
 
 double now() {
     return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch())
@@ -79,7 +81,7 @@ void expectLosesASecondAtMost(int kills) {
         ASSERT_TRUE(WIFSIGNALED(status)) << "it ended by itself";
         const SceneDescription offered = readScene(kept / "session.toml");
         const int count = static_cast<int>(std::lround(offered.setpoint / 1e-12));
-        EXPECT_GE(count, lastEdit(log, killed - kMayBeLost)) << "kill " << kill;
+        EXPECT_GE(count, lastEdit(log, killed) - kMayBeLost) << "kill " << kill;
         EXPECT_GT(count, 0) << "nothing was kept";
         std::ifstream file(log);
         int edit = 0;
