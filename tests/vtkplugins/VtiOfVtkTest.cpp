@@ -4,6 +4,7 @@
 #include <vtkCellData.h>
 #include <vtkFieldData.h>
 #include <vtkFloatArray.h>
+#include <vtkIdTypeArray.h>
 #include <vtkImageData.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
@@ -40,7 +41,7 @@ vtkSmartPointer<Array> wavesOf(const char* name, int columns, int rows) {
     return array;
 }
 
-/// An image whose extent does not begin at 0, with arrays of three types.
+/// An image whose extent does not begin at 0, with arrays of four types.
 vtkSmartPointer<vtkImageData> wavyImage() {
     const vtkNew<vtkImageData> image;
     image->SetExtent(-3, kColumns - 4, 5, kRows + 4, 2, 2);
@@ -48,6 +49,7 @@ vtkSmartPointer<vtkImageData> wavyImage() {
     image->GetPointData()->AddArray(wavesOf<vtkFloatArray>("z", kColumns, kRows));
     image->GetPointData()->AddArray(wavesOf<vtkShortArray>("count", kColumns, kRows));
     image->GetPointData()->AddArray(wavesOf<vtkUnsignedCharArray>("byte", kColumns, kRows));
+    image->GetPointData()->AddArray(wavesOf<vtkIdTypeArray>("id", kColumns, kRows));
     return image;
 }
 
@@ -144,6 +146,7 @@ TEST(VtiOfVtkFields, AreReadInEachEncoding) {
     const vtkSmartPointer<vtkImageData> image = wavyImage();
     image->GetPointData()->RemoveArray("count");
     image->GetPointData()->RemoveArray("byte");
+    image->GetPointData()->RemoveArray("id");
     const vtkNew<vtkStringArray> unit;
     unit->SetName("unit");
     unit->InsertNextValue("nm");

@@ -40,6 +40,10 @@ SampleEnds endsOf(SampleType type) {
         return endsOf<std::int32_t>();
     case SampleType::UInt32:
         return endsOf<std::uint32_t>();
+    case SampleType::Int64:
+        return endsOf<std::int64_t>();
+    case SampleType::UInt64:
+        return endsOf<std::uint64_t>();
     case SampleType::Float32:
     case SampleType::Float64:
         return {};

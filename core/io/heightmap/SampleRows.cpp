@@ -39,6 +39,10 @@ void convert(SampleType type, ByteOrder order, const char* stored, std::span<dou
         return convert<std::int32_t>(stored, order, numbers);
     case SampleType::UInt32:
         return convert<std::uint32_t>(stored, order, numbers);
+    case SampleType::Int64:
+        return convert<std::int64_t>(stored, order, numbers);
+    case SampleType::UInt64:
+        return convert<std::uint64_t>(stored, order, numbers);
     case SampleType::Float32:
         return convert<float>(stored, order, numbers);
     case SampleType::Float64:
@@ -93,6 +97,8 @@ std::size_t sizeOf(SampleType type) {
     case SampleType::UInt32:
     case SampleType::Float32:
         return 4;
+    case SampleType::Int64:
+    case SampleType::UInt64:
     case SampleType::Float64:
         return 8;
     }

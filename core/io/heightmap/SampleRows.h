@@ -21,6 +21,8 @@ enum class SampleType : std::uint8_t {
     UInt16,
     Int32,
     UInt32,
+    Int64,
+    UInt64,
     Float32,
     Float64
 };

@@ -85,14 +85,16 @@ private:
 };
 
 std::optional<SampleType> sampleType(int code) {
-    constexpr std::array<std::pair<int, SampleType>, 8> kTypes{{{0x02, SampleType::Float32},
-                                                                {0x04, SampleType::Float64},
-                                                                {0x08, SampleType::Int8},
-                                                                {0x10, SampleType::Int16},
-                                                                {0x20, SampleType::Int32},
-                                                                {0x48, SampleType::UInt8},
-                                                                {0x50, SampleType::UInt16},
-                                                                {0x60, SampleType::UInt32}}};
+    constexpr std::array<std::pair<int, SampleType>, 10> kTypes{{{0x02, SampleType::Float32},
+                                                                 {0x04, SampleType::Float64},
+                                                                 {0x08, SampleType::Int8},
+                                                                 {0x10, SampleType::Int16},
+                                                                 {0x20, SampleType::Int32},
+                                                                 {0x48, SampleType::UInt8},
+                                                                 {0x50, SampleType::UInt16},
+                                                                 {0x60, SampleType::UInt32},
+                                                                 {0x80, SampleType::Int64},
+                                                                 {0xc0, SampleType::UInt64}}};
     const auto* const found =
         std::ranges::find(kTypes, code, [](const auto& type) { return type.first; });
     return found == kTypes.end() ? std::nullopt : std::optional(found->second);

@@ -46,13 +46,15 @@ bool isNumber(double value) { return isFiniteHeight(value); }
 
 /// Empty for those that a height map does not have.
 std::optional<SampleType> sampleType(std::string_view name) {
-    constexpr std::array<std::pair<std::string_view, SampleType>, 8> kTypes{
+    constexpr std::array<std::pair<std::string_view, SampleType>, 10> kTypes{
         {{"Int8", SampleType::Int8},
          {"UInt8", SampleType::UInt8},
          {"Int16", SampleType::Int16},
          {"UInt16", SampleType::UInt16},
          {"Int32", SampleType::Int32},
          {"UInt32", SampleType::UInt32},
+         {"Int64", SampleType::Int64},
+         {"UInt64", SampleType::UInt64},
          {"Float32", SampleType::Float32},
          {"Float64", SampleType::Float64}}};
     const auto* const found =
@@ -267,7 +269,9 @@ private:
             fail(name, "expected numbers of pixels");
         }
         if (extent[4] != extent[5]) {
-            fail(name, "it holds a volume; an image of one layer is expected");
+            fail(name, extent[0] == extent[1] || extent[2] == extent[3]
+                           ? "its image stands upright; one along x and y is expected"
+                           : "it holds a volume; an image of one layer is expected");
         }
         return {std::llround(extent[0]), std::llround(extent[1]), std::llround(extent[2]),
                 std::llround(extent[3])};

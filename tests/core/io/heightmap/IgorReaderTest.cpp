@@ -64,7 +64,8 @@ TEST(IgorReader, ReadsEveryTypeInBothByteOrders) {
     } types[] = {{0x02, SampleType::Float32}, {0x04, SampleType::Float64},
                  {0x08, SampleType::Int8},    {0x10, SampleType::Int16},
                  {0x20, SampleType::Int32},   {0x48, SampleType::UInt8},
-                 {0x50, SampleType::UInt16},  {0x60, SampleType::UInt32}};
+                 {0x50, SampleType::UInt16},  {0x60, SampleType::UInt32},
+                 {0x80, SampleType::Int64},   {0xc0, SampleType::UInt64}};
     for (const auto& type : types) {
         for (const ByteOrder order : {ByteOrder::Little, ByteOrder::Big}) {
             SCOPED_TRACE(type.code);

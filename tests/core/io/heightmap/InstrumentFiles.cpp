@@ -71,6 +71,12 @@ std::string samples(SampleType type, ByteOrder order, const std::vector<double>&
         case SampleType::UInt32:
             append(bytes, order, static_cast<std::uint32_t>(number));
             break;
+        case SampleType::Int64:
+            append(bytes, order, static_cast<std::int64_t>(number));
+            break;
+        case SampleType::UInt64:
+            append(bytes, order, static_cast<std::uint64_t>(number));
+            break;
         case SampleType::Float32:
             append(bytes, order, static_cast<float>(number));
             break;

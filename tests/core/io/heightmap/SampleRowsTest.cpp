@@ -43,8 +43,12 @@ std::string stored(ByteOrder order, const std::vector<double>& numbers) {
 
 template <typename Number>
 void expectRead(SampleType type) {
-    const double low = static_cast<double>(std::numeric_limits<Number>::lowest());
-    const double high = static_cast<double>(std::numeric_limits<Number>::max());
+    using Limits = std::numeric_limits<Number>;
+    constexpr bool kIsExact = Limits::digits <= std::numeric_limits<double>::digits;
+    const double most = std::ldexp(1.0, std::numeric_limits<double>::digits);
+    const double low =
+        kIsExact ? static_cast<double>(Limits::lowest()) : (Limits::is_signed ? -most : 0.0);
+    const double high = kIsExact ? static_cast<double>(Limits::max()) : most;
     const std::vector<double> numbers{low, 0.0, 1.0, 2.0, 100.0, high};
     for (const ByteOrder order : {ByteOrder::Little, ByteOrder::Big}) {
         const std::string content = stored<Number>(order, numbers);
@@ -67,6 +71,8 @@ TEST(SampleRows, ReadsEveryTypeInBothByteOrders) {
     expectRead<std::uint16_t>(SampleType::UInt16);
     expectRead<std::int32_t>(SampleType::Int32);
     expectRead<std::uint32_t>(SampleType::UInt32);
+    expectRead<std::int64_t>(SampleType::Int64);
+    expectRead<std::uint64_t>(SampleType::UInt64);
     expectRead<float>(SampleType::Float32);
     expectRead<double>(SampleType::Float64);
 }

@@ -33,6 +33,10 @@ void appendSample(std::string& bytes, double value, SampleType type, ByteOrder o
         return append<std::int32_t>(bytes, value, order);
     case SampleType::UInt32:
         return append<std::uint32_t>(bytes, value, order);
+    case SampleType::Int64:
+        return append<std::int64_t>(bytes, value, order);
+    case SampleType::UInt64:
+        return append<std::uint64_t>(bytes, value, order);
     case SampleType::Float32:
         return append<float>(bytes, value, order);
     case SampleType::Float64:

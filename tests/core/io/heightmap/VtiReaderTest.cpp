@@ -73,13 +73,13 @@ TEST(VtiReader, ReadsNumbersOfOtherProgramsFromTheBottomUp) {
 TEST(VtiReader, ReadsEachArrayAndNotesThoseItLeavesOut) {
     VtiText file;
     file.others = R"(<DataArray type="UInt32" Name="n" format="appended" offset="0"/>)"
-                  R"(<DataArray type="Int64" Name="id" format="appended" offset="0"/>)"
+                  R"(<DataArray type="Bit" Name="id" format="appended" offset="0"/>)"
                   R"(<DataArray type="Float32" NumberOfComponents="3" Name="v" format="appended")"
                   R"( offset="0"/>)";
     const HeightMapFile result = readAsVti(file);
     ASSERT_EQ(result.channels.size(), 2U);
     EXPECT_EQ(result.channels[1].name, "n");
-    EXPECT_THAT(result.notes, testing::ElementsAre(HasSubstr("Int64"), HasSubstr("3 numbers")));
+    EXPECT_THAT(result.notes, testing::ElementsAre(HasSubstr("Bit"), HasSubstr("3 numbers")));
 }
 
 /// Title and unit are those of one image: a slope is no height.
@@ -258,6 +258,7 @@ TEST(VtiReader, RefusesWhatIsNoFlatImage) {
     };
     EXPECT_THAT(refused([](VtiText& file) { file.type = "PolyData"; }), HasSubstr("'PolyData'"));
     EXPECT_THAT(refused([](VtiText& file) { file.extent = "0 2 0 1 0 4"; }), HasSubstr("volume"));
+    EXPECT_THAT(refused([](VtiText& file) { file.extent = "0 2 1 1 0 4"; }), HasSubstr("upright"));
     EXPECT_THAT(refused([](VtiText& file) { file.extent = "0 2 0 1"; }), HasSubstr("6 numbers"));
     EXPECT_THAT(refused([](VtiText& file) { file.extent = "0 nan 0 1 0 0"; }),
                 HasSubstr("6 numbers"));
