@@ -3,9 +3,9 @@
 
 When the process crashes, or one test takes longer than the limit, that test is named and those not
 run yet run in a new process. A listed test without a result is a failure. The program has a home
-of its own, with --display an X server of its own, too: two suites at a time share no focus,
-pointer, clipboard or settings. Program and server end with this script, however that ends. The
-output of passing tests is not printed.
+of its own, with --display an X server of its own, too: suites that run at a time share no
+focus, pointer, clipboard or settings. Program and server end with this script, however that ends.
+The output of passing tests is not printed.
 Usage: tools/run_suite.py --display build/release/bin/asperity_panels_tests 'CardTest.*'
 """
 
