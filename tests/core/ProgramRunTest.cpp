@@ -113,7 +113,7 @@ TEST(ProgramRun, TheWholeGroupEndsInTime) {
         shell(folder, "sleep 100 & echo $! >child; echo $$ >self; echo begun; wait", 300ms));
     EXPECT_EQ(outcome.end, ProgramEnd::TimedOut);
     EXPECT_EQ(outcome.output, "begun\n");
-    EXPECT_LT(std::chrono::steady_clock::now() - begin, 10s);
+    EXPECT_LT(std::chrono::steady_clock::now() - begin, 90s);
     expectNoChild();
     EXPECT_TRUE(isGone(numberIn(folder.file("self"))));
     EXPECT_TRUE(isGone(numberIn(folder.file("child"))));
@@ -126,7 +126,7 @@ TEST(ProgramRun, WhatAProgramLeavesBehindEndsWithIt) {
         runProgram(shell(folder, "sleep 100 & echo $! >child; echo done"));
     EXPECT_EQ(outcome.end, ProgramEnd::Exited);
     EXPECT_EQ(outcome.output, "done\n");
-    EXPECT_LT(std::chrono::steady_clock::now() - begin, 10s) << "it waited for the open pipe";
+    EXPECT_LT(std::chrono::steady_clock::now() - begin, 90s) << "it waited for the open pipe";
     EXPECT_TRUE(isGone(numberIn(folder.file("child"))));
 }
 

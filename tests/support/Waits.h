@@ -12,8 +12,8 @@ namespace asperity::test {
 /// How long a test waits for what must come [ms].
 inline constexpr int kPatience = 20'000;
 
-/// Handles events until something holds. Time counts while this program has a processor: what a turn
-/// of the loop takes longer than on a machine of its own, others have taken.
+/// Handles events until something holds. Time counts while this program has a processor: what a
+/// turn of the loop takes longer than on a machine of its own, others have taken.
 /// @return whether it does
 [[nodiscard]] inline bool eventually(const std::function<bool()>& holds,
                                      int milliseconds = kPatience) {
@@ -24,7 +24,7 @@ inline constexpr int kPatience = 20'000;
             return false;
         }
         turn.start();
-        QTest::qWait(5);
+        QTest::qWait(10);
     }
     return true;
 }

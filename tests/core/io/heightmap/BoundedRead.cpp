@@ -18,7 +18,7 @@ namespace asperity::test {
 namespace {
 
 /// A process that is still reading then is ended [s].
-constexpr unsigned kPatience = 20;
+constexpr unsigned kPatience = 120;
 
 /// The code that the reading process exits with.
 enum class Answer : int {
