@@ -4,9 +4,19 @@
 
 #include <array>
 #include <cstdio>
+#include <sstream>
 #include <sys/wait.h>
 
 namespace asperity::test {
+
+long ProgramRun::lines() const {
+    std::istringstream text(output);
+    long count = 0;
+    for (std::string line; std::getline(text, line);) {
+        count += line.ends_with(" left") && line.find(" %, about ") != std::string::npos ? 0 : 1;
+    }
+    return count;
+}
 
 ProgramRun runCommand(const std::string& command) {
     // NOLINTNEXTLINE(cert-env33-c): that is the test

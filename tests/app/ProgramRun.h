@@ -8,6 +8,10 @@ namespace asperity::test {
 struct ProgramRun {
     int exitCode = -1;
     std::string output;  ///< stdout and stderr together
+
+    /// Returns how many lines it printed besides those on how far its work is, of which there are
+    /// more on a slower machine.
+    [[nodiscard]] long lines() const;
 };
 
 /// Runs the command line of a shell.

@@ -56,7 +56,7 @@ TEST_F(ConvertMany, WritesAFileForEachIntoTheFolder) {
     EXPECT_EQ(run.exitCode, 0) << run.output;
     EXPECT_THAT(run.output, HasSubstr(path("a.gwy") + " -> "));
     EXPECT_THAT(run.output, HasSubstr("'Height', 8 x 6 pixels, 2 of them without data"));
-    EXPECT_EQ(std::ranges::count(run.output, '\n'), 2) << run.output;
+    EXPECT_EQ(run.lines(), 2) << run.output;
     const ScanChannel read = readHeightMapFile(scratch.file("out") / "b.exr", {}).channels.at(0);
     EXPECT_EQ(read.map.invalid, test::bumpyMapWithHoles(8, 6).invalid);
 }
@@ -68,8 +68,7 @@ TEST_F(ConvertMany, GoesOnAfterABadOneAndEndsWith1) {
     EXPECT_EQ(run.exitCode, 1) << run.output;
     EXPECT_THAT(run.output, HasSubstr("asperity: " + bad + ": "));
     EXPECT_THAT(run.output, HasSubstr("2 of 4 files could not be converted"));
-    EXPECT_EQ(std::ranges::count(run.output, '\n'), 6)
-        << run.output << "each file, a note on pits, the sum";
+    EXPECT_EQ(run.lines(), 6) << run.output << "each file, a note on pits, the sum";
     EXPECT_TRUE(isThere("a.png") && isThere("b.png"));
     EXPECT_FALSE(isThere("bad.png"));
 }

@@ -319,7 +319,7 @@ TEST_F(Report, RefusesInOneSentenceAndLeavesNothing) {
         const auto made = report(runs);
         EXPECT_EQ(made.exitCode, 3) << made.output;
         EXPECT_NE(made.output.find(sentence), std::string::npos) << made.output;
-        EXPECT_EQ(std::ranges::count(made.output, '\n'), 1) << made.output;
+        EXPECT_EQ(made.lines(), 1) << made.output;
         EXPECT_FALSE(std::filesystem::exists(out));
     };
     expectRefused(good + " " + scratch.file("nothing").string(), "expected the folder of a run");
