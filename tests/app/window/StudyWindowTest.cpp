@@ -87,7 +87,9 @@ TEST_F(WindowWithStudy, WithoutThePictureOfTheDeformationTheSurfaceIsDrawnAtRest
     start(blind);
     EXPECT_FALSE(window.second().isVisible()) << "it draws the deformation";
     EXPECT_FALSE(window.view().options().deformation);
-    EXPECT_FALSE(window.menus().viewOptions().action(&ViewOptions::deformation).isEnabled());
+    EXPECT_TRUE(eventually([this] {
+        return !window.menus().viewOptions().action(&ViewOptions::deformation).isEnabled();
+    }));
     QTest::mouseClick(child<QPushButton>("leaveStudy"), Qt::LeftButton);
     EXPECT_TRUE(eventually([this] {
         return window.menus().viewOptions().action(&ViewOptions::deformation).isEnabled();

@@ -92,7 +92,7 @@ TEST_F(Undo, MaterialAndParameterOneAfterTheOther) {
     pressUndo();
     EXPECT_EQ(scene(), first);
     EXPECT_EQ(child<QComboBox>("material")->currentText(), "polystyrene");
-    EXPECT_FALSE(eventually([this] { return window.menus().undo->isEnabled(); }, 100));
+    EXPECT_FALSE(eventually([this] { return window.menus().undo->isEnabled(); }, 300));
     EXPECT_TRUE(session.run()->loop().running());
 }
 
