@@ -62,16 +62,15 @@ private:
         return all;
     }
 
-    /// What a blur moved, less what noise alone lets it seem; where that is more, all of it may
-    /// hide there.
+    /// What a blur moved, less what noise alone lets it seem. As much as that may hide behind it,
+    /// whether the blur stands out from it or not.
     void takeBlur(UncertaintyInput input, const BlurWidth& blur) {
-        LandmarkMoves seeming = movesOf(response_.sharpeningNoise(blur));
+        const LandmarkMoves seeming = movesOf(response_.sharpeningNoise(blur));
         LandmarkMoves moves = builder_.movesTo({.relief = response_.sharpening(blur)});
         for (std::size_t i = 0; i < kLandmarkCount; ++i) {
             const double shift = std::abs(moves[i]);
-            const bool isSeen = shift > seeming[i];
-            moves[i] = isSeen ? std::sqrt((shift - seeming[i]) * (shift + seeming[i])) : 0.0;
-            seeming[i] = isSeen ? 0.0 : seeming[i];
+            moves[i] =
+                shift > seeming[i] ? std::sqrt((shift - seeming[i]) * (shift + seeming[i])) : 0.0;
         }
         builder_.add(input, moves);
         builder_.hide(seeming);

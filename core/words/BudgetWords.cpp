@@ -75,15 +75,16 @@ std::string mostBy(const Budget& budget) {
 
 std::string resolutionText(const Budget& budget, const char* name, double tolerance) {
     const double share = budget.resolutionShare();
-    if (share > tolerance) {
+    const double hidden = budget.value != 0.0 ? budget.hidden / std::abs(budget.value) : 0.0;
+    if (share > tolerance && !(hidden > share)) {
         return formatted("smoothing and pixels move the %s by %.2g %%, more than the tolerance of "
                          "%.2g %%",
                          name, 100.0 * share, 100.0 * tolerance);
     }
-    if (budget.hidden > tolerance * std::abs(budget.value)) {
+    if (hidden > tolerance) {
         return formatted("noise of the heights hides roughness that may move the %s by %.2g %%; "
                          "the stated deviations do not hold it",
-                         name, 100.0 * budget.hidden / std::abs(budget.value));
+                         name, 100.0 * hidden);
     }
     return {};
 }

@@ -17,8 +17,8 @@ namespace asperity {
 [[nodiscard]] std::string mostBy(const Budget& budget);
 
 /// What smoothing and pixels move a result by, where that is more than the tolerance: "smoothing
-/// and pixels move the pull-off force by 31 %, more than the tolerance of 5 %". Otherwise what they
-/// may have taken away unseen, likewise; else empty.
+/// and pixels move the pull-off force by 31 %, more than the tolerance of 5 %". What they may have
+/// taken away unseen, likewise, where that is more; else empty.
 /// @param name of the result @param tolerance of the scene, relative
 [[nodiscard]] std::string resolutionText(const Budget& budget, const char* name, double tolerance);
 

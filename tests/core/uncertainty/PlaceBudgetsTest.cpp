@@ -346,6 +346,25 @@ TEST(PlaceBudgets, NoiseSaysWhatRoughnessItHides) {
     EXPECT_DOUBLE_EQ(noisy.of(0.5 * noisy.value, 0.0).hidden, 0.5 * noisy.hidden);
 }
 
+/// A low-pass that stands out from noise by little takes nothing back of what noise may hide.
+TEST(PlaceBudgets, WhatNoiseHidesDoesNotEndWhereSmoothingStandsOut) {
+    SceneDescription description = softScene();
+    description.sample.smoothingPixels = 2.0;
+    const auto pullOff = [&](double noise) {
+        description.uncertainty.heightNoise = noise;
+        const Scene scene = buildScene(description, bumpMap(1e-15));
+        return budgetOf(budgetsAt(scene, kMiddle, 2e-9), Landmark::AdhesionForce);
+    };
+    const double moved = pullOff(1e-15).share(UncertaintyInput::Smoothing);
+    const double hiddenByUnit = pullOff(1e-12).hidden / 1e-12;
+    const Budget below = pullOff(1.05 * moved / hiddenByUnit);
+    EXPECT_EQ(below.share(UncertaintyInput::Smoothing), 0.0);
+    EXPECT_NEAR(below.hidden, 1.05 * moved, 0.02 * moved);
+    const Budget above = pullOff(0.95 * moved / hiddenByUnit);
+    EXPECT_GT(above.share(UncertaintyInput::Smoothing), 0.0);
+    EXPECT_NEAR(above.hidden, 0.95 * moved, 0.02 * moved);
+}
+
 TEST(PlaceBudgets, AnExactShapeHasNoShareOfHeights) {
     SceneDescription description = softScene();
     description.sample.shape = ShapeDescription{};

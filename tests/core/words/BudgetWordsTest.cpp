@@ -67,5 +67,16 @@ TEST(BudgetWords, NameRoughnessThatNoiseMayHide) {
               "stated deviations do not hold it");
 }
 
+TEST(BudgetWords, NameTheLargerOfWhatSmoothingMovesAndWhatNoiseHides) {
+    Budget budget = pullOff();
+    budget.hidden = 2e-9;
+    EXPECT_EQ(resolutionText(budget, "work", 0.05),
+              "smoothing and pixels move the work by 15 %, more than the tolerance of 5 %");
+    budget.hidden = 5e-9;
+    EXPECT_EQ(resolutionText(budget, "work", 0.05),
+              "noise of the heights hides roughness that may move the work by 30 %; the stated "
+              "deviations do not hold it");
+}
+
 }  // namespace
 }  // namespace asperity
