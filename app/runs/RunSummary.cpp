@@ -163,7 +163,7 @@ OrderedJson dominantJson(const Budget& budget) {
 }
 
 /// A deviation that is not known is null.
-OrderedJson budgetJson(const CycleBudget& one) {
+OrderedJson budgetJson(const CycleBudget& one, double tolerance) {
     const Budget& budget = one.budget;
     OrderedJson shares = OrderedJson::object();
     for (const UncertaintyInput input : kValues<UncertaintyInput>) {
@@ -176,7 +176,8 @@ OrderedJson budgetJson(const CycleBudget& one) {
             {"model_sigma", budget.model()},
             {kLeftOut, budget.leftOut},
             {"dominant", dominantJson(budget)},
-            {"shares", shares}};
+            {"shares", shares},
+            {"note", resolutionText(budget, one.name, tolerance)}};
 }
 
 /// By the keys of the readings; null where the scene has them off.
@@ -186,7 +187,7 @@ OrderedJson budgetsJson(const Scene& scene, const ContactCycle& cycle) {
     }
     OrderedJson json = OrderedJson::object();
     for (const CycleBudget& budget : cycleBudgets(scene, cycle)) {
-        json[budget.key] = budgetJson(budget);
+        json[budget.key] = budgetJson(budget, scene.description.tolerance);
     }
     return json;
 }

@@ -29,8 +29,8 @@ std::string factText(ModelTerm term, const TermFact& fact) {
     const auto [amount, other] = fact;
     switch (term) {
     case ModelTerm::Adhesion:
-        return formatted("adhesive force up to %.3g nN, load up to %.3g nN", 1e9 * amount,
-                         1e9 * other);
+        return formatted("adhesive force up to %.3g nN, load up to %.3g nN in sampled runs",
+                         1e9 * amount, 1e9 * other);
     case ModelTerm::VanDerWaalsTail:
         return formatted("attraction reaches across the gap; transition parameter %.2g", amount);
     case ModelTerm::SphereCorrection:

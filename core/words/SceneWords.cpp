@@ -9,6 +9,7 @@
 #include "core/words/LevelingWords.h"
 #include "core/words/ModelWords.h"
 
+#include <algorithm>
 #include <filesystem>
 
 namespace asperity {
@@ -52,7 +53,7 @@ std::string smoothingNote(const Scene& scene) {
     const auto& [pixels, isBounded] = *scene.smoothing;
     const std::string width = pixels > 0.0 ? pixelWords(pixels)
                               : isBounded  ? "none"
-                                           : "none, the scan is clean";
+                                           : "none is needed";
     return "smoothing: " + width + ", by " + noise + " and " + tip +
            (isBounded ? "; more would take away the surface's own curvature" : "") +
            noisyWords(scene);
@@ -97,6 +98,12 @@ std::vector<std::string> surfaceNotes(const Scene& scene) {
     std::vector<std::string> notes = levelingNotes(scene.removedBySteps);
     notes.push_back(smoothingNote(scene));
     notes.push_back(imagingTipNote(scene));
+    const double pixel = std::max(scene.surface.grid().pitchX, scene.surface.grid().pitchY);
+    if (pixel > kWidePixel * scene.description.tip.radius) {
+        notes.push_back("pixels: " + formatSi(pixel, "m") + ", coarse for a " +
+                        formatSi(scene.description.tip.radius, "m") +
+                        " tip; what lies between them is in no number and no deviation");
+    }
     if (const auto& crop = scene.description.sample.crop) {
         notes.insert(notes.begin(), "crop: " + cropWords(*crop) +
                                         " of the file are loaded; places count from their "

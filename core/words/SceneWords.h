@@ -7,6 +7,9 @@
 
 namespace asperity {
 
+/// Pixels wider than this part of a tip's radius do not show the ground that it touches.
+inline constexpr double kWidePixel = 1.0 / 3.0;
+
 struct SampleDescription;
 struct SampleMaterial;
 

@@ -6,6 +6,7 @@
 #include <vtkFloatArray.h>
 #include <vtkIdTypeArray.h>
 #include <vtkImageData.h>
+#include <vtkLongLongArray.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkRTAnalyticSource.h>
@@ -49,7 +50,7 @@ vtkSmartPointer<vtkImageData> wavyImage() {
     image->GetPointData()->AddArray(wavesOf<vtkFloatArray>("z", kColumns, kRows));
     image->GetPointData()->AddArray(wavesOf<vtkShortArray>("count", kColumns, kRows));
     image->GetPointData()->AddArray(wavesOf<vtkUnsignedCharArray>("byte", kColumns, kRows));
-    image->GetPointData()->AddArray(wavesOf<vtkIdTypeArray>("id", kColumns, kRows));
+    image->GetPointData()->AddArray(wavesOf<vtkLongLongArray>("long", kColumns, kRows));
     return image;
 }
 
@@ -142,11 +143,25 @@ TEST(VtiOfVtkCells, AreReadWhereThePointsHaveNoValues) {
                kRows - 1);
 }
 
+TEST(VtiOfVtkIds, AreNoHeights) {
+    const ScratchFolder folder;
+    const vtkSmartPointer<vtkImageData> image = wavyImage();
+    image->GetPointData()->AddArray(wavesOf<vtkIdTypeArray>("numbers", kColumns, kRows));
+    const vtkNew<vtkXMLImageDataWriter> writer;
+    writer->SetFileName(folder.file("image.vti").c_str());
+    writer->SetInputData(image);
+    ASSERT_EQ(writer->Write(), 1);
+    const HeightMapFile file = readHeightMapFile(folder.file("image.vti"));
+    EXPECT_EQ(file.channels.size(), 4U);
+    ASSERT_EQ(file.notes.size(), 1U);
+    EXPECT_NE(file.notes[0].find("'numbers' holds ids"), std::string::npos) << file.notes[0];
+}
+
 TEST(VtiOfVtkFields, AreReadInEachEncoding) {
     const vtkSmartPointer<vtkImageData> image = wavyImage();
     image->GetPointData()->RemoveArray("count");
     image->GetPointData()->RemoveArray("byte");
-    image->GetPointData()->RemoveArray("id");
+    image->GetPointData()->RemoveArray("long");
     const vtkNew<vtkStringArray> unit;
     unit->SetName("unit");
     unit->InsertNextValue("nm");

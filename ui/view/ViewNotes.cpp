@@ -1,6 +1,7 @@
 #include "ui/view/ViewNotes.h"
 
 #include "core/SiFormat.h"
+#include "core/words/SceneWords.h"
 #include "vtkplugins/pictures/Ticks.h"
 
 #include <QObject>
@@ -8,10 +9,6 @@
 namespace asperity {
 
 namespace {
-
-/// Pixels of a scan wider than this show less than the view seems to; parts of the tip's radius
-/// and of the view.
-constexpr double kWidePixel = 1.0 / 3.0;
 
 /// Words with values in place of %1, %2.
 std::string filled(QString words, const std::vector<std::string>& values) {

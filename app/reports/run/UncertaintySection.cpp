@@ -1,10 +1,13 @@
 #include "app/reports/run/UncertaintySection.h"
 
+#include "app/reports/run/MeasuredText.h"
 #include "core/scene/Scene.h"
 #include "core/words/BudgetWords.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <string>
+#include <vector>
 
 namespace asperity {
 
@@ -20,6 +23,15 @@ void addUncertainty(PageContent& page, const Scene& scene,
                 {{std::to_string(i + 1)}, {name}, {budgetText(budget, unit)}, {mostBy(budget)}});
         }
     }
+    std::vector<std::string> remarks;
+    for (const BudgetedTouch& touch : touches) {
+        for (const auto& [key, name, unit, budget] : touch.budgets) {
+            const std::string remark = resolutionText(budget, name, scene.description.tolerance);
+            if (!remark.empty() && std::ranges::find(remarks, remark) == remarks.end()) {
+                remarks.push_back(remark);
+            }
+        }
+    }
     page.addHeading("Uncertainty");
     page.addTable(table);
     page.addParagraph(
@@ -29,6 +41,9 @@ void addUncertainty(PageContent& page, const Scene& scene,
         "inputs that make up most of it. A third, where it matters, is what the "
         "terms do that the model leaves out. All are one standard deviation, about the "
         "value less what it is said to be too high by.");
+    for (const std::string& remark : remarks) {
+        page.addParagraph(capitalized(remark + "."));
+    }
 }
 
 }  // namespace asperity

@@ -132,7 +132,7 @@ TermNeed factAbout(ModelTerm term, double amount, double other = 0.0) {
 
 TEST(TermWords, NameTheQuantityThatDecides) {
     EXPECT_EQ(whyOf(factAbout(ModelTerm::Adhesion, 6.2e-9, 0.05e-9), {}),
-              "adhesive force up to 6.2 nN, load up to 0.05 nN");
+              "adhesive force up to 6.2 nN, load up to 0.05 nN in sampled runs");
     EXPECT_EQ(whyOf(factAbout(ModelTerm::VanDerWaalsTail, 0.5), {}),
               "attraction reaches across the gap; transition parameter 0.5");
     EXPECT_EQ(whyOf(factAbout(ModelTerm::SphereCorrection, 0.26), {}),
@@ -182,13 +182,13 @@ TEST(TermWords, NameWhatTookThePlaceOfATermThatMatters) {
     SceneNeeds needs{.full = {.law = ContactLaw::HertzFilm}, .tolerance = 0.05};
     TermNeed adhesion = factAbout(ModelTerm::Adhesion, 6e-9, 1e-9);
     adhesion.effect = 0.3;
-    EXPECT_EQ(whyOf(adhesion, needs), "adhesive force up to 6 nN, load up to 1 nN; no contact law "
+    EXPECT_EQ(whyOf(adhesion, needs), "adhesive force up to 6 nN, load up to 1 nN in sampled runs; no contact law "
                                       "combines it with the film's base");
     adhesion.effect = 0.01;
-    EXPECT_EQ(whyOf(adhesion, needs), "adhesive force up to 6 nN, load up to 1 nN");
+    EXPECT_EQ(whyOf(adhesion, needs), "adhesive force up to 6 nN, load up to 1 nN in sampled runs");
     adhesion.effect = 0.3;
     needs.full.law = ContactLaw::Split;
-    EXPECT_EQ(whyOf(adhesion, needs), "adhesive force up to 6 nN, load up to 1 nN");
+    EXPECT_EQ(whyOf(adhesion, needs), "adhesive force up to 6 nN, load up to 1 nN in sampled runs");
 }
 
 }  // namespace

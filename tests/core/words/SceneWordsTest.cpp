@@ -81,11 +81,20 @@ TEST(SceneWords, SayByWhatAScanIsSmoothed) {
               "smoothing: 1 pixel, by 30 pm of height noise and a 15 nm tip; more would take away "
               "the surface's own curvature");
     scene.smoothing = SmoothingChoice{};
-    EXPECT_EQ(smoothingNote(scene), "smoothing: none, the scan is clean, by 30 pm of height noise "
+    EXPECT_EQ(smoothingNote(scene), "smoothing: none is needed, by 30 pm of height noise "
                                     "and a 15 nm tip");
     scene.smoothing.reset();
     scene.description.sample.smoothingLength = 2e-9;
     EXPECT_EQ(smoothingNote(scene), "smoothing: 2 nm, as the scene states; 30 pm of height noise");
+}
+
+TEST(SceneWords, SayWherePixelsAreCoarseForTheTip) {
+    Scene scene = buildScene(test::plainScene(), test::flatMap());
+    const std::size_t fine = surfaceNotes(scene).size();
+    scene.description.tip.radius = 2.9 * scene.surface.grid().pitchX;
+    const std::vector<std::string> notes = surfaceNotes(scene);
+    ASSERT_EQ(notes.size(), fine + 1);
+    EXPECT_TRUE(notes.back().starts_with("pixels: ")) << notes.back();
 }
 
 TEST(SceneWords, NameTheSample) {

@@ -380,12 +380,21 @@ private:
         return toUtf8(text);
     }
 
+    /// Whether an array counts points or cells, as VTK marks or names it.
+    [[nodiscard]] static bool holdsIds(const pugi::xml_node& array) {
+        return array.attribute("IdType").as_bool() || attribute(array, "Name").ends_with("Ids");
+    }
+
     /// @param kind PointData or CellData
     void readArrays(const char* kind) {
         for (const pugi::xml_node& array : pieces_[0].child(kind).children("DataArray")) {
             const std::string name = attribute(array, "Name");
             const std::optional<SampleType> type = sampleType(attribute(array, "type"));
             const std::string components = attribute(array, "NumberOfComponents");
+            if (holdsIds(array)) {
+                head_.notes.push_back("array '" + name + "' holds ids and was left out");
+                continue;
+            }
             if (!type || (!components.empty() && components != "1")) {
                 head_.notes.push_back("array '" + name + "' has " +
                                       (type ? components + " numbers a point"
