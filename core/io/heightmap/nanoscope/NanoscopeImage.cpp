@@ -317,13 +317,15 @@ std::optional<double> NanoscopeImage::scanLength(const std::string& key) const {
     return unit.base == "m" ? std::optional(number->value * unit.factor) : std::nullopt;
 }
 
-std::optional<NanoscopePlace> NanoscopeImage::center() const {
+std::optional<NanoscopePlace> NanoscopeImage::center(const NanoscopeLayout& layout) const {
     const std::optional<double> x = scanLength("X Offset");
     const std::optional<double> y = scanLength("Y Offset");
     if (!x && !y) {
         return std::nullopt;
     }
-    return NanoscopePlace{x.value_or(0.0), y.value_or(0.0)};
+    const int missing = layout.plannedRows - layout.size.rows;
+    return NanoscopePlace{x.value_or(0.0),
+                          y.value_or(0.0) - 0.5 * missing * layout.sizeY / layout.size.rows};
 }
 
 double NanoscopeImage::rotation() const {

@@ -59,8 +59,9 @@ public:
     /// What a user should know: an early stop, pixels that are not square, earlier leveling.
     [[nodiscard]] std::vector<std::string> notes() const;
     [[nodiscard]] int bytesPerPixel() const;  ///< as the header says, 2 when it says nothing
-    /// The center of the scan; empty: the header does not give it.
-    [[nodiscard]] std::optional<NanoscopePlace> center() const;
+    /// The center of the stored image, which lies at the bottom of a scan that was stopped early;
+    /// empty: the header does not give it.
+    [[nodiscard]] std::optional<NanoscopePlace> center(const NanoscopeLayout& layout) const;
     [[nodiscard]] double rotation() const;  ///< of the scan [deg]
 
 private:

@@ -133,7 +133,7 @@ private:
         channel.lateralUnit = "m";
         channel.direction = image.direction();
         channel.map = emptyMap(layout.size, layout.sizeX, layout.sizeY);
-        if (const std::optional<NanoscopePlace> center = image.center()) {
+        if (const std::optional<NanoscopePlace> center = image.center(layout)) {
             setOrigin(channel, center->x, center->y, GivenPoint::Center);
         }
         channel.metadata = metadata(section);

@@ -274,7 +274,7 @@ private:
                                     std::to_string(numbers_[column].size()) +
                                     " values are taken as a square");
         } else {
-            describe(channel, imageOf(column));
+            describe(channel, imageOf(column), layout);
         }
         const std::string line = "line " + std::to_string(titleLine_) + ", '" + title.name + "'";
         settleSize(channel, "Scan Size of the header");
@@ -286,7 +286,8 @@ private:
                 .readRow = rowsOfNumbers(std::move(numbers_[column]), layout.size.columns)};
     }
 
-    void describe(ScanChannel& channel, const NanoscopeImage& image) const {
+    void describe(ScanChannel& channel, const NanoscopeImage& image,
+                  const NanoscopeLayout& layout) const {
         channel.lateralUnit = "m";
         channel.direction = image.direction();
         for (const NanoscopeSection& section : sections_) {
@@ -296,7 +297,7 @@ private:
                 }
             }
         }
-        if (const std::optional<NanoscopePlace> center = image.center()) {
+        if (const std::optional<NanoscopePlace> center = image.center(layout)) {
             setOrigin(channel, center->x, center->y, GivenPoint::Center);
         }
     }

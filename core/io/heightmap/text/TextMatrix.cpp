@@ -143,6 +143,11 @@ private:
 
     /// SPIP's lines of 1 and 0 behind the numbers, one for each: 0 is a pixel without data.
     void takeMask() {
+        if (header_.hasMask && count_ == header_.rows) {
+            header_.notes.emplace_back(
+                "the file is truncated: it does not hold the lines of 'voidpixels', which say what "
+                "pixels have no data; all are taken as valid");
+        }
         if (!header_.hasMask || count_ != 2 * header_.rows) {
             return;
         }

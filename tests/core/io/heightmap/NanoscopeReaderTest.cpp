@@ -299,6 +299,7 @@ TEST(NanoscopeReader, StoppedScanShowsItsStoredLinesOnlyAndSaysSo) {
     const HeightMapFile file = readHeightMapBytes(nanoscopeFile(text), "scan");
     EXPECT_EQ(file.channels.at(0).map.rows, 2);
     EXPECT_DOUBLE_EQ(file.channels.at(0).map.sizeY(), 20e-9);
+    EXPECT_DOUBLE_EQ(file.channels.at(0).originY, -40e-9);  // of the lines that were planned
     EXPECT_THAT(file.channels.at(0).notes.at(0), HasSubstr("stopped after 2 of 8 lines"));
 }
 

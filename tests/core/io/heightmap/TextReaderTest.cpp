@@ -94,6 +94,12 @@ TEST(TextReader, SpipMayListWhichPixelsHoldData) {
     EXPECT_DOUBLE_EQ(channel.map.at(1, 1), 5e-9);
 }
 
+TEST(TextReader, SpipThatEndsBeforeItsLinesOfValidPixelsSaysSo) {
+    const ScanChannel channel = textChannel(spipText("# z-unit = nm\n", "# voidpixels = 1\n"));
+    EXPECT_EQ(channel.map.rows, 2);
+    EXPECT_THAT(channel.notes, testing::Contains(HasSubstr("truncated")));
+}
+
 TEST(TextReader, SpipMustHoldWhatItPromises) {
     std::string text = spipText();
     text.replace(text.find("x-pixels = 3"), 12, "x-pixels = 4");
