@@ -182,8 +182,9 @@ TEST(TermWords, NameWhatTookThePlaceOfATermThatMatters) {
     SceneNeeds needs{.full = {.law = ContactLaw::HertzFilm}, .tolerance = 0.05};
     TermNeed adhesion = factAbout(ModelTerm::Adhesion, 6e-9, 1e-9);
     adhesion.effect = 0.3;
-    EXPECT_EQ(whyOf(adhesion, needs), "adhesive force up to 6 nN, load up to 1 nN in sampled runs; no contact law "
-                                      "combines it with the film's base");
+    EXPECT_EQ(whyOf(adhesion, needs),
+              "adhesive force up to 6 nN, load up to 1 nN in sampled runs; no contact law "
+              "combines it with the film's base");
     adhesion.effect = 0.01;
     EXPECT_EQ(whyOf(adhesion, needs), "adhesive force up to 6 nN, load up to 1 nN in sampled runs");
     adhesion.effect = 0.3;
