@@ -46,16 +46,21 @@ protected:
 };
 
 TEST_F(LongWorkTest, QuickWorkIsNotShown) {
+    QElapsedTimer time;
+    time.start();
     work.start("quick", [](Progress& progress) {
         progress.report(0.5);
         return 3;
     });
     EXPECT_TRUE(work.isAwaited());
     ASSERT_TRUE(eventually([this] { return !results.empty(); }));
+    EXPECT_FALSE(work.isAwaited());
+    if (time.elapsed() >= kShownAfter) {
+        GTEST_SKIP() << "other programs have the processor: no work is quick";
+    }
     QTest::qWait(kShownAfter + 100);  // it would be shown by then
     EXPECT_TRUE(begun.empty());
     EXPECT_EQ(ended, 0);
-    EXPECT_FALSE(work.isAwaited());
 }
 
 TEST_F(LongWorkTest, WorkOfMoreThanThatIsShownWithHowFarItIs) {
