@@ -55,12 +55,10 @@ TEST_F(LongWorkTest, QuickWorkIsNotShown) {
     EXPECT_TRUE(work.isAwaited());
     ASSERT_TRUE(eventually([this] { return !results.empty(); }));
     EXPECT_FALSE(work.isAwaited());
-    if (time.elapsed() >= kShownAfter) {
-        GTEST_SKIP() << "other programs have the processor: no work is quick";
-    }
-    QTest::qWait(kShownAfter + 100);  // it would be shown by then
-    EXPECT_TRUE(begun.empty());
-    EXPECT_EQ(ended, 0);
+    const bool isQuick = time.elapsed() < kShownAfter;  // not where others have the processor
+    QTest::qWait(kShownAfter + 100);                    // it would be shown by then
+    EXPECT_TRUE(begun.empty() || !isQuick);
+    EXPECT_EQ(static_cast<std::size_t>(ended), begun.size());
 }
 
 TEST_F(LongWorkTest, WorkOfMoreThanThatIsShownWithHowFarItIs) {
