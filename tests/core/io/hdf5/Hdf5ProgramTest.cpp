@@ -225,6 +225,23 @@ TEST_F(Hdf5Program, RefusesTextsThatAreFarLongerThanTheirFile) {
     EXPECT_THAT(refusal({"/texts"}), HasSubstr("/texts: its texts cannot be read, or have more"));
 }
 
+/// A file of 0.2 MB took 438 MB: each path of a long name was in memory.
+TEST_F(Hdf5Program, RefusesNamesThatAreManyMegabytes) {
+    addNumbers("n", H5T_STD_I8LE, {1});
+    const std::string name(4000, 'f');
+    {
+        const Hdf5Object folder(
+            H5Gcreate2(output_.id(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
+            H5Gclose);
+        for (int i = 0; i < 8400; ++i) {
+            H5Lcreate_hard(output_.id(), "/n", folder.id(), std::to_string(i).c_str(), H5P_DEFAULT,
+                           H5P_DEFAULT);
+        }
+    }
+    close();
+    EXPECT_THAT(refusal(), HasSubstr("it cannot be read: names of more than 33554432 bytes"));
+}
+
 /// Stands in for the program.
 class OtherHdf5Reader {
 public:
