@@ -60,6 +60,9 @@ nlohmann::json requiredJson(const std::filesystem::path& file) {
         // The library counts from 1.
         throw InputError(file.string(), "byte " + std::to_string(error.byte - 1),
                          "this is no JSON; the file is truncated or damaged");
+    } catch (const nlohmann::json::out_of_range&) {  // it does not say where
+        throw InputError(file.string(), "",
+                         "a number in it is larger than any can be; the file is damaged");
     }
 }
 

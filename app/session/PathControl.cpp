@@ -137,10 +137,12 @@ void PathControl::replayRecording(const std::filesystem::path& forceLog) {
     if (runs_.run() == nullptr) {
         return;
     }
-    const auto read = [](const std::filesystem::path& file) {
+    const std::filesystem::path folder = forceLog.parent_path();
+    std::string cutOff;
+    const auto read = [&](const std::filesystem::path& file) {
+        cutOff = sentenceOf(stateOf(folder));  // may refuse it
         return readRecordedPath(readRunLog(file));
     };
-    const std::filesystem::path folder = forceLog.parent_path();
     const QString both = bothSamples(runs_.run()->loaded(), folder);
     if (!followFile(QString::fromStdString(forceLog.string()), read,
                     both.isEmpty() ? kInMeters : both.toStdString())) {
@@ -150,7 +152,7 @@ void PathControl::replayRecording(const std::filesystem::path& forceLog) {
     if (!both.isEmpty()) {
         words << tr("Another scan: %1").arg(both);
     }
-    if (const std::string cutOff = sentenceOf(stateOf(folder)); !cutOff.empty()) {
+    if (!cutOff.empty()) {
         words << QString::fromStdString(cutOff);
     }
     if (!words.isEmpty()) {

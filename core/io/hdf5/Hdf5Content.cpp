@@ -47,7 +47,8 @@ private:
 
     std::string takePath() {
         const auto size = take<std::uint32_t>();
-        if (size > hdf5_content::kMaxPath) {
+        pathBytes_ += size;
+        if (size > hdf5_content::kMaxPath || pathBytes_ > hdf5_content::kMaxAllPaths) {
             fail();
         }
         requireThere(size);
@@ -127,6 +128,7 @@ private:
     const ByteSource& content_;
     const std::string& file_;
     std::uint64_t place_ = 0;
+    std::uint64_t pathBytes_ = 0;
 };
 
 template <class Number>

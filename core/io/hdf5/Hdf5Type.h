@@ -34,6 +34,8 @@ inline constexpr char kEnd = 'z';
 inline constexpr std::size_t kMaxDimensions = 8;
 inline constexpr std::size_t kMaxPath = 4096;  // [byte]
 inline constexpr std::size_t kMaxItems = 100'000;
+/// Of all together: they are in memory.
+inline constexpr std::size_t kMaxAllPaths = std::size_t{1} << 25U;  // [byte]
 }  // namespace hdf5_content
 
 /// No byte of a compressed chunk makes more bytes.

@@ -1,5 +1,6 @@
 #include "app/session/PathControl.h"
 
+#include "core/io/recording/PackedTables.h"
 #include "tests/app/session/ControlFixture.h"
 #include "ui/panels/ControlBar.h"
 #include "ui/panels/EngageBar.h"
@@ -88,6 +89,26 @@ TEST_F(PathControlTest, OfARecordingOnAnotherSampleBothAreNamed) {
     EXPECT_NE(far.find("leaves the scan by more than its width: " + both), std::string::npos)
         << far;
     EXPECT_EQ(far.find("meters"), std::string::npos) << far;
+}
+
+/// The window ended: of a compact recording it is read after the log.
+TEST_F(PathControlTest, ADamagedManifestIsSaidAndTheDeviceKept) {
+    useFlatScene();
+    const std::string rows = "0,40e-9,60e-9,9e-9\n0.2,50e-9,60e-9,9e-9\n";
+    const std::filesystem::path log = runOnASphere(folder, rows);
+    const std::filesystem::path packed = folder.file("recording.h5");
+    packTables(
+        {.input = folder.write("tick_input.csv", "time_s\n0\n0.2\n"), .log = log, .energy = {}},
+        packed);
+    for (const char* manifest : {"{", R"({"complete": 1e999})"}) {
+        const std::filesystem::path file = folder.write("recording.json", manifest);
+        for (const std::filesystem::path& chosen : {packed, log}) {
+            Q_EMIT window.recordingChosen(QString::fromStdString(chosen.string()));
+            const std::string said = complaint();
+            EXPECT_NE(said.find(file.string() + ": "), std::string::npos) << chosen << said;
+            EXPECT_EQ(shown("hand"), "Mouse and keyboard");
+        }
+    }
 }
 
 TEST_F(PathControlTest, WithoutARunNothingHappens) {

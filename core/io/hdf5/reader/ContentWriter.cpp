@@ -68,6 +68,11 @@ void ContentWriter::begin(char record, const std::string& path) {
         throw std::runtime_error("more than " + std::to_string(hdf5_content::kMaxItems) +
                                  " groups, datasets and attributes");
     }
+    pathBytes_ += path.size();
+    if (pathBytes_ > hdf5_content::kMaxAllPaths) {
+        throw std::runtime_error("names of more than " +
+                                 std::to_string(hdf5_content::kMaxAllPaths) + " bytes in all");
+    }
     put(record);
     put(static_cast<std::uint32_t>(path.size()));
     add(path);

@@ -42,6 +42,7 @@ private:
 
     std::ofstream stream_;
     std::uint64_t items_ = 0;
+    std::uint64_t pathBytes_ = 0;
 };
 
 }  // namespace asperity

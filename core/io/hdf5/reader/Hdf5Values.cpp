@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cstring>
+#include <fstream>
 #include <stdexcept>
+#include <sys/resource.h>
+#include <unistd.h>
 
 namespace asperity {
 
@@ -12,6 +15,11 @@ constexpr std::uint64_t kMiB = std::uint64_t{1} << 20U;
 constexpr std::uint64_t kUsualBlock = kMiB;
 /// Of an array that is decompressed at once.
 constexpr std::uint64_t kMostBlock = 256 * kMiB;
+/// Of a chunk that is larger than its array; the library needs twice its bytes, also for one value.
+constexpr std::uint64_t kMostSpareChunk = 64 * kMiB;
+/// Of texts of any length: the library makes a copy of each, and any number of them may be the same
+/// bytes of the file.
+constexpr std::uint64_t kMostTexts = 64 * kMiB;
 constexpr std::uint64_t kMostTextBytes = std::uint64_t{1} << 16U;  // of one, and how many
 /// Values that are handed over though nobody named them.
 constexpr std::uint64_t kShort = 1024;
@@ -98,6 +106,26 @@ Hdf5Values valuesOf(hid_t type, hid_t space) {
     return values;
 }
 
+/// As long as it lives, no more memory than this can be had.
+class MemoryBudget {
+public:
+    explicit MemoryBudget(std::uint64_t bytes) {
+        std::uint64_t pages = 0;
+        std::ifstream("/proc/self/statm") >> pages;
+        getrlimit(RLIMIT_AS, &before_);
+        rlimit limit = before_;
+        const rlim_t wanted = pages * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE)) + bytes;
+        limit.rlim_cur = std::min(limit.rlim_cur, wanted);
+        setrlimit(RLIMIT_AS, &limit);
+    }
+    MemoryBudget(const MemoryBudget&) = delete;
+    MemoryBudget& operator=(const MemoryBudget&) = delete;
+    ~MemoryBudget() { setrlimit(RLIMIT_AS, &before_); }
+
+private:
+    rlimit before_{};
+};
+
 /// Texts of any length, side by side: sets the bytes of each.
 /// @param read (room for pointers) -> whether they are there now
 template <class Read>
@@ -105,14 +133,19 @@ std::vector<char> readTexts(Hdf5Values& values, hid_t space, const std::string& 
                             const Read& read) {
     const std::uint64_t count = values.shape.count();
     std::vector<char*> texts(count, nullptr);
-    if (!read(texts.data())) {
-        fail(path, "its texts cannot be read");
+    const auto isRead = [&] {
+        const MemoryBudget budget(kMostTexts);
+        return read(texts.data());
+    };
+    if (!isRead()) {
+        fail(path, "its texts cannot be read, or have more than " +
+                       std::to_string(kMostTexts / kMiB) + " MiB");
     }
     std::size_t width = 1;
     for (const char* const text : texts) {
         width = std::max(width, text == nullptr ? 0 : std::strlen(text));
     }
-    if (width > kMostTextBytes || width * count > kMostBlock) {
+    if (width > kMostTextBytes || width * count > kMostTexts) {
         fail(path, "a text of " + std::to_string(width) + " bytes is too long");
     }
     std::vector<char> bytes(width * count, '\0');
@@ -147,6 +180,11 @@ std::uint64_t rowsOfBlock(hid_t properties, const ValueShape& shape, std::uint64
         const ValueShape stored{shape.type, shape.bytes, {chunk.begin(), chunk.end()}};
         if (stored.count() > kMostBlock / shape.bytes) {
             fail(path, "a chunk of it has more than " + std::to_string(kMostBlock) + " bytes");
+        }
+        const std::uint64_t chunkBytes = stored.count() * shape.bytes;
+        if (chunkBytes > kMostSpareChunk && stored.count() > shape.count()) {
+            fail(path, "a chunk of it has " + std::to_string(chunkBytes) +
+                           " bytes, more than all of its values");
         }
         rows = std::min<std::uint64_t>(chunk.front(), shape.dimensions.front());
     }

@@ -177,6 +177,71 @@ TEST_F(Hdf5Program, SaysWhatIsWrongInOneSentence) {
                 HasSubstr("a.h5: it cannot be read: expected a file in the HDF5 format"));
 }
 
+/// The library has a whole chunk in memory, behind a filter twice: 530 MB for ten values.
+TEST_F(Hdf5Program, RefusesAChunkThatIsFarLargerThanItsValues) {
+    constexpr hsize_t kMiB = hsize_t{1} << 20U;
+    for (const auto& [name, chunk] : {std::pair{"some", 32 * kMiB}, {"far", 128 * kMiB}}) {
+        const Hdf5Object chunked(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
+        H5Pset_chunk(chunked.id(), 1, &chunk);
+        const hsize_t size = 10;
+        const hsize_t most = H5S_UNLIMITED;
+        const Hdf5Object space(H5Screate_simple(1, &size, &most), H5Sclose);
+        H5Dclose(H5Dcreate2(output_.id(), name, H5T_STD_I8LE, space.id(), H5P_DEFAULT, chunked.id(),
+                            H5P_DEFAULT));
+    }
+    close();
+    EXPECT_EQ(refusal({"/some"}), "");
+    EXPECT_THAT(refusal({"/far"}), HasSubstr("/far: a chunk of it has 134217728 bytes, more than "
+                                             "all of its values"));
+}
+
+/// A file of 0.1 MB that names one text 2,000 times; of 0.9 MB, it took a gigabyte.
+TEST_F(Hdf5Program, RefusesTextsThatAreFarLongerThanTheirFile) {
+    const hsize_t count = 2000;
+    const std::string text(60'000, 'a');
+    std::vector<const char*> texts(count, "b");
+    texts[0] = text.c_str();
+    haddr_t place = 0;
+    {
+        const Hdf5Object type(H5Tcopy(H5T_C_S1), H5Tclose);
+        H5Tset_size(type.id(), H5T_VARIABLE);
+        const Hdf5Object space(H5Screate_simple(1, &count, nullptr), H5Sclose);
+        const Hdf5Object made(H5Dcreate2(output_.id(), "texts", type.id(), space.id(), H5P_DEFAULT,
+                                         H5P_DEFAULT, H5P_DEFAULT),
+                              H5Dclose);
+        H5Dwrite(made.id(), type.id(), H5S_ALL, H5S_ALL, H5P_DEFAULT, texts.data());
+        place = H5Dget_offset(made.id());
+    }
+    close();
+    EXPECT_EQ(refusal(), "");
+    std::fstream bytes(file, std::ios::in | std::ios::out | std::ios::binary);
+    std::array<char, 16> first{};  // length, and where the text is
+    bytes.seekg(static_cast<std::streamoff>(place)).read(first.data(), first.size());
+    bytes.seekp(static_cast<std::streamoff>(place));
+    for (hsize_t i = 0; i < count; ++i) {
+        bytes.write(first.data(), first.size());
+    }
+    bytes.close();
+    EXPECT_THAT(refusal({"/texts"}), HasSubstr("/texts: its texts cannot be read, or have more"));
+}
+
+/// A file of 0.2 MB took 438 MB: each path of a long name was in memory.
+TEST_F(Hdf5Program, RefusesNamesThatAreManyMegabytes) {
+    addNumbers("n", H5T_STD_I8LE, {1});
+    const std::string name(4000, 'f');
+    {
+        const Hdf5Object folder(
+            H5Gcreate2(output_.id(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
+            H5Gclose);
+        for (int i = 0; i < 8400; ++i) {
+            H5Lcreate_hard(output_.id(), "/n", folder.id(), std::to_string(i).c_str(), H5P_DEFAULT,
+                           H5P_DEFAULT);
+        }
+    }
+    close();
+    EXPECT_THAT(refusal(), HasSubstr("it cannot be read: names of more than 33554432 bytes"));
+}
+
 /// Stands in for the program.
 class OtherHdf5Reader {
 public:
