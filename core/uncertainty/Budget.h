@@ -21,8 +21,8 @@ struct Budget {
     /// What terms that the model leaves out, or its law has no room for, change the result by, at
     /// most on the sampled runs of SceneNeeds, >= 0. It counts as a standard deviation.
     double leftOut = 0.0;
-    /// What roughness that the noise of the heights hides may move the result by, taken away by
-    /// smoothing or pixels, >= 0. No part of any deviation: nothing says that it is there.
+    /// Largest change of the result by roughness that smoothing or pixels may have removed and that
+    /// the noise of the heights hides, >= 0. Not part of any deviation: it need not be there.
     double hidden = 0.0;
 
     [[nodiscard]] double share(UncertaintyInput input) const noexcept {

@@ -62,8 +62,8 @@ private:
         return all;
     }
 
-    /// What a blur moved, less what noise alone lets it seem. As much as that may hide behind it,
-    /// whether the blur stands out from it or not.
+    /// Adds the effect of a blur, less the effect that noise alone would show. Roughness of the
+    /// latter size may be hidden, however large the blur's effect is.
     void takeBlur(UncertaintyInput input, const BlurWidth& blur) {
         const LandmarkMoves seeming = movesOf(response_.sharpeningNoise(blur));
         LandmarkMoves moves = builder_.movesTo({.relief = response_.sharpening(blur)});

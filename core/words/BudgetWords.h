@@ -16,9 +16,9 @@ namespace asperity {
 /// What leaves most of a result open, for people; "–": nothing, or it is not known.
 [[nodiscard]] std::string mostBy(const Budget& budget);
 
-/// What smoothing and pixels move a result by, where that is more than the tolerance: "smoothing
-/// and pixels move the pull-off force by 31 %, more than the tolerance of 5 %". What they may have
-/// taken away unseen, likewise, where that is more; else empty.
+/// Returns a note on the larger of two effects, where it exceeds the tolerance: that of smoothing
+/// and pixels ("smoothing and pixels move the pull-off force by 31 %, more than the tolerance of 5
+/// %"), and that of roughness hidden by noise (Budget::hidden). Empty where both are within it.
 /// @param name of the result @param tolerance of the scene, relative
 [[nodiscard]] std::string resolutionText(const Budget& budget, const char* name, double tolerance);
 

@@ -7,7 +7,7 @@
 
 namespace asperity {
 
-/// Pixels wider than this part of a tip's radius do not show the ground that it touches.
+/// Wider pixels are coarse, as a share of the tip's radius or of the width of a view.
 inline constexpr double kWidePixel = 1.0 / 3.0;
 
 struct SampleDescription;

@@ -34,7 +34,7 @@ inline constexpr char kEnd = 'z';
 inline constexpr std::size_t kMaxDimensions = 8;
 inline constexpr std::size_t kMaxPath = 4096;  // [byte]
 inline constexpr std::size_t kMaxItems = 100'000;
-/// Of all together: they are in memory.
+/// Largest size of all paths together, which are kept in memory.
 inline constexpr std::size_t kMaxAllPaths = std::size_t{1} << 25U;  // [byte]
 }  // namespace hdf5_content
 

@@ -91,7 +91,7 @@ TEST_F(OnItsOwnThread, ADiskThatDoesNotFollowEndsItInGoodOrder) {
 TEST_F(OnItsOwnThread, EndsAtOnceWhereTheDiskIsFullAndKeepsWhatWasWritten) {
     RecordingThread recording({run}, loaded, {}, 0.0);
     const test::FileSizeLimit full(300'000);
-    while (recording.end() == RecordingEnd::None && count < 100'000) {
+    while (recording.end() == RecordingEnd::None && count < 50'000) {
         give(recording, 100);
         std::this_thread::sleep_for(std::chrono::milliseconds(10));
     }

@@ -20,6 +20,8 @@ protected:
     bool isInTrial() { return action().starts_with("Done"); }
     bool isReady() { return action().starts_with("Begin"); }
 
+    /// Of the tick that the last frame shows [s].
+    double shownTime() { return session.runs().shown().sample.time; }
     Vector3 tip();
     Vector3 target();
     bool isAtStart();

@@ -15,10 +15,10 @@ constexpr std::uint64_t kMiB = std::uint64_t{1} << 20U;
 constexpr std::uint64_t kUsualBlock = kMiB;
 /// Of an array that is decompressed at once.
 constexpr std::uint64_t kMostBlock = 256 * kMiB;
-/// Of a chunk that is larger than its array; the library needs twice its bytes, also for one value.
+/// Largest chunk that may exceed its array: to read one value, the library needs twice its bytes.
 constexpr std::uint64_t kMostSpareChunk = 64 * kMiB;
-/// Of texts of any length: the library makes a copy of each, and any number of them may be the same
-/// bytes of the file.
+/// Largest size of all texts of variable length: the library copies each, although many may be the
+/// same bytes of the file.
 constexpr std::uint64_t kMostTexts = 64 * kMiB;
 constexpr std::uint64_t kMostTextBytes = std::uint64_t{1} << 16U;  // of one, and how many
 /// Values that are handed over though nobody named them.

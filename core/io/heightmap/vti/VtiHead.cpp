@@ -380,7 +380,7 @@ private:
         return toUtf8(text);
     }
 
-    /// Whether an array counts points or cells, as VTK marks or names it.
+    /// Returns whether an array holds ids of points or cells, by VTK's mark or its name.
     [[nodiscard]] static bool holdsIds(const pugi::xml_node& array) {
         return array.attribute("IdType").as_bool() || attribute(array, "Name").ends_with("Ids");
     }
