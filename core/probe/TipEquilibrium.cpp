@@ -89,6 +89,7 @@ public:
         }
         putMainPointFirst();
         report();
+        state_.mayLackNeck = leavesPointsOpen() || (memory.mayLackNeck && mayBeHeld());
         remember(memory);
         return state_;
     }
@@ -419,9 +420,31 @@ private:
         state_.interaction = std::max(state_.interaction, sunk / closest.depth());
     }
 
+    [[nodiscard]] bool leavesPointsOpen() const {
+        return mayMissPoints(state_.proof) || state_.proof == SearchProof::NotConverged;
+    }
+
+    /// Whether contacts that nobody knows of may hold the tip: where lever and sample have a bonded
+    /// state beside the free one. Necks that share a lever tear off as one does on a lever as many
+    /// times as soft.
+    [[nodiscard]] bool mayBeHeld() const {
+        const TipContactPoint& main = points_.front();
+        const double along = main.place.normal.dot(compliance_ * main.place.normal);
+        const double tearsOff = main.model.pullOffApproach(kMaxContactPoints * along);
+        if (!(tearsOff < main.model.jumpInApproach(along))) {
+            return false;
+        }
+        const bool isBonded =
+            std::any_of(points_.begin(), points_.end(), [](const TipContactPoint& closest) {
+                return closest.contact.branch == ContactBranch::Bonded;
+            });
+        return isBonded || main.contact.indentation + along * main.contact.force > tearsOff;
+    }
+
     void remember(EquilibriumMemory& memory) const {
         memory.deflection = deflection_;
         memory.tip = state_.tip;
+        memory.mayLackNeck = state_.mayLackNeck;
         memory.pointCount = 0;
         for (const TipContactPoint& closest : points_) {
             const bool isFar = closest.contact.branch == ContactBranch::Far &&

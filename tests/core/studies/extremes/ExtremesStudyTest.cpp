@@ -158,12 +158,12 @@ TEST_F(ExtremesStudy, TheTickIsExactOnAFlatSampleWithAnyEffort) {
 }
 
 /// What became of the ticks of one tip on a surface as rough as a tenth of it.
-std::vector<ExtremesRegion> roughTicks(double tipRadius) {
+std::vector<ExtremesRegion> roughTicks(double tipRadius, int perRun = 60) {
     const ExtremesGrid grid{.tick = {.tipRadii = {tipRadius},
                                      .roughnesses = {0.1},
                                      .leverStiffnesses = {1.0},
                                      .depths = {0.2},
-                                     .ticks = 60}};
+                                     .ticks = perRun}};
     std::vector<ExtremesRegion> ticks = studyExtremes(grid).regions;
     std::erase_if(ticks, [](const ExtremesRegion& one) { return one.place().model != "tick"; });
     return ticks;
@@ -175,6 +175,18 @@ TEST_F(ExtremesStudy, ALocalClosestPointSearchDiffersFromACertifiedOneOnRoughGro
             EXPECT_LT(region.unflagged().force.error, kExactWithin);
             EXPECT_GT(region.tally(Verdict::Flagged).force.error, 0.01);
         }
+    }
+}
+
+// Rubber under so sharp a tip holds it by necks three tip radii long, where nothing else is in
+// reach: two necks, of which the local search has missed one.
+TEST_F(ExtremesStudy, ANeckThatASearchMissedIsFlaggedUntilNoneCanHoldTheTip) {
+    constexpr double kSharp = 3.6238983183884783e-09;  // [m]
+    for (const ExtremesRegion& region : roughTicks(kSharp, 51)) {
+        EXPECT_EQ(count(region, Verdict::Off), 0)
+            << region.place().setting << " at " << region.unflagged().force.where;
+        EXPECT_LT(region.unflagged().force.error, kExactWithin) << region.place().setting;
+        EXPECT_GT(count(region, Verdict::Exact), 0) << region.place().setting;
     }
 }
 
