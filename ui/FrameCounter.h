@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 namespace asperity {
 
 /// Counts frames and returns how many there were in the last full second.
@@ -26,8 +28,8 @@ public:
     /// The next frame comes after a rest that does not count.
     void rest() { begin_ = -1.0; }
 
-    /// Frames a second over the last full second.
-    [[nodiscard]] double rate() const { return rate_; }
+    /// Frames a second over the last full second; none: there was no full second yet.
+    [[nodiscard]] const std::optional<double>& rate() const { return rate_; }
     /// Frames a second over all the time that counts.
     [[nodiscard]] double overallRate() const {
         return time_ > 0.0 ? static_cast<double>(frames_) / time_ : 0.0;
@@ -37,7 +39,7 @@ private:
     double begin_ = -1.0;   ///< of the second that is counted; < 0: none [s]
     double latest_ = -1.0;  ///< [s]
     int counted_ = 0;
-    double rate_ = 0.0;
+    std::optional<double> rate_;
     double time_ = 0.0;  ///< between all frames [s]
     long frames_ = 0;
 };

@@ -77,6 +77,16 @@ std::string scaledText(double value, const SiScale& scale, int decimals) {
     return formatted("%.*f ", decimals, rounded) + scale.unit;
 }
 
+std::string significantText(double value, const SiScale& scale) {
+    constexpr double kRoundsUp = 0.9995;  // 9.995 and above read "10.00" with three digits
+    const double shown = std::abs(value * scale.factor);
+    if (!(shown > 0.0) || !std::isfinite(shown)) {
+        return scaledText(value, scale, 0);
+    }
+    const int power = static_cast<int>(std::floor(std::log10(shown / kRoundsUp)));
+    return scaledText(value, scale, std::max(0, 2 - power));
+}
+
 std::string threeDigitText(double value, const SiScale& scale) {
     const double shown = std::abs(value * scale.factor);
     if (shown < 0.005) {

@@ -65,6 +65,9 @@ private:
 /// A value in a given prefix for people, "-12.30 nN"; "– nN" when it is not finite.
 [[nodiscard]] std::string scaledText(double value, const SiScale& scale, int decimals);
 
+/// The same to three significant digits, however small: "12.3 nN", "0.0405 N/m".
+[[nodiscard]] std::string significantText(double value, const SiScale& scale);
+
 /// The same to three digits, and never finer than a hundredth: "-12.3 nN", "0.02 nN", "0 nN".
 [[nodiscard]] std::string threeDigitText(double value, const SiScale& scale);
 

@@ -14,6 +14,7 @@
 #include "core/io/tables/CsvWriter.h"
 #include "core/scene/AttractionValidity.h"
 #include "core/scene/ContactValidity.h"
+#include "core/scene/FlagOrder.h"
 #include "core/scene/SampleHardness.h"
 #include "core/uncertainty/PlaceBudgets.h"
 #include "core/words/BudgetWords.h"
@@ -128,7 +129,8 @@ void addFlagged(const CurveResult& result, std::vector<std::string>& lines) {
             }
         }
     }
-    for (std::size_t i = 0; i < kValidityFlagCount; ++i) {
+    for (const Validity flag : kFlagsByEffect) {
+        const std::size_t i = indexOf(flag);
         if (lowest[i] <= highest[i]) {
             lines.push_back(formatted("  %s at base %.4g to %.4g nm: %s", kValidityTraits[i].key,
                                       lowest[i] * 1e9, highest[i] * 1e9, kValidityTraits[i].words));

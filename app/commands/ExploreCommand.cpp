@@ -27,13 +27,13 @@
 #include "core/io/scene/DevicePathFile.h"
 #include "core/io/scene/SceneFile.h"
 #include "core/scene/BelievedModel.h"
+#include "core/scene/FlagOrder.h"
 #include "core/uncertainty/CycleBudgets.h"
 #include "core/words/BudgetWords.h"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
 #include <iostream>
 #include <memory>
@@ -50,6 +50,11 @@ namespace {
 constexpr double kDefaultDuration = 10.0;  // [s]
 constexpr double kMaxDuration = 3600.0;    // [s]
 constexpr const char* kApproach = "approach";
+
+/// Flags that come by noise, announce what comes, or are usual: the summary counts them.
+constexpr std::array kInSummaryAlone{Validity::ModelContradicted, Validity::Implausible,
+                                     Validity::SingularGeometry,  Validity::SeveralContactPoints,
+                                     Validity::SnapInAhead,       Validity::StaleSignals};
 
 struct ExploreOptions {
     std::string input;
@@ -171,22 +176,11 @@ void tellOutcome(const FinishedRun& run) {
     for (const std::string& remark : run.remarks) {
         std::cerr << "note: " << remark << '\n';
     }
-    for (const Validity flag : {Validity::FilledPixel,          Validity::LargeContact,
-                                Validity::LawOutOfRange,        Validity::Anisotropic,
-                                Validity::EstimateInconsistent, Validity::UnresolvedCurvature,
-                                Validity::BeyondAsperity,       Validity::BodyAttraction,
-                                Validity::RetardedAttraction,   Validity::LargeDeflection,
-                                Validity::BeyondSphere,         Validity::NotInEquilibrium,
-                                Validity::OverlappingContacts,  Validity::InteractingContacts,
-                                Validity::SearchNotExhaustive,  Validity::StrengthLimited,
-                                Validity::ElasticLimit,         Validity::OutsideScan,
-                                Validity::UncertainPixel,       Validity::ThinFilm,
-                                Validity::VariedMaterial,       Validity::NarrowValley,
-                                Validity::FrictionLock}) {
-        const int index = std::countr_zero(static_cast<std::uint32_t>(flag));
-        if (const long ticks = events.flagged.at(index); ticks > 0) {
+    for (const Validity flag : kFlagsByEffect) {
+        const long ticks = events.flagged.at(indexOf(flag));
+        if (ticks > 0 && std::ranges::find(kInSummaryAlone, flag) == kInSummaryAlone.end()) {
             std::cerr << "note: in " << ticks << " of " << events.ticks
-                      << " ticks: " << kValidityTraits.at(index).words << '\n';
+                      << " ticks: " << traitsOf(flag).words << '\n';
         }
     }
     if (run.missed) {

@@ -18,6 +18,14 @@ namespace {
 
 constexpr int kPatchSamples = 241;
 
+/// Radius of the tip as far as it matters for what is seen: a tip that is far blunter than what it
+/// stands on is as good as flat there [m].
+double seenRadius(const Scene& scene, const TipState& state) {
+    constexpr double kBlunt = 4.0;  // effective radii
+    const double tip = scene.belief.tipRadius();
+    return state.effectiveRadius > 0.0 ? std::min(tip, kBlunt * state.effectiveRadius) : tip;
+}
+
 /// Half the width of the zoomed view: the surface that visibly follows the tip, no wider, since it
 /// is drawn true to scale.
 double zoomHalfWidth(const Scene& scene, const TickSample& sample) {
@@ -27,7 +35,7 @@ double zoomHalfWidth(const Scene& scene, const TickSample& sample) {
     }
     // A contact that is displaced by d is about sqrt(R d) wide, with or without adhesion.
     const ContactState& contact = sample.output.model.contact;
-    const double tip = scene.belief.tipRadius();
+    const double tip = seenRadius(scene, sample.output.model);
     const double reach = std::sqrt(tip * std::abs(contact.indentation));
     return std::max({4.0 * contact.contactRadius, std::min(4.0 * reach, tip), 0.1 * tip});
 }

@@ -26,11 +26,11 @@ void printCounts(double rate, double delay, const HoldCounts& counts) {
     std::printf("%8.0f %8.0f", rate, 1e3 * delay);
     for (const HoldVerdict verdict :
          {HoldVerdict::Still, HoldVerdict::Noisy, HoldVerdict::NoCoupling,
-          HoldVerdict::ScaleTooHigh, HoldVerdict::Shakes}) {
+          HoldVerdict::ScaleTooHigh, HoldVerdict::Oscillates}) {
         std::printf(" %14ld", counts.coupled.at(static_cast<std::size_t>(verdict)));
     }
     for (const HoldVerdict verdict :
-         {HoldVerdict::Still, HoldVerdict::Noisy, HoldVerdict::Shakes}) {
+         {HoldVerdict::Still, HoldVerdict::Noisy, HoldVerdict::Oscillates}) {
         std::printf(" %14ld", counts.direct.at(static_cast<std::size_t>(verdict)));
     }
     std::printf("\n");

@@ -93,7 +93,7 @@ void writeTouches(const std::filesystem::path& file, const std::vector<Touch>& t
         row.addModel(touch, "snap_in_force_n");
         row.add(cycleReading("snap_in_distance_m").of(cycle));
         row.addModel(touch, "snap_in_distance_m");
-        row.add(cycle.pullOff);
+        row.add(cycle.pullOffForce());
         row.addModel(touch, "pull_off_force_n");
         row.add(cycle.adhesionWork);
         const std::optional<Reading> hysteresis = cycle.closedHysteresis();

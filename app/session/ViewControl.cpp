@@ -2,6 +2,7 @@
 
 #include "core/Error.h"
 #include "core/TemporaryFile.h"
+#include "ui/panels/ForcePanel.h"
 #include "ui/panels/LoopStatusBar.h"
 #include "ui/panels/StateBanner.h"
 #include "ui/view/ContactShape.h"
@@ -98,17 +99,19 @@ void ViewControl::show(double now) {
 }
 
 void ViewControl::draw(const Snapshot& latest, bool everywhere) {
-    if (everywhere) {  // the arrow's number is that of the panels, which show every second frame
-        window_.view().setWrittenForce(latest.sample.output.estimate.force.stableNorm());
-    }
-    window_.view().showSnapshot(latest);
-    if (everywhere) {
-        window_.second().showSnapshot(latest);
-    }
     for (RunPanel* const panel : window_.panels()) {
         if (everywhere || panel->slowName() == nullptr) {
             panel->show(latest);
         }
+    }
+    if (everywhere) {  // the arrow's number is that of the panels, which show every second frame
+        const std::string written = window_.forces().magnitude().toStdString();
+        window_.view().setWrittenForce(written);
+        window_.second().setWrittenForce(written);
+    }
+    window_.view().showSnapshot(latest);
+    if (everywhere) {
+        window_.second().showSnapshot(latest);
     }
 }
 

@@ -16,7 +16,7 @@ constexpr auto kReadings = std::to_array<CycleReading>(
           return cycle.snapIn ? std::optional(cycle.snapInBaseDistance) : std::nullopt;
       }},
      {"pull_off_force_n", "pull-off force", Landmark::AdhesionForce,
-      [](const ContactCycle& cycle) { return cycle.pullOff; }, true},
+      [](const ContactCycle& cycle) { return cycle.pullOffForce(); }, true},
      {"adhesion_work_j", "work of adhesion", Landmark::SeparationWork,
       [](const ContactCycle& cycle) { return cycle.workOfAdhesion(); }, true},
      {"hysteresis_j", "hysteresis", Landmark::Hysteresis,

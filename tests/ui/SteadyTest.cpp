@@ -107,5 +107,17 @@ TEST(ThreeDigitText, ShowsNoMoreDigitsThanAnyoneReads) {
     EXPECT_EQ(threeDigitText(INFINITY, nano), "– nN");
 }
 
+TEST(SignificantText, HasThreeDigitsHoweverSmall) {
+    const SiScale nano{1e9, "nN"};
+    EXPECT_EQ(significantText(751e-12, nano), "0.751 nN");
+    EXPECT_EQ(significantText(-40.5e-12, nano), "-0.0405 nN");
+    EXPECT_EQ(significantText(9.996e-9, nano), "10.0 nN");
+    EXPECT_EQ(significantText(99.96e-9, nano), "100 nN");
+    EXPECT_EQ(significantText(16.83e-9, nano), "16.8 nN");
+    EXPECT_EQ(significantText(2040e-9, nano), "2040 nN");
+    EXPECT_EQ(significantText(0.0, nano), "0 nN");
+    EXPECT_EQ(significantText(NAN, nano), "– nN");
+}
+
 }  // namespace
 }  // namespace asperity

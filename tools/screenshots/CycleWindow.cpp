@@ -2,6 +2,8 @@
 
 #include "app/loading/SceneLoader.h"
 #include "core/Error.h"
+#include "ui/panels/CyclePanel.h"
+#include "ui/panels/ForcePanel.h"
 
 #include <QStatusBar>
 
@@ -12,8 +14,10 @@ namespace asperity {
 
 namespace {
 
-constexpr double kDuration = 12.0;  // of the approach and the way back [s]
-constexpr int kWatch = 30;          // [ms]
+constexpr double kDuration = 12.0;    // of the approach and the way back [s]
+constexpr double kSlowest = 200.0;    // likewise [s]
+constexpr int kWatch = 30;            // [ms]
+constexpr int kLooksStanding = 2000;  // with no newer tick: the loop stands still
 
 /// A moment of an approach and a retract that is worth a picture.
 struct Moment {
@@ -49,13 +53,20 @@ constexpr std::array kMoments{
 
 }  // namespace
 
-CycleWindow::CycleWindow(char** arguments) : prefix_(arguments[4]) {
+CycleWindow::CycleWindow(char** arguments)
+    : scene_(arguments[1]), prefix_(arguments[4]), duration_(kDuration) {
     window().resize(std::stoi(arguments[2]), std::stoi(arguments[3]));
-    session().runs().use(loadScene(arguments[1], {}));
+    begin();
+    QObject::connect(&timer_, &QTimer::timeout, [this] { look(); });
+}
+
+void CycleWindow::begin() {
+    next_ = 0;
+    session().runs().use(loadScene(scene_, {}));
+    window().forces().cycles().clear();  // of a cycle that was too fast
     const Scene& scene = session().run()->scene();
     session().devices().approach(planApproach(
-        scene, {.duration = kDuration, .place = Vector2(startPlace(scene).head<2>())}));
-    QObject::connect(&timer_, &QTimer::timeout, [this] { look(); });
+        scene, {.duration = duration_, .place = Vector2(startPlace(scene).head<2>())}));
 }
 
 const TickOutput& CycleWindow::newest() { return session().run()->loop().snapshot().sample.output; }
@@ -81,16 +92,27 @@ void CycleWindow::look() {
     } else if (next_ > 0 && kMoments[next_ - 1].isLast && kMoments[next_ - 1].hasCome(*this)) {
         seen_(kMoments[next_ - 1].name);
     }
-    if (next_ == kMoments.size()) {
+    if (next_ < kMoments.size() && isBack() && duration_ < kSlowest) {
+        duration_ *= 2.0;
+        begin();
+    } else if (next_ == kMoments.size() || isBack() || isStanding()) {
         timer_.stop();
         window().close();
     }
 }
 
-int CycleWindow::run(int milliseconds, std::function<void(const std::string&)> seen) {
+bool CycleWindow::isBack() { return isIn(*this, ApproachPhase::Done); }
+
+bool CycleWindow::isStanding() {
+    const double time = session().run()->loop().snapshot().sample.time;
+    looksSince_ = time == newestTime_ ? looksSince_ + 1 : 0;
+    newestTime_ = time;
+    return looksSince_ >= kLooksStanding;
+}
+
+int CycleWindow::run(std::function<void(const std::string&)> seen) {
     seen_ = std::move(seen);
     timer_.start(kWatch);
-    QTimer::singleShot(milliseconds, &window(), &QWidget::close);
     const int status = live_.exec();
     if (next_ < kMoments.size()) {
         throw Error(std::string("the tip was not seen ") + kMoments[next_].name);

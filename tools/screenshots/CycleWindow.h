@@ -24,16 +24,26 @@ public:
     void save(const std::string& name);
     void pause();
     void resume();
-    /// Once through the cycle. @param seen is called with the name of each moment; of retracting
-    /// more than once, its last call counts @throw Error: a moment was not seen in time
-    int run(int milliseconds, std::function<void(const std::string&)> seen);
+    /// Once through the cycle. Where the machine is so busy that a moment passed unseen, the cycle
+    /// begins anew at half the speed. @param seen is called with the name of each moment, more than
+    /// once of some: the last call counts @throw Error: the loop stands still, or a moment does not
+    /// come
+    int run(std::function<void(const std::string&)> seen);
 
 private:
+    void begin();
     void look();
+    /// Whether the approach is over: a moment that has not come will not come.
+    [[nodiscard]] bool isBack();
+    [[nodiscard]] bool isStanding();
 
     VirtualDisplay display_;
     LiveWindow live_;
+    std::string scene_;
     std::string prefix_;
+    double duration_;          ///< of the approach and the way back [s]
+    double newestTime_ = 0.0;  ///< of the run, when it was looked at [s]
+    int looksSince_ = 0;       ///< with no newer tick
     std::function<void(const std::string&)> seen_;
     std::size_t next_ = 0;  ///< moment
     QTimer timer_;

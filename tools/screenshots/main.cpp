@@ -11,7 +11,7 @@ namespace {
 
 int run(char** argv) {
     CycleWindow cycle(argv);
-    return cycle.run(40000, [&cycle](const std::string& moment) { cycle.save(moment); });
+    return cycle.run([&cycle](const std::string& moment) { cycle.save(moment); });
 }
 
 }  // namespace

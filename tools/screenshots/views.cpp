@@ -142,7 +142,7 @@ int run(char** argv) {
     CycleWindow cycle(argv);
     cycle.window().menus().secondView->setChecked(true);
     Photographer photographer(cycle);
-    return cycle.run(90000, [&](const std::string& moment) { photographer.see(moment); });
+    return cycle.run([&](const std::string& moment) { photographer.see(moment); });
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
 #include "ui/measure/PixelCurveView.h"
 
-#include "core/scene/Validity.h"
+#include "core/scene/FlagOrder.h"
 #include "ui/ColorScale.h"
 #include "ui/CoreWords.h"
 #include "ui/Theme.h"
@@ -40,9 +40,9 @@ QString valueText(MapQuantity quantity, double value) {
     }
     QStringList flags;
     const auto bits = std::isnan(value) ? 0U : static_cast<std::uint32_t>(value);
-    for (const ValidityTraits& traits : kValidityTraits) {
-        if ((bits & static_cast<std::uint32_t>(traits.flag)) != 0U) {
-            flags << coreWords(traits.brief);
+    for (const Validity flag : kFlagsByEffect) {
+        if ((bits & static_cast<std::uint32_t>(flag)) != 0U) {
+            flags << coreWords(traitsOf(flag).brief);
         }
     }
     if (std::isnan(value)) {

@@ -4,6 +4,7 @@
 #include "ui/panels/MapMarks.h"
 #include "ui/panels/OverviewMap.h"
 
+#include <QFontMetricsF>
 #include <QPainter>
 
 namespace asperity {
@@ -58,7 +59,9 @@ void TouchMarks::paintOne(QPainter& painter, const OverviewMap& map,
     painter.setBrush(toQColor(color));
     painter.drawEllipse(center, radius, radius);
     if (selected || touches_.size() <= kMaxNumbers) {
-        labelMark(painter, color, center + QPointF(radius + 3.0, radius + 1.0),
+        // Between two arms of the tip's mark, which stays where the tip touched.
+        const double below = QFontMetricsF(theme::textFont(theme::kSmallSize)).ascent();
+        labelMark(painter, color, center + QPointF(radius + 3.0, radius + 1.0 + below),
                   QString::number(touch.number));
     }
 }

@@ -15,7 +15,7 @@ struct ColumnTexts {
     const char* meaning;
     double factor = 0.0;  ///< shown value = factor * SI value; 0: a text or a count
     const char* unit = "";
-    int decimals = 0;  ///< 0: three digits
+    int decimals = 0;  ///< 0: three significant digits
 };
 
 const std::array<ColumnTexts, TouchModel::ColumnCount> kTexts{{
@@ -40,7 +40,8 @@ const std::array<ColumnTexts, TouchModel::ColumnCount> kTexts{{
      "nm"},
     {QT_TRANSLATE_NOOP("asperity::TouchModel", "pull-off"),
      QT_TRANSLATE_NOOP("asperity::TouchModel",
-                       "Strongest pull of the last retract; none: no pull beyond the noise"),
+                       "Strongest pull of the last retract, once the tip is off; none: no pull "
+                       "beyond the noise"),
      1e9, "nN"},
     {QT_TRANSLATE_NOOP("asperity::TouchModel", "work"),
      QT_TRANSLATE_NOOP("asperity::TouchModel",
@@ -104,7 +105,7 @@ std::optional<double> valueOf(const ContactCycle& cycle, int column) {
 QString numberText(double value, const ColumnTexts& texts) {
     return texts.decimals > 0
                ? QString::number(texts.factor * value, 'f', texts.decimals)
-               : QString::fromStdString(threeDigitText(value, {texts.factor, ""})).trimmed();
+               : QString::fromStdString(significantText(value, {texts.factor, ""})).trimmed();
 }
 
 QVariant shown(const Touch& touch, int row, int column) {

@@ -86,6 +86,12 @@ void drawArrow(QPainter& painter, const QPointF& from, const QPointF& way) {
     painter.drawPolygon(QPolygonF({head, back + half, back - half}));
 }
 
+/// Where an arrow begins, moved along it until its head is above `bottom` [px].
+QPointF inSight(const QPointF& from, const QPointF& way, double bottom) {
+    const double hidden = from.y() + way.y() - bottom;
+    return hidden > 0.0 && way.y() > 0.0 ? from - (hidden / way.y()) * way : from;
+}
+
 void drawClamp(QPainter& painter, const QPointF& beamStart) {
     const QRectF block(beamStart.x() - kClampWidth, beamStart.y() - 14.0, kClampWidth, 28.0);
     painter.setPen(Qt::NoPen);
@@ -189,7 +195,8 @@ void CantileverSketch::drawSide(QPainter& painter, const View& view) const {
     painter.setBrush(Qt::NoBrush);
     painter.drawPolyline(bent.axis);
     drawClamp(painter, map.origin);
-    drawArrow(painter, bent.tip.last(), forceArrow(map.sine, map.cosine));
+    const QPointF way = forceArrow(map.sine, map.cosine);
+    drawArrow(painter, inSight(bent.tip.last(), way, view.box.bottom() - 1.0), way);
 }
 
 QPointF CantileverSketch::forceArrow(double sine, double cosine) const {

@@ -238,10 +238,10 @@ DrawnCycle CyclePanel::drawn(const Kept& kept) const {
         line << place;
         before = point.branch;
     }
-    if (kept.cycle.pullOff) {
+    if (const std::optional<Reading> pullOff = kept.cycle.pullOffForce()) {
         cycle.pullOff =
             QPointF(showsBase() ? kept.cycle.pullOffBaseDistance : kept.cycle.pullOffSeparation,
-                    -kept.cycle.pullOff->value);
+                    -pullOff->value);
     }
     return cycle;
 }

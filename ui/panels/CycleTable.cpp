@@ -13,6 +13,7 @@
 #include <QToolTip>
 
 #include <algorithm>
+#include <cmath>
 #include <string_view>
 
 namespace asperity {
@@ -25,12 +26,10 @@ constexpr int kSwatchDistance = 4;   ///< to what follows [px]
 constexpr double kFirstShare = 0.3;  ///< of the width: the material's column
 const QString kNothing = QStringLiteral("–");
 
-// One unit for all rows, so that they compare at sight.
-const SiScale kNanonewtons{1e9, "nN"};
-const SiScale kPerMeter{1.0, "N/m"};
+constexpr double kLeastShown = 0.1;  ///< of a column's unit: below, a value has its own
 
-QString readingText(const std::optional<Reading>& reading, const SiScale& scale) {
-    return reading ? threeDigits(reading->value, scale) : kNothing;
+const char* siUnitOf(CycleTable::Column column) {
+    return column == CycleTable::PullOff ? "N" : column == CycleTable::Stiffness ? "N/m" : "J";
 }
 
 /// Of which no more is known than the noise.
@@ -69,7 +68,7 @@ std::optional<Reading> hysteresisOf(const ContactCycle& cycle) {
 }
 
 QString explanation() {
-    return CycleTable::tr("Pull-off: strongest pull of the retract branch\n"
+    return CycleTable::tr("Pull-off: strongest pull of the retract branch, once the tip is off\n"
                           "Work: work of adhesion, area between the retract branch and zero force\n"
                           "Hysteresis: area between approach and retract\n"
                           "Stiffness: of the contact, where unloading begins\n"
@@ -96,19 +95,32 @@ void CycleTable::setRows(const std::vector<CycleRow>& newestFirst) {
 }
 
 QString CycleTable::text(int row, Column column) const {
-    const ContactCycle& cycle = rows_.at(static_cast<std::size_t>(row)).cycle;
-    const QString& material = rows_.at(static_cast<std::size_t>(row)).material;
+    const CycleRow& shown = rows_.at(static_cast<std::size_t>(row));
+    if (column == Material) {
+        return shown.material;
+    }
+    const std::optional<Reading> value = reading(shown.cycle, column);
+    if (!value) {
+        return kNothing;
+    }
+    const SiScale common = unitOf(column);
+    const bool isSmall = std::abs(value->value) * common.factor < kLeastShown;
+    const SiScale scale = isSmall ? siScaleFor(value->value, siUnitOf(column)) : common;
+    return QString::fromStdString(significantText(value->value, scale));
+}
+
+std::optional<Reading> CycleTable::reading(const ContactCycle& cycle, Column column) {
     switch (column) {
     case PullOff:
-        return readingText(cycle.pullOff, kNanonewtons);
+        return cycle.pullOffForce();
     case Work:
-        return readingText(cycle.workOfAdhesion(), energies());
+        return cycle.workOfAdhesion();
     case Hysteresis:
-        return readingText(hysteresisOf(cycle), energies());
+        return hysteresisOf(cycle);
     case Stiffness:
-        return readingText(cycle.stiffness, kPerMeter);
+        return cycle.stiffness;
     default:
-        return material;
+        return std::nullopt;
     }
 }
 
@@ -126,9 +138,13 @@ QString CycleTable::details(int row) const {
                              const char* unit) {
         return budgetedReading(budgets, key, withNoise(value, unit));
     };
+    const QString pull =
+        cycle.complete() || !cycle.pullOff
+            ? QString()
+            : tr(" (strongest pull so far: %1)").arg(withNoise(cycle.pullOff, "N"));
     return tr("%1\nPull-off force: %2\nWork of adhesion: %3\nHysteresis: %4\nContact stiffness: "
               "%5\nMaximum force: %6\nMaximum indentation: %7")
-               .arg(shown.material, reading("pull_off_force_n", cycle.pullOff, "N"),
+               .arg(shown.material, reading("pull_off_force_n", cycle.pullOffForce(), "N") + pull,
                     reading("adhesion_work_j", cycle.workOfAdhesion(), "J"),
                     hysteresisOf(cycle) ? reading("hysteresis_j", hysteresisOf(cycle), "J")
                                         : kNothing,
@@ -152,7 +168,7 @@ ShownNumbers CycleTable::numbers() const {
                                    modelSigmaOf(budgets, key)});
             }
         };
-        add(PullOff, cycle.pullOff, QStringLiteral("N"), "pull_off_force_n");
+        add(PullOff, cycle.pullOffForce(), QStringLiteral("N"), "pull_off_force_n");
         add(Work, cycle.workOfAdhesion(), QStringLiteral("J"), "adhesion_work_j");
         add(Hysteresis, hysteresisOf(cycle), QStringLiteral("J"), "hysteresis_j");
         add(Stiffness, cycle.stiffness, QStringLiteral("N/m"), "contact_stiffness_n_m");
@@ -160,16 +176,18 @@ ShownNumbers CycleTable::numbers() const {
     return numbers;
 }
 
-/// Of the largest: 1 aJ is 1 nN nm.
-SiScale CycleTable::energies() const {
+/// One for all rows, so that they compare at sight; both energies have the same.
+SiScale CycleTable::unitOf(Column column) const {
+    const bool isEnergy = column == Work || column == Hysteresis;
     double largest = 0.0;
     for (const CycleRow& row : rows_) {
-        largest = std::max({largest, row.cycle.adhesionWork, row.cycle.hysteresis});
+        for (const Column other : {PullOff, Work, Hysteresis, Stiffness}) {
+            const bool shares = isEnergy ? other == Work || other == Hysteresis : other == column;
+            const std::optional<Reading> value = reading(row.cycle, other);
+            largest = std::max(largest, shares && value ? std::abs(value->value) : 0.0);
+        }
     }
-    return largest < 1e-14   ? SiScale{1e18, "aJ"}
-           : largest < 1e-11 ? SiScale{1e15, "fJ"}
-           : largest < 1e-8  ? SiScale{1e12, "pJ"}
-                             : SiScale{1e9, "nJ"};
+    return siScaleFor(largest, siUnitOf(column));
 }
 
 int CycleTable::lineHeight() const { return fontMetrics().height(); }

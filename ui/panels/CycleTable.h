@@ -62,7 +62,10 @@ protected:
     void paintEvent(QPaintEvent* event) override;
 
 private:
-    [[nodiscard]] SiScale energies() const;
+    /// What a column shows of a cycle [SI].
+    [[nodiscard]] static std::optional<Reading> reading(const ContactCycle& cycle, Column column);
+    /// The unit of a column, of the largest of its values.
+    [[nodiscard]] SiScale unitOf(Column column) const;
     [[nodiscard]] int lineHeight() const;
     /// Which row is at this height of the widget [px]; none: -1.
     [[nodiscard]] int rowAt(int y) const;

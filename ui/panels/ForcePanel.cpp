@@ -286,6 +286,8 @@ QString ForcePanel::contactText() const {
     return scene_ != nullptr ? contactDetails(*scene_, *shown_) : QString();
 }
 
+QString ForcePanel::magnitude() const { return magnitude_->text(); }
+
 void ForcePanel::take(const TickSample& sample) noexcept {
     const Vector3& force = sample.output.estimate.force;
     forcePlot_->take(sample.time, {force.x(), force.y(), force.z()});

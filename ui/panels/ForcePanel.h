@@ -41,6 +41,8 @@ public:
     /// What a number's tool tip says; empty: of no number. @param label of the number
     [[nodiscard]] QString details(const QLabel* label) const;
 
+    /// The magnitude of the force as it is shown.
+    [[nodiscard]] QString magnitude() const;
     [[nodiscard]] const CyclePanel& cycles() const { return *cycles_; }
     [[nodiscard]] CyclePanel& cycles() { return *cycles_; }
     /// Freezes the curves; the numbers go on.

@@ -12,6 +12,8 @@ namespace asperity {
 
 namespace {
 
+const QString kNotKnown = QStringLiteral("–");
+
 QString countText(long count) { return QLocale(QLocale::English).toString(qlonglong{count}); }
 
 /// The loop's thread as the system treats it; the second says what would help.
@@ -71,9 +73,9 @@ void LoopStatusBar::setRateAsked(double rate) {
     rate_->setText(QLocale(QLocale::English).toString(rate, 'f', 0) + QStringLiteral(" Hz"));
 }
 
-void LoopStatusBar::setFramesPerSecond(double frames) {
+void LoopStatusBar::setFramesPerSecond(const std::optional<double>& frames) {
     framesPerSecond_ = frames;
-    frames_->setText(QString::number(frames, 'f', 1));
+    frames_->setText(frames ? QString::number(*frames, 'f', 1) : kNotKnown);
 }
 
 void LoopStatusBar::show(const Snapshot& snapshot) {
@@ -91,20 +93,24 @@ ShownNumbers LoopStatusBar::numbers(const Snapshot& snapshot) const {
     const LoopStatistics& statistics = snapshot.statistics;
     const QString second = QStringLiteral("s");
     const auto count = [](long number) { return static_cast<double>(number); };
-    return {{tr("loop rate"), rateAsked_, {}, QStringLiteral("Hz")},
-            {tr("tick time, median"), statistics.tickTime.median, {}, second},
-            {tr("tick time, 99th percentile"), statistics.tickTime.p99, {}, second},
-            {tr("lateness, 99th percentile"), statistics.lateness.p99, {}, second},
-            {tr("overruns"), count(statistics.overruns), {}, {}},
-            {tr("lost ticks"), count(statistics.lostSamples), {}, {}},
-            {tr("ticks"), count(statistics.ticks), {}, {}},
-            {tr("frames"), framesPerSecond_, {}, QStringLiteral("1/s")}};
+    ShownNumbers numbers{{tr("loop rate"), rateAsked_, {}, QStringLiteral("Hz")},
+                         {tr("tick time, median"), statistics.tickTime.median, {}, second},
+                         {tr("tick time, 99th percentile"), statistics.tickTime.p99, {}, second},
+                         {tr("lateness, 99th percentile"), statistics.lateness.p99, {}, second},
+                         {tr("overruns"), count(statistics.overruns), {}, {}},
+                         {tr("lost ticks"), count(statistics.lostSamples), {}, {}},
+                         {tr("ticks"), count(statistics.ticks), {}, {}}};
+    if (framesPerSecond_) {
+        numbers.push_back({tr("frames"), *framesPerSecond_, {}, QStringLiteral("1/s")});
+    }
+    return numbers;
 }
 
 void LoopStatusBar::clear() {
     for (QLabel* label : {rate_, ticks_, tickTime_, lateness_, overruns_, lost_, frames_}) {
-        label->setText(QStringLiteral("–"));
+        label->setText(kNotKnown);
     }
+    framesPerSecond_.reset();
     scheduling_->clear();
 }
 

@@ -4,6 +4,8 @@
 
 #include <QWidget>
 
+#include <optional>
+
 class QLabel;
 
 namespace asperity {
@@ -13,8 +15,9 @@ class LoopStatusBar : public QWidget, public RunPanel {
 public:
     explicit LoopStatusBar(QWidget* parent = nullptr);
 
-    void setRateAsked(double rate);          ///< of the loop [Hz]
-    void setFramesPerSecond(double frames);  ///< of the pictures [1/s]
+    void setRateAsked(double rate);  ///< of the loop [Hz]
+    /// Of the pictures [1/s]; none: not known yet.
+    void setFramesPerSecond(const std::optional<double>& frames);
     void clear() override;
     void rewind() override {}  // it shows the loop, whatever the tick
     void begin(const Scene& scene) override;
@@ -26,8 +29,8 @@ private:
     QLabel* addItem(const char* objectName, const QString& meaning, const QString& caption,
                     const QString& widest);
 
-    double rateAsked_ = 0.0;        ///< [Hz]
-    double framesPerSecond_ = 0.0;  ///< [1/s]
+    double rateAsked_ = 0.0;                 ///< [Hz]
+    std::optional<double> framesPerSecond_;  ///< [1/s]
     QLabel* rate_;
     QLabel* ticks_;
     QLabel* tickTime_;

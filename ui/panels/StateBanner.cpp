@@ -1,6 +1,7 @@
 #include "ui/panels/StateBanner.h"
 
 #include "core/haptics/mapping/WorkspaceMapping.h"
+#include "core/scene/FlagOrder.h"
 #include "core/words/ModelWords.h"
 #include "ui/CoreWords.h"
 #include "ui/Theme.h"
@@ -139,9 +140,9 @@ std::vector<StateBanner::Caution> StateBanner::cautions() const {
              tr("device begins to oscillate: hold it more firmly or reduce the force gain"),
              Severity::Invalid});
     }
-    for (std::size_t i = 0; i < kValidityFlagCount; ++i) {
-        if (shown_.isShown(i, latest_.sample)) {
-            const ValidityTraits& flag = kValidityTraits.at(i);
+    for (const Validity one : kFlagsByEffect) {
+        if (shown_.isShown(indexOf(one), latest_.sample)) {
+            const ValidityTraits& flag = traitsOf(one);
             found.push_back({coreWords(flag.brief), coreWords(flag.words), flag.severity});
         }
     }

@@ -63,7 +63,7 @@ private:
     void showColor();
     /// The most important part first.
     [[nodiscard]] QStringList stateWords() const;
-    /// The most severe one first.
+    /// The most severe one first, of equally severe ones that which may change the force most.
     [[nodiscard]] std::vector<Caution> cautions() const;
     void showDetails(const QStringList& state, const std::vector<Caution>& cautions);
     [[nodiscard]] QColor stateColor() const;

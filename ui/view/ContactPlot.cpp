@@ -33,8 +33,6 @@ constexpr double kTick = 4.0;
 constexpr double kArrowHead = 7.0;
 constexpr int kTickRoom = 64;
 
-constexpr double kMinHalfWidth = 2.0;    // in contact radii, or kUsual tip radii without
-constexpr double kUsualHalfWidth = 2.0;  // in tip radii
 constexpr double kWheelStep = 1.2;
 constexpr double kNotch = 120.0;  // eighths of a degree
 constexpr double kFill = 0.75;    // of the plot's height, by what fits
@@ -73,13 +71,13 @@ void ContactPlot::setScene(const Scene* scene) {
     section_.reset();
     sample_.reset();
     crossHair_.reset();
+    writtenForce_.clear();
     if (scene_ != nullptr) {
         const ViewScale scale = viewScale(*scene_);
         paraboloidReach_ = scale.paraboloidReach;
         forceScale_ = scale.force;
-        plane_.halfWidth =
-            std::max(kUsualHalfWidth * scene_->belief.tipRadius(),
-                     kMinHalfWidth * unloadedContactRadius(scene_->belief.contact.pair()));
+        plane_.halfWidth = scale.section;
+        leastHalfWidth_ = scale.leastSection;
     }
     update();
 }
@@ -128,8 +126,7 @@ void ContactPlot::setHeightFactor(double factor) {
 void ContactPlot::setHalfWidth(double halfWidth) {
     if (scene_ != nullptr) {
         const double largest = 0.5 * std::max(scene_->surface.sizeX(), scene_->surface.sizeY());
-        const double least = 0.02 * scene_->belief.tipRadius();
-        plane_.halfWidth = std::clamp(halfWidth, std::min(least, largest), largest);
+        plane_.halfWidth = std::clamp(halfWidth, leastHalfWidth_, largest);
         cut();
     }
 }
@@ -254,8 +251,9 @@ void ContactPlot::drawForce(QPainter& painter) const {
     painter.setPen(theme::colors().force);
     painter.setFont(theme::boldFont(theme::kTextSize));
     // The number of the large view and of the panel, however much of it lies in the plane.
+    const std::string written = writtenForce_.empty() ? magnitudeText(force) : writtenForce_;
     painter.drawText(to + QPointF(8.0, 4.0),
-                     QStringLiteral("|F| ") + siText(force.stableNorm(), "N"));
+                     QStringLiteral("|F| ") + QString::fromStdString(written));
 }
 
 void ContactPlot::drawAxes(QPainter& painter) const {

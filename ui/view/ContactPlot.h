@@ -10,6 +10,8 @@
 
 #include <memory>
 #include <optional>
+#include <string>
+#include <utility>
 
 class QPainter;
 
@@ -31,6 +33,8 @@ public:
     /// What is drawn from the next snapshot on where the scene asks for the half-space; or null.
     void setHalfSpace(std::shared_ptr<const HalfSpaceAnswer> answer);
     void showSnapshot(const Snapshot& snapshot);
+    /// See ZoomPicture: from the next snapshot on.
+    void setWrittenForce(std::string force) { writtenForce_ = std::move(force); }
 
     /// Of the plane, from x, counterclockwise as seen from above [rad].
     void setAzimuth(double azimuth);
@@ -85,6 +89,8 @@ private:
     double middleHeight_ = 0.0;      ///< world z in the middle of the plot [m]
     double paraboloidReach_ = 0.0;   ///< see ViewScale [m]
     double forceScale_ = 1e-9;       ///< usual force [N]
+    std::string writtenForce_;       ///< at the arrow; empty: of the sample
+    double leastHalfWidth_ = 0.0;    ///< [m]
     std::optional<Vector2> crossHair_;
     std::optional<SurfaceReading> reading_;
 };

@@ -103,6 +103,7 @@ void OffscreenZoom::setUp(const Scene& scene) {
         camera_ = look_.shown->camera;
         picture_->setColors(look_.shown->colors);
         picture_->setHalfWidth(look_.shown->halfWidth);
+        picture_->keepHalfWidth();
         return;
     }
     if (look_.side) {
@@ -128,6 +129,7 @@ ViewOptions OffscreenZoom::options() const {
 
 void OffscreenZoom::setWidth(double width) {
     picture_->setHalfWidth(0.5 * width);
+    picture_->keepHalfWidth();
     const double shown = 2.0 * picture_->frame()->halfWidth();
     if (std::abs(shown - width) > 1e-9 * width) {
         throw Error("a frame of " + formatSi(width, "m") +

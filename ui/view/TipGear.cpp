@@ -13,13 +13,25 @@ constexpr double kTipTop = 1.15;
 constexpr double kSmallGear = 0.6;  // of the frame: from here on outwards the lever is in the view
 constexpr double kLeverHalfWidth = 0.5;
 
+// In half widths of the frame.
+constexpr double kCapSize = 0.6;
+constexpr double kCapWidth = 0.6;
+
+constexpr double kCapOpacity = 0.4;
+
 }  // namespace
 
-double GearScale::size() const { return std::min(halfWidth, 1.5 * tipRadius + 0.4 * halfWidth); }
+double GearScale::size() const {
+    return isCap() ? kCapSize * halfWidth : std::min(halfWidth, 1.5 * tipRadius + 0.4 * halfWidth);
+}
 
-double GearScale::tipHeight() const { return kTipTop * size(); }
+double GearScale::tipHeight() const {
+    return isCap() ? heightScale * RoundTip{tipRadius}.height(kCapWidth * halfWidth) : headroom();
+}
 
-bool GearScale::showsLever() const { return size() <= kSmallGear * halfWidth; }
+double GearScale::headroom() const { return kTipTop * size(); }
+
+bool GearScale::showsLever() const { return !isCap() && size() <= kSmallGear * halfWidth; }
 
 void TipGear::hide() {
     tip_.hide();
@@ -30,11 +42,12 @@ void TipGear::show(const Scene& scene, const ContactShape& shape, const GearScal
                    const DrawnSpace& space, const Shading& shading) {
     // A tip that is pressed deep into the surface still ends above it.
     constexpr double kAboveSurface = 0.6;  // of its usual height
-    const double height =
-        std::max(scale.tipHeight(), (space.heightScale * shape.contact().indentation) +
-                                        (kAboveSurface * scale.tipHeight()));
+    const double pressed =
+        (space.heightScale * shape.contact().indentation) + (kAboveSurface * scale.tipHeight());
+    const double height = scale.isCap() ? scale.tipHeight() : std::max(scale.tipHeight(), pressed);
     tip_.show(shape, {.height = height,
                       .paraboloidReach = scale.paraboloidReach,
+                      .opacity = scale.isCap() ? kCapOpacity : 1.0,
                       .space = space,
                       .shading = shading});
     if (!scale.showsLever()) {

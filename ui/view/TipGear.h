@@ -14,11 +14,16 @@ struct GearScale {
     double halfWidth = 0.0;        ///< of the frame [m]
     double tipRadius = 0.0;        ///< [m]
     double paraboloidReach = 0.0;  ///< see ViewScale [m]
+    double heightScale = 1.0;      ///< see DrawnSpace
 
+    /// A tip that would fill the frame: only the lowest part of it is drawn, and is seen through.
+    [[nodiscard]] bool isCap() const { return tipRadius > halfWidth; }
     /// Of tip and arrow as drawn: as the frame up close, less of it from afar [m].
     [[nodiscard]] double size() const;
     /// Of the tip above its apex, as drawn [m].
     [[nodiscard]] double tipHeight() const;
+    /// Height that tip and arrow take above the surface, as drawn [m].
+    [[nodiscard]] double headroom() const;
     /// Farther out than the tip alone.
     [[nodiscard]] bool showsLever() const;
 };

@@ -27,6 +27,7 @@ Vector3 apexOf(const TipContact& contact) {
 TipLayer::TipLayer(vtkRenderer* renderer) {
     source_->SetResolution(kTipFacets);
     solid_ = surfaceAsColored(body_);
+    solid_->ForceOpaqueOn();  // blended all the same, without VTK's costly passes
     renderer->AddActor(solid_);
     vtkNew<vtkPolyData> nothing;
     drop_ = linesAsDrawn(nothing, theme::palette().muted, 1.0);
@@ -52,6 +53,8 @@ void TipLayer::show(const ContactShape& shape, const TipStyle& style) {
     body_->ShallowCopy(source_->GetOutput());
     deform(shape);
     paint(body_, theme::palette().tipBody, style.shading);
+    solid_->GetProperty()->SetOpacity(style.opacity);
+    solid_->GetProperty()->SetBackfaceCulling(style.opacity < 1.0 ? 1 : 0);
     style.space.apply(solid_);
     style.space.apply(drop_);
     solid_->VisibilityOn();

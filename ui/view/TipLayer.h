@@ -17,6 +17,7 @@ namespace asperity {
 struct TipStyle {
     double height = 0.0;           ///< of the part that is drawn, as drawn [m]
     double paraboloidReach = 0.0;  ///< see vtkAspTipSource [m]
+    double opacity = 1.0;          ///< of its body
     DrawnSpace space;
     Shading shading;
 };

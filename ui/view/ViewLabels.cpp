@@ -164,7 +164,7 @@ void ViewLabels::paintForce(Painter& painter, double viewWidth, double viewHeigh
         return;
     }
     const PixelPoint end = project(*content_.forceEnd);
-    painter.label({end.x + 14.0, end.y}, "|F| " + formatSi(content_.force, "N"),
+    painter.label({end.x + 14.0, end.y}, "|F| " + content_.force,
                   {.size = kForceTextSize, .bold = true, .color = theme::palette().force},
                   {0.0, 0.0, viewWidth, viewHeight}, theme::palette().paper);
 }

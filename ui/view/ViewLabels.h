@@ -23,7 +23,7 @@ struct LabelContent {
     std::optional<FrameAxes> axes;
     std::vector<std::string> notes;   ///< on how the view is to be read
     std::string tipAbove;             ///< where the tip is above the view; empty: it is in it
-    double force = 0.0;               ///< magnitude [N]
+    std::string force;                ///< magnitude, with its unit
     std::optional<Vector3> forceEnd;  ///< where its label belongs, as drawn; empty: no label [m]
     struct Name {
         Vector3 place = Vector3::Zero();  ///< as drawn [m]

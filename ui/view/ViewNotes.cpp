@@ -40,8 +40,8 @@ std::vector<std::string> viewNotes(const ViewNoteFacts& facts) {
     if (facts.showsLever) {
         notes.push_back(filled(QObject::tr("lever not to scale"), {}));
     }
-    if (facts.tipRadius > facts.width) {
-        notes.push_back(filled(QObject::tr("tip radius %1: larger than this view"),
+    if (facts.showsCap) {
+        notes.push_back(filled(QObject::tr("tip radius %1: only its lowest part is drawn"),
                                {formatSi(facts.tipRadius, "m")}));
     }
     if (facts.pixel > kWidePixel * facts.tipRadius) {

@@ -13,6 +13,7 @@ struct ViewNoteFacts {
     bool missesTrueTip = false;     ///< its ghost is asked for, and the instrument does not know it
     bool hidesDeformation = false;  ///< the surface is drawn at rest
     bool showsLever = false;
+    bool showsCap = false;   ///< only the lowest part of a large tip is drawn
     double tipRadius = 0.0;  ///< [m]
     double pixel = 0.0;      ///< of the scan [m]
     double width = 0.0;      ///< of the frame [m]

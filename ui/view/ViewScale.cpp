@@ -1,7 +1,10 @@
 #include "ui/view/ViewScale.h"
 
+#include "core/contact/EffectiveRadius.h"
 #include "core/contact/laws/ForceCurve.h"
 #include "core/scene/Scene.h"
+#include "core/surface/Curvature.h"
+#include "ui/view/TipOutline.h"
 
 #include <algorithm>
 #include <cmath>
@@ -27,17 +30,58 @@ constexpr double kUsualPixels = 15.0;  // at least, in half the width of the fra
 constexpr double kWideContact = 0.35;  // in tip radii: beyond, sphere and paraboloid part visibly
 constexpr double kParaboloidReach = 1.5;                        // in contact radii
 constexpr Width kMinWidth = {.ofTip = 1.25, .ofContact = 1.9};  // its patch still holds the contact
+constexpr Width kSectionWidth = {.ofTip = 2.0, .ofContact = 2.0};
+constexpr double kLeastSection = 0.02;     // of the tip
+constexpr double kLeastFrame = 1.0 / 3.0;  // of the scan, for a tip that would fill it
+constexpr int kSearched = 128;             // places along each side of the scan
 
 /// Source: Johnson, Kendall, Roberts (1971) [N].
 double jkrPullOff(const ContactPair& pair) {
     return 1.5 * std::numbers::pi * pair.tipRadius * pair.workOfAdhesion;
 }
 
+/// The place that a paraboloid of this radius meets first when it comes down on the middle of the
+/// scan, among places on a grid.
+HeightSample firstMet(const BSplineSurface& surface, double radius) {
+    const Vector2 middle = 0.5 * Vector2(surface.sizeX(), surface.sizeY());
+    HeightSample met = surface.at(middle.x(), middle.y());
+    double highest = met.height;
+    for (int row = 0; row < kSearched; ++row) {
+        for (int column = 0; column < kSearched; ++column) {
+            const Vector2 place(surface.sizeX() * column / (kSearched - 1.0),
+                                surface.sizeY() * row / (kSearched - 1.0));
+            const HeightSample sample = surface.at(place.x(), place.y());
+            const double above = sample.height - (place - middle).squaredNorm() / (2.0 * radius);
+            if (above > highest) {
+                highest = above;
+                met = sample;
+            }
+        }
+    }
+    return met;
+}
+
+/// Radius of the tip as far as views show it [m]: of one that would fill a view of the whole scan,
+/// what the asperity that it meets first leaves of it. Laws of the exact sphere know a flat sample
+/// alone.
+double shownRadius(const Scene& scene) {
+    const double tip = scene.belief.tipRadius();
+    const BSplineSurface& surface = scene.surface;
+    const double scan = 0.5 * std::max(surface.sizeX(), surface.sizeY());
+    if (kUsualWidth.ofTip * tip <= scan || isSphere(scene.belief.contact.law())) {
+        return tip;
+    }
+    const PrincipalCurvatures bend = principalCurvatures(firstMet(surface, tip));
+    const double effective = effectiveRadius(tip, bend.largest, bend.smallest).radius;
+    return std::min(tip, std::max(effective, kLeastFrame * scan / kUsualWidth.ofTip));
+}
+
 /// Contact radius that views must have room for [m]: the unloaded one, on a cone also that at the
 /// setpoint, which may press it far in. On a sphere no contact is wider than the tip.
-double usualContactRadius(const Scene& scene) {
+/// @param pair of the tip as it is shown
+double usualContactRadius(const Scene& scene, const ContactPair& pair) {
     const ContactModel& model = scene.belief.contact;
-    const double paraboloid = unloadedContactRadius(model.pair());
+    const double paraboloid = unloadedContactRadius(pair);
     if (!isSphere(model.law())) {
         return paraboloid;
     }
@@ -58,24 +102,42 @@ double usualDent(const Scene& scene) {
         0.0, basePositionAt(scene.belief.contact, kHeld, scene.description.setpoint).value_or(0.0));
 }
 
+/// Force whose arrow fills half of its room [N]: between setpoint and pull-off, so that both have
+/// arrows that are seen, however different they are.
+double usualForce(const Scene& scene, const ContactPair& pair) {
+    const double setpoint = scene.description.setpoint;
+    const double pullOff = jkrPullOff(pair);
+    return pullOff > 0.0 ? std::sqrt(setpoint * pullOff) : setpoint;
+}
+
 }  // namespace
 
 ViewScale viewScale(const Scene& scene) {
     const double tip = scene.belief.tipRadius();
-    const double contact = usualContactRadius(scene);
+    const double shown = shownRadius(scene);
+    ContactPair pair = scene.belief.contact.pair();
+    pair.tipRadius = shown;
+    const double contact = usualContactRadius(scene, pair);
+    const double dent = usualDent(scene);
     const double paraboloid = unloadedContactRadius(scene.belief.contact.pair());
     const bool isWide = !isSphere(scene.belief.contact.law()) && paraboloid > kWideContact * tip;
     const BSplineSurface::Grid& grid = scene.surface.grid();
     const double pixel = std::max(grid.pitchX, grid.pitchY);
     const double given = scene.description.zoomHalfWidth;
-    return {.patch = kPatchWidth.of(tip, contact),
-            .usual =
-                given > 0.0 ? given : std::max(kUsualWidth.of(tip, contact), kUsualPixels * pixel),
-            .least = kMinWidth.of(tip, contact),
+    const double reach = isWide ? std::max(tip, kParaboloidReach * paraboloid) : 0.0;
+    const TipOutline outline{scene.description.tip.shape(), reach};
+    const double usual = std::max(kUsualWidth.of(shown, contact), kUsualPixels * pixel);
+    const double pressed = tip > usual ? 0.0 : outline.frameAround(dent);  // a cap has no shank
+    const double scan = 0.5 * std::max(scene.surface.sizeX(), scene.surface.sizeY());
+    return {.patch = kPatchWidth.of(shown, contact),
+            .usual = given > 0.0 ? given : std::max(usual, pressed),
+            .least = kMinWidth.of(shown, contact),
+            .section = std::min(scan, kSectionWidth.of(shown, contact)),
+            .leastSection = std::min(scan, kLeastSection * shown),
             .pixel = pixel,
-            .paraboloidReach = isWide ? std::max(tip, kParaboloidReach * paraboloid) : 0.0,
-            .dent = usualDent(scene),
-            .force = std::max(scene.description.setpoint, jkrPullOff(scene.belief.contact.pair()))};
+            .paraboloidReach = reach,
+            .dent = dent,
+            .force = usualForce(scene, pair)};
 }
 
 double unloadedContactRadius(const ContactPair& pair) {

@@ -4,6 +4,7 @@
 #include "ui/Theme.h"
 #include "ui/view/DrapedGrid.h"
 #include "ui/view/SurfacePick.h"
+#include "ui/view/TipOutline.h"
 #include "vtkplugins/pictures/SceneParts.h"
 
 #include <vtkCamera.h>
@@ -28,6 +29,7 @@ constexpr double kGuideReach = 0.4;
 constexpr double kTargetArm = 0.16;
 constexpr double kOverlap = 0.015;  // of patch and terrain
 
+constexpr double kWideningStep = 1.2;  // a tip that needs a wider frame gets so many times that
 constexpr double kLoweringStep = 1.5;  // a dent below the picture lowers it by so many times that
 constexpr double kDentMargin = 0.1;    // of the picture's height, below a dent
 
@@ -86,7 +88,7 @@ void ZoomPicture::setScene(const Scene* scene) {
     scene_ = scene;
     sample_.reset();
     trueTip_.reset();
-    writtenForce_.reset();
+    writtenForce_.clear();
     halfSpace_.reset();
     frame_.reset();
     extent_.forget();
@@ -104,6 +106,7 @@ void ZoomPicture::setScene(const Scene* scene) {
 
 void ZoomPicture::showSample(const ViewCamera& camera, bool dragging) {
     if (sample_ && isDrawable(sample_->output.model)) {
+        widenFor(sample_->output.model.contact.indentation);
         follow(sample_->output.model.tip.head<2>(), dragging ? kSlackInDrag : kSlack);
         showContact(*sample_, camera);
     } else {
@@ -130,6 +133,20 @@ void ZoomPicture::showTerrain(const ViewCamera& camera, TerrainDetail detail) {
     }
 }
 
+/// A tip that is pressed in deep stays inside of the block of sample.
+void ZoomPicture::widenFor(double indentation) {
+    const TipOutline outline{scene_->description.tip.shape(), scale_.paraboloidReach};
+    const double needed = outline.frameAround(options_.deformation ? indentation : 0.0);
+    if (isWidthKept_ || gear().isCap() || needed <= frame_->halfWidth()) {
+        return;
+    }
+    const double before = frame_->halfWidth();
+    frame_->setHalfWidth(kWideningStep * needed);
+    if (frame_->halfWidth() > before) {  // it does not show the whole scan yet
+        extent_.forget();
+    }
+}
+
 void ZoomPicture::follow(const Vector2& tip, double slack) {
     frame_->follow(tip, slack);
     const ScanWindow window = frame_->window();
@@ -152,7 +169,7 @@ void ZoomPicture::placeTerrain(const TerrainPlace& place) {
     const bool otherColors = fitColors();
     // The scale stays while the tip is in contact.
     if (extent_.isFitWanted() || !(isTouching() || shown_.isKept())) {
-        extent_.fit(framed(), gear().tipHeight(), scale_.dent);
+        extent_.fit(framed(), gear().headroom(), scale_.dent);
     }
     terrain_.setBottom(extent_.bottom(framed()));
     Q_EMIT terrainPlaced();
@@ -173,7 +190,7 @@ void ZoomPicture::keepScales() {
     shown_.keep();
     fitHeights();
     fitColors();
-    extent_.fit(framed(), gear().tipHeight(), scale_.dent);
+    extent_.fit(framed(), gear().headroom(), scale_.dent);
     terrain_.setBottom(extent_.bottom(framed()));
     Q_EMIT terrainPlaced();
     Q_EMIT scalesChanged();
@@ -216,7 +233,8 @@ FramedSurface ZoomPicture::framed() const {
 GearScale ZoomPicture::gear() const {
     return {.halfWidth = frame_->halfWidth(),
             .tipRadius = scene_->belief.tipRadius(),
-            .paraboloidReach = scale_.paraboloidReach};
+            .paraboloidReach = scale_.paraboloidReach,
+            .heightScale = options_.heightScale};
 }
 
 bool ZoomPicture::isTouching() const {
@@ -374,7 +392,7 @@ void ZoomPicture::setOptions(const ViewOptions& options) {
     cache_.invalidate();
     if (frame_) {
         extent_.forget();
-        extent_.fit(framed(), gear().tipHeight(), scale_.dent);
+        extent_.fit(framed(), gear().headroom(), scale_.dent);
         terrain_.setBottom(extent_.bottom(framed()));
         Q_EMIT terrainPlaced();
     }

@@ -92,6 +92,8 @@ public:
     [[nodiscard]] const std::optional<ViewFrame>& frame() const { return frame_; }
     /// Takes the nearest width that can be shown [m]. There is a scene.
     void setHalfWidth(double halfWidth);
+    /// The frame keeps its width, even where a tip that is pressed in deep leaves it.
+    void keepHalfWidth() { isWidthKept_ = true; }
     [[nodiscard]] const ViewScale& scale() const { return scale_; }
     /// Contact and terrain have to be shown anew, and the camera to be aimed.
     void setOptions(const ViewOptions& options);
@@ -113,12 +115,10 @@ public:
     /// nowhere.
     void setTarget(const std::optional<Vector3>& target) { targetPlace_ = target; }
     [[nodiscard]] const std::optional<Vector3>& target() const { return targetPlace_; }
-    /// The magnitude that is written at the arrow, of the present scene: that of the panels, which
-    /// are not drawn as often [N]; none: that of the sample.
-    void setWrittenForce(std::optional<double> force) { writtenForce_ = force; }
-    [[nodiscard]] double writtenForce() const {
-        return writtenForce_.value_or(sample_ ? sample_->output.estimate.force.stableNorm() : 0.0);
-    }
+    /// The magnitude that is written at the arrow, of the present scene: that of the panels, digit
+    /// by digit, which are not drawn as often; empty: that of the sample.
+    void setWrittenForce(std::string force) { writtenForce_ = std::move(force); }
+    [[nodiscard]] std::string writtenForce() const;
     /// What is written in a corner of the picture; empty: nothing.
     void setCaption(std::string caption) { caption_ = std::move(caption); }
     /// Size and colors have room for all that was shown of the scene, and stay so. There is a
@@ -139,6 +139,7 @@ Q_SIGNALS:
 
 private:
     void showColors();
+    void widenFor(double indentation);
     void follow(const Vector2& tip, double slack);
     void placeTerrain(const TerrainPlace& place);
     bool fitColors();
@@ -168,12 +169,13 @@ private:
     SurfaceColors colors_;
     ViewOptions options_;
     ViewExtent extent_;
+    bool isWidthKept_ = false;
     ShownRanges shown_;
     std::unique_ptr<const ContactShape> shape_;  ///< as it is shown; null: none is
     std::optional<Vector2> crossHair_;           ///< on the surface at rest [m]
     QString reading_;                            ///< of the cross-hair
     std::optional<Vector3> targetPlace_;         ///< [m]
-    std::optional<double> writtenForce_;         ///< at the arrow [N]; none: of the sample
+    std::string writtenForce_;                   ///< at the arrow; empty: of the sample
     std::string caption_;
 
     vtkNew<vtkRenderer> still_;    ///< the surface at rest

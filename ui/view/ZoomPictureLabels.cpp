@@ -1,5 +1,6 @@
 // What is written over the large view.
 #include "core/scene/Scene.h"
+#include "ui/view/ForceScale.h"
 #include "ui/view/ViewNotes.h"
 #include "ui/view/ZoomPicture.h"
 
@@ -36,6 +37,13 @@ void ZoomPicture::showLabels(const ViewCamera& camera, double height, double pix
     labels_.show(content);
 }
 
+std::string ZoomPicture::writtenForce() const {
+    if (!writtenForce_.empty() || !sample_) {
+        return writtenForce_;
+    }
+    return magnitudeText(sample_->output.estimate.force);
+}
+
 std::vector<std::string> ZoomPicture::notes(const ViewCamera& camera) const {
     return viewNotes({.heightScale = options_.heightScale,
                       .hasPerspective = camera.hasPerspective(),
@@ -43,6 +51,7 @@ std::vector<std::string> ZoomPicture::notes(const ViewCamera& camera) const {
                       .missesTrueTip = options_.trueTip && sample_ && !trueTip_,
                       .hidesDeformation = !options_.deformation,
                       .showsLever = gear().showsLever(),
+                      .showsCap = gear().isCap(),
                       .tipRadius = scene_->belief.tipRadius(),
                       .pixel = scale_.pixel,
                       .width = 2.0 * frame_->halfWidth()});

@@ -29,8 +29,8 @@ public:
     /// Shows a tick of the present scene: draws one frame.
     void showSnapshot(const Snapshot& snapshot);
 
-    /// See ZoomPicture: from the next snapshot on [N].
-    void setWrittenForce(double force) { picture_.setWrittenForce(force); }
+    /// See ZoomPicture: from the next snapshot on.
+    void setWrittenForce(std::string force) { picture_.setWrittenForce(std::move(force)); }
 
     /// What is drawn from the next snapshot on where the scene asks for the half-space; or null.
     void setHalfSpace(std::shared_ptr<const HalfSpaceAnswer> answer);

@@ -101,6 +101,7 @@ MainWindow::MainWindow()
     , viewSide_(new ViewSide({banner_, engage_, view_, second_, loading_}, this))
     , layout_(new WindowLayout(controls_, viewSide_, this))
     , overview_(new OverviewPanel(this))
+    , forces_(new ForcePanel(this))
     , loopStatus_(new LoopStatusBar(this))
     , fidelity_(new FidelityPanel(this))
     , scenePanel_(new ScenePanel(this))
@@ -134,7 +135,7 @@ void MainWindow::placeAll() {
         panels_.push_back(card);
     };
     panels_.push_back(banner_);
-    add(new ForcePanel(this), 4);
+    add(forces_, 4);
     add(new CantileverPanel(this), 3);
     add(overview_, 3);
     addSidePage(scenePanel_, tr("Scene"));

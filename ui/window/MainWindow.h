@@ -21,6 +21,7 @@ class ControlBar;
 class CrossHairLink;
 class EngageBar;
 class FidelityPanel;
+class ForcePanel;
 class HapticPanel;
 class LoadingBar;
 class LoopStatusBar;
@@ -56,6 +57,7 @@ public:
     [[nodiscard]] ZoomView& view() { return *view_; }
     /// Hidden at first.
     [[nodiscard]] SecondView& second() { return *second_; }
+    [[nodiscard]] ForcePanel& forces() { return *forces_; }
     [[nodiscard]] OverviewPanel& overview() { return *overview_; }
     /// A window of its own, hidden at first.
     [[nodiscard]] FidelityPanel& fidelity() { return *fidelity_; }
@@ -167,6 +169,7 @@ private:
     ViewSide* viewSide_;
     WindowLayout* layout_;
     OverviewPanel* overview_;
+    ForcePanel* forces_;
     LoopStatusBar* loopStatus_;
     FidelityPanel* fidelity_;
     ScenePanel* scenePanel_;

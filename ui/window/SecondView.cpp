@@ -194,6 +194,11 @@ void SecondView::setHalfSpace(const std::shared_ptr<const HalfSpaceAnswer>& answ
     section_->setHalfSpace(answer);
 }
 
+void SecondView::setWrittenForce(const std::string& force) {
+    space_->setWrittenForce(force);
+    section_->setWrittenForce(force);
+}
+
 void SecondView::showSnapshot(const Snapshot& snapshot) {
     if (!isVisible()) {
         return;

@@ -57,6 +57,8 @@ public:
     void setHalfSpace(const std::shared_ptr<const HalfSpaceAnswer>& answer);
     /// Draws a frame of the present scene, unless hidden.
     void showSnapshot(const Snapshot& snapshot);
+    /// See ZoomPicture: from the next snapshot on.
+    void setWrittenForce(const std::string& force);
     void showCrossHair(const std::optional<Vector2>& place,
                        const std::optional<SurfaceReading>& reading);
 

@@ -119,9 +119,9 @@ Plot plotOf(const RunHistory& history) {
     for (std::size_t i = 0; i < curves.size(); ++i) {
         const TouchStyle style = styleOf(i, curves.size());
         addCurve(plot, curves[i].trace, style);
-        if (const ContactCycle& cycle = curves[i].cycle; cycle.pullOff) {
-            plot.marks.push_back(
-                {{cycle.pullOffBaseDistance, -cycle.pullOff->value}, style.retract});
+        const ContactCycle& cycle = curves[i].cycle;
+        if (const std::optional<Reading> pullOff = cycle.pullOffForce()) {
+            plot.marks.push_back({{cycle.pullOffBaseDistance, -pullOff->value}, style.retract});
         }
     }
     const Way way = wayOf(curves);

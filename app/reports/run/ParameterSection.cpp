@@ -84,9 +84,9 @@ PageTable parameterTable(const Scene& scene) {
     const ParameterSources sources(description);
     PageTable table{.columns = {{"Parameter"}, {"Value"}, {"Source"}}, .rows = {}};
     for (const SceneField& field : sceneFields()) {
-        if (isShown(field, description)) {
-            table.rows.push_back(
-                {{captionOf(field)}, {textOf(field, description)}, {sources.sourceOf(field)}});
+        const std::string text = isShown(field, description) ? textOf(field, description) : "";
+        if (!text.empty()) {  // an empty one is a file that the scene does not have
+            table.rows.push_back({{captionOf(field)}, {text}, {sources.sourceOf(field)}});
         }
     }
     table.rows.push_back({{"Reduced modulus of tip and sample"},

@@ -44,7 +44,9 @@ void addWarnings(PageContent& page, const ReportedRun& run) {
         page.addParagraph(capitalized(run.state) + ".", PageTone::Caution);
     }
     const RunVerdict verdict = verdictOn(run.history);
-    page.addParagraph(verdict.sentence, verdict.tone);
+    page.addParagraph(verdict.sentence +
+                          (verdict.hasReasons ? " The reasons are under Validity." : ""),
+                      verdict.tone);
 }
 
 }  // namespace

@@ -37,18 +37,16 @@ RunVerdict verdictOn(const RunHistory& history) {
     }
     if (const long invalid = ticks(Severity::Invalid); invalid > 0) {
         return {PageTone::Fault, "no result in " + shareText(invalid, events.ticks),
-                "There is no result to rely on " + inTicks(invalid, events.ticks) +
-                    "; the reasons are under Validity."};
+                "There is no result to rely on " + inTicks(invalid, events.ticks) + ".", true};
     }
     if (const long doubt = ticks(Severity::Doubt); doubt > 0) {
         return {PageTone::Caution, "doubtful in " + shareText(doubt, events.ticks),
-                "The contact model does not hold in full " + inTicks(doubt, events.ticks) +
-                    "; the reasons are under Validity."};
+                "The contact model does not hold in full " + inTicks(doubt, events.ticks) + ".",
+                true};
     }
     if (const long approximate = ticks(Severity::Approximate); approximate > 0) {
         return {PageTone::Plain, "approximate in " + shareText(approximate, events.ticks),
-                "The result holds, less exactly " + inTicks(approximate, events.ticks) +
-                    "; the reasons are under Validity."};
+                "The result holds, less exactly " + inTicks(approximate, events.ticks) + ".", true};
     }
     return {PageTone::Plain, "holds",
             "The contact model holds in all " + std::to_string(events.ticks) + " ticks."};

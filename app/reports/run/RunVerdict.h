@@ -10,8 +10,9 @@ namespace asperity {
 /// How far the results of a run hold.
 struct RunVerdict {
     PageTone tone = PageTone::Plain;
-    std::string brief;     ///< a few words, for a table
-    std::string sentence;  ///< the same with numbers
+    std::string brief;        ///< a few words, for a table
+    std::string sentence;     ///< the same with numbers
+    bool hasReasons = false;  ///< they are in the section on validity
 };
 
 [[nodiscard]] RunVerdict verdictOn(const RunHistory& history);

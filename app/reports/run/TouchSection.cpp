@@ -78,7 +78,7 @@ const std::vector<TouchColumn>& contactColumns() {
 
 const std::vector<TouchColumn>& adhesionColumns() {
     static const std::vector<TouchColumn> kColumns{
-        {"pull-off force", "N", [](const ContactCycle& cycle) { return cycle.pullOff; },
+        {"pull-off force", "N", [](const ContactCycle& cycle) { return cycle.pullOffForce(); },
          "pull_off_force_n"},
         {"work of adhesion", "J", [](const ContactCycle& cycle) { return cycle.workOfAdhesion(); },
          "adhesion_work_j"},
@@ -208,7 +208,7 @@ std::vector<BudgetedTouch> budgeted(const Scene& scene, const std::vector<Contac
 
 std::optional<TouchMean> pullOffOf(const std::vector<BudgetedTouch>& touches) {
     return meanOf(touches, "pull_off_force_n",
-                  [](const ContactCycle& cycle) { return cycle.pullOff; });
+                  [](const ContactCycle& cycle) { return cycle.pullOffForce(); });
 }
 
 std::optional<TouchMean> adhesionWorkOf(const std::vector<BudgetedTouch>& touches) {

@@ -4,8 +4,8 @@
 #include "app/reports/run/RunVerdict.h"
 #include "core/FormattedText.h"
 #include "core/SiFormat.h"
+#include "core/scene/FlagOrder.h"
 
-#include <algorithm>
 #include <array>
 #include <optional>
 #include <string>
@@ -21,32 +21,15 @@ constexpr std::array kMeanings{"announces what comes; the result holds",
                                "the result holds, less exactly", "the result does not hold in full",
                                "no result to rely on"};
 
-/// The worst first.
-std::vector<ValidityTraits> flagsOf(const RunEvents& events) {
-    std::vector<ValidityTraits> flags;
-    for (std::size_t i = 0; i < kValidityFlagCount; ++i) {
-        if (events.flagged.at(i) > 0) {
-            flags.push_back(kValidityTraits.at(i));
-        }
-    }
-    std::ranges::stable_sort(flags, std::ranges::greater(), &ValidityTraits::severity);
-    return flags;
-}
-
-long ticksOf(Validity flag, const RunEvents& events) {
-    for (std::size_t i = 0; i < kValidityFlagCount; ++i) {
-        if (kValidityTraits.at(i).flag == flag) {
-            return events.flagged.at(i);
-        }
-    }
-    return 0;
-}
-
 PageTable flagTable(const RunEvents& events) {
     PageTable table{.columns = {{"What"}, {"Meaning"}, {"Ticks", true}, {"Share", true}},
                     .rows = {}};
-    for (const ValidityTraits& traits : flagsOf(events)) {
-        const long ticks = ticksOf(traits.flag, events);
+    for (const Validity flag : kFlagsByEffect) {
+        const ValidityTraits& traits = traitsOf(flag);
+        const long ticks = events.flagged.at(indexOf(flag));
+        if (ticks == 0) {
+            continue;
+        }
         const char* const noise = traits.basis == FlagBasis::Signals
                                       ? " (from noisy signals: a few ticks say little)"
                                       : "";
@@ -66,9 +49,9 @@ void addMoment(std::vector<std::string>& list, const char* when,
         return;
     }
     std::string words;
-    for (const ValidityTraits& traits : kValidityTraits) {
-        if (sample->output.flags.has(traits.flag)) {
-            words += (words.empty() ? "" : "; ") + std::string(traits.words);
+    for (const Validity flag : kFlagsByEffect) {
+        if (sample->output.flags.has(flag)) {
+            words += (words.empty() ? "" : "; ") + std::string(traitsOf(flag).words);
         }
     }
     list.push_back(std::string(when) + ": " + (words.empty() ? "no flag" : words) + ".");
@@ -77,8 +60,8 @@ void addMoment(std::vector<std::string>& list, const char* when,
 void addWidth(std::vector<std::string>& list, const TipState& state) {
     list.push_back(
         "Contact radius at the maximum indentation: " + formatSi(state.contact.contactRadius, "m") +
-        formatted(", %.3g effective radii of tip and sample there; half-space theory "
-                  "holds up to 0.3.",
+        formatted(". Its ratio to the effective radius of tip and sample there is %.3g; half-space "
+                  "theory holds up to 0.3.",
                   state.contactRatio));
 }
 

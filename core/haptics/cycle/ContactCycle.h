@@ -38,7 +38,7 @@ struct ContactCycle {
     /// Strongest pull of the first approach, > 0; none: no pull beyond the noise [N]
     std::optional<Reading> snapIn;
     Reading snapInBaseDistance;  ///< gap that the undeflected tip had there [m]
-    /// Strongest pull of the last retract branch, > 0; none: no pull beyond the noise [N]
+    /// Strongest pull of the last retract branch so far, > 0; none: no pull beyond the noise [N]
     std::optional<Reading> pullOff;
     double pullOffSeparation = 0.0;    ///< where that was [m]
     double pullOffBaseDistance = 0.0;  ///< [m]
@@ -64,9 +64,13 @@ struct ContactCycle {
         const bool isClosed = complete() && !slid && !fromStart && !interrupted;
         return isClosed ? std::optional(Reading{hysteresis, areaSigma}) : std::nullopt;
     }
-    /// None: the retract does not pull beyond the noise [J]
+    /// None: the tip has not come off, or the retract did not pull beyond the noise [N]
+    [[nodiscard]] std::optional<Reading> pullOffForce() const noexcept {
+        return complete() ? pullOff : std::nullopt;
+    }
+    /// None where there is no pull-off force [J]
     [[nodiscard]] std::optional<Reading> workOfAdhesion() const noexcept {
-        return pullOff ? std::optional(Reading{adhesionWork, areaSigma}) : std::nullopt;
+        return pullOffForce() ? std::optional(Reading{adhesionWork, areaSigma}) : std::nullopt;
     }
 };
 

@@ -107,7 +107,7 @@ private:
         if (outcome.swing >= kStillWithin) {
             swing = swingOnBench(quiet_, hold, check_);
             outcome.verdict =
-                swing.value_or(0.0) >= kStillWithin ? HoldVerdict::Shakes : HoldVerdict::Noisy;
+                swing.value_or(0.0) >= kStillWithin ? HoldVerdict::Oscillates : HoldVerdict::Noisy;
         }
         if (!swing) {
             outcome.verdict = HoldVerdict::NotFinite;

@@ -22,7 +22,7 @@ enum class HoldVerdict : std::uint8_t {
     Noisy,         ///< at rest but for the detector's noise, which the force gain makes felt
     NoCoupling,    ///< refused: the device holds no coupling as stiff as is needed
     ScaleTooHigh,  ///< refused by the guard of the scale
-    Shakes,        ///< the handle does not come to rest, nor without the detector's noise
+    Oscillates,    ///< the handle does not come to rest, nor without the detector's noise
     NotFinite,     ///< a defect
 };
 
@@ -32,7 +32,7 @@ inline constexpr auto kEnumTable<HoldVerdict> =
                                          {HoldVerdict::Noisy, "noisy"},
                                          {HoldVerdict::NoCoupling, "no coupling"},
                                          {HoldVerdict::ScaleTooHigh, "scale too high"},
-                                         {HoldVerdict::Shakes, "shakes"},
+                                         {HoldVerdict::Oscillates, "oscillates"},
                                          {HoldVerdict::NotFinite, "not finite"}});
 
 /// One operator at one device on one sample.

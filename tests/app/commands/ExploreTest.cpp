@@ -184,6 +184,12 @@ TEST(ExploreDefaultScene, RaisesNoDoubt) {
     }
     EXPECT_TRUE(summary["snap_in"].is_object());
     EXPECT_TRUE(summary["pull_off"].is_object());
+    // Roughness that the noise may hide is in no deviation: it is said beside them.
+    const auto note = summary["cycles"][0]["uncertainty"]["pull_off_force_n"]["note"];
+    EXPECT_NE(note.get<std::string>().find("noise of the heights hides roughness"),
+              std::string::npos)
+        << note;
+    EXPECT_NE(run.output.find("note: " + note.get<std::string>()), std::string::npos) << note;
 }
 
 TEST(ExplorePaths, SlideRasterScratchAndFileRunToTheirEnd) {

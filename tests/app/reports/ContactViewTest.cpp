@@ -59,5 +59,18 @@ TEST_F(ContactViewTest, ShowsTheContactLargeAndTheForceOnTheDeformedSurface) {
     EXPECT_LT(view.contactPoint.z(), view.patch.rest[middle].z());
 }
 
+/// A tip of 2 um showed 200 nm at least, and the contact of some nanometers was a speck.
+TEST_F(ContactViewTest, UnderABluntTipItShowsTheAsperity) {
+    SceneDescription description = plainScene();
+    description.tip.radius = 2e-6;
+    const Scene blunt = buildScene(description, hillyMap());
+    TickSample sample = recorder.events().deepest.value();
+    sample.output.model.effectiveRadius = 15e-9;
+    sample.output.model.contact.contactRadius = 3e-9;
+    sample.output.model.contact.indentation = 0.2e-9;
+    EXPECT_LT(zoomGrid(blunt, sample).halfWidth, 20e-9);
+    EXPECT_GE(zoomGrid(blunt, sample).halfWidth, 12e-9);
+}
+
 }  // namespace
 }  // namespace asperity::test

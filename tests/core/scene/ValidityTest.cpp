@@ -1,4 +1,4 @@
-#include "core/scene/Validity.h"
+#include "core/scene/FlagOrder.h"
 
 #include <gtest/gtest.h>
 
@@ -30,6 +30,15 @@ TEST(Validity, EveryFlagHasItsOwnKeyAndWords) {
     EXPECT_EQ(keys.size(), 1 + kValidityFlagCount);
     EXPECT_EQ(words.size(), 1 + kValidityFlagCount);
     EXPECT_EQ(briefs.size(), 1 + kValidityFlagCount);
+}
+
+TEST(FlagOrder, HasEveryFlagOnce) {
+    ValidityFlags found;
+    for (const Validity flag : kFlagsByEffect) {
+        EXPECT_FALSE(found.has(flag)) << traitsOf(flag).key;
+        EXPECT_EQ(traitsOf(flag).flag, flag);
+        found.set(flag, true);
+    }
 }
 
 }  // namespace

@@ -179,7 +179,7 @@ TEST_F(ImagedBump, WasSmoothedBeforeItWasEroded) {
 TEST(PlaceBudgets, OfReadingsHoldTheLever) {
     const Scene scene = buildScene(softScene(), test::flatMap());
     const PlaceBudgets budgets = budgetsAt(scene, kMiddle, 2e-9);
-    ContactCycle cycle;
+    ContactCycle cycle{.phase = CyclePhase::Complete};
     cycle.pullOff = Reading{5e-9, 0.1e-9};
     cycle.adhesionWork = 1e-18;
     for (const char* key : {"pull_off_force_n", "adhesion_work_j"}) {
@@ -196,7 +196,7 @@ TEST(PlaceBudgets, WithoutALandmarkLeaveAReadingItsNoise) {
     PlaceBudgets budgets = budgetsAt(buildScene(softScene(), test::flatMap()), kMiddle, 2e-9);
     budgets[static_cast<std::size_t>(Landmark::AdhesionForce)].value =
         std::numeric_limits<double>::quiet_NaN();
-    ContactCycle cycle;
+    ContactCycle cycle{.phase = CyclePhase::Complete};
     cycle.pullOff = Reading{5e-9, 0.1e-9};
     cycle.maxForce = {2e-9, 0.1e-9};
     const std::optional<Budget> read =
@@ -242,7 +242,7 @@ TEST(PlaceBudgets, AreNotKnownOfSeveralContacts) {
     EXPECT_NEAR(relative(budgets, Landmark::NormalForce, UncertaintyInput::Stiffness), 0.1, 5e-3);
 
     const PlaceBudgets ofOne = budgetsAt(scene, kMiddle, 2e-9);
-    ContactCycle cycle;
+    ContactCycle cycle{.phase = CyclePhase::Complete};
     cycle.pullOff = Reading{5e-9, 0.1e-9};
     cycle.maxForce = {2e-9, 0.1e-9};
     const auto knows = [&](const char* key) {

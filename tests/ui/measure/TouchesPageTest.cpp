@@ -3,12 +3,16 @@
 #include "tests/ui/measure/MapFixture.h"
 #include "ui/Theme.h"
 #include "ui/measure/TouchMarks.h"
+#include "ui/panels/MapMarks.h"
 
 #include <QApplication>
 #include <QClipboard>
 #include <QHeaderView>
+#include <QPainter>
 #include <QTableView>
 #include <QToolButton>
+
+#include <cmath>
 
 namespace asperity {
 namespace {
@@ -141,6 +145,41 @@ TEST_F(TouchMarksTest, AreNumberedDotsThatCanBeHidden) {
     marks.setShown(false);
     EXPECT_EQ(count(kLightPalette.ink), without);
     EXPECT_EQ(count(kLightPalette.force), 0);
+}
+
+/// Where the tip touched it still is: its mark is drawn over the touches.
+TEST(TouchMarks, TheNumberIsBesideTheMarkOfTheTip) {
+    OverviewMap map;
+    map.resize(320, 320);
+    map.setSurface(fitSurface(test::flatMap()));
+    const QPointF place(64e-9, 64e-9);
+    const QPointF at = map.toPixel(place);
+    TouchMarks marks;
+    marks.setTouches({{1, place}});
+    const auto drawn = [&](bool withTip) {
+        QImage image(320, 320, QImage::Format_ARGB32_Premultiplied);
+        image.fill(Qt::darkGreen);
+        QPainter painter(&image);
+        marks.paint(painter, map);
+        if (withTip) {
+            drawTipMark(painter, at);
+        }
+        return image;
+    };
+    const QImage alone = drawn(false);
+    const QImage below = drawn(true);
+    int letters = 0;
+    for (int y = 0; y < alone.height(); ++y) {
+        for (int x = 0; x < alone.width(); ++x) {
+            constexpr double kDot = 5.0;  // [px]
+            const bool isDot = std::hypot(x - at.x(), y - at.y()) < kDot;
+            if (!isDot && alone.pixelColor(x, y) != QColor(Qt::darkGreen)) {
+                ++letters;
+                EXPECT_EQ(below.pixelColor(x, y), alone.pixelColor(x, y)) << x << ", " << y;
+            }
+        }
+    }
+    EXPECT_GT(letters, 30) << "the number and its plate";
 }
 
 }  // namespace

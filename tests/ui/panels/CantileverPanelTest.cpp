@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace asperity {
@@ -125,6 +126,30 @@ TEST(CantileverSketch, TheForceIsDrawnInRedAndOnlyWhenThereIsOne) {
     const Vector3 force(0.0, 0.0, 20e-9);
     sketch.showForce(force, cantileverShape(kLever, force, kLever.geometry().length));
     EXPECT_GT(test::pixelsLike(sketch.grab().toImage(), theme::colors().force), 20);
+}
+
+/// Without its head an arrow does not say whether the sample pulls or pushes.
+TEST(CantileverSketch, TheArrowOfAPullKeepsItsHeadOnALowCard) {
+    CantileverSketch sketch;
+    sketch.setCantilever(kLever);
+    sketch.resize(400, 64);
+    const auto widest = [&](double force) {
+        sketch.showForce({0.0, 0.0, force},
+                         cantileverShape(kLever, {0.0, 0.0, force}, kLever.geometry().length));
+        const QImage image = sketch.grab().toImage();
+        const QColor red(theme::colors().force);
+        int widest = 0;
+        for (int y = 0; y < image.height(); ++y) {
+            int width = 0;
+            for (int x = 0; x < image.width(); ++x) {
+                width += image.pixelColor(x, y) == red ? 1 : 0;
+            }
+            widest = std::max(widest, width);
+        }
+        return widest;
+    };
+    EXPECT_GE(widest(-14e-9), 5) << "of the head";
+    EXPECT_NEAR(widest(-14e-9), widest(14e-9), 1);
 }
 
 }  // namespace

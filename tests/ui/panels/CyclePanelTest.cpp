@@ -102,12 +102,52 @@ TEST_F(CyclePanelTest, AnAreaThatIsNoneIsNotShown) {
     row.cycle.hysteresis = 2.04e-12;
     row.cycle.areaSigma = 1e-14;
     table.setRows({row});
-    EXPECT_EQ(table.text(0, CycleTable::Hysteresis), QStringLiteral("2040 fJ"));
+    EXPECT_EQ(table.text(0, CycleTable::Hysteresis), QStringLiteral("2.04 pJ"));
     EXPECT_TRUE(table.details(0).contains(QStringLiteral("2.04 pJ ± 0.01 (noise)")))
         << table.details(0).toStdString();
     row.cycle.fromStart = true;
     table.setRows({row});
     EXPECT_EQ(table.text(0, CycleTable::Hysteresis), QStringLiteral("–")) << "no approach";
+}
+
+/// While the tip is pulled, the strongest pull so far is no pull-off.
+TEST_F(CyclePanelTest, ThereIsNoPullOffBeforeTheTipIsOff) {
+    move(-2e-9);
+    move(0.3e-9);
+    panel.refresh();
+    ASSERT_LT(run.sample.output.estimate.force.z(), -1e-9) << "it is pulled";
+    const CycleTable& table = panel.table();
+    EXPECT_EQ(table.text(0, CycleTable::PullOff), QStringLiteral("–"));
+    EXPECT_EQ(table.text(0, CycleTable::Work), QStringLiteral("–"));
+    EXPECT_TRUE(table.details(0).contains(QStringLiteral("strongest pull so far")));
+    for (const ShownNumber& number : table.numbers()) {
+        EXPECT_FALSE(number.name.contains(QStringLiteral("pull-off"))) << "copied";
+    }
+    move(4e-9);
+    panel.refresh();
+    EXPECT_NE(table.text(0, CycleTable::PullOff), QStringLiteral("–"));
+    EXPECT_FALSE(table.details(0).contains(QStringLiteral("strongest pull so far")));
+}
+
+TEST_F(CyclePanelTest, EveryNumberHasThreeDigitsInTheUnitOfItsColumn) {
+    CycleTable table;
+    CycleRow rubber{.material = {}, .cycle = {.phase = CyclePhase::Complete}};
+    rubber.cycle.pullOff = Reading{751e-12, 1e-12};
+    rubber.cycle.adhesionWork = 15.04e-18;
+    rubber.cycle.hysteresis = 14.7e-18;
+    rubber.cycle.stiffness = Reading{0.0405, 1e-4};
+    table.setRows({rubber});
+    EXPECT_EQ(table.text(0, CycleTable::PullOff), QStringLiteral("751 pN"));
+    EXPECT_EQ(table.text(0, CycleTable::Work), QStringLiteral("15.0 aJ"));
+    EXPECT_EQ(table.text(0, CycleTable::Stiffness), QStringLiteral("40.5 mN/m"));
+    CycleRow oxide = rubber;
+    oxide.cycle.pullOff = Reading{5.025e-9, 1e-12};
+    oxide.cycle.stiffness = Reading{57.3, 0.1};
+    table.setRows({oxide, rubber});
+    EXPECT_EQ(table.text(1, CycleTable::PullOff), QStringLiteral("0.751 nN")) << "they compare";
+    EXPECT_EQ(table.text(1, CycleTable::Stiffness), QStringLiteral("40.5 mN/m"))
+        << "0.0405 N/m is no number to read";
+    EXPECT_EQ(table.text(0, CycleTable::Stiffness), QStringLiteral("57.3 N/m"));
 }
 
 TEST_F(CyclePanelTest, TwoCyclesShowOnTheSmallestScreen) {

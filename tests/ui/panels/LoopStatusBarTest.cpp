@@ -41,6 +41,15 @@ TEST(LoopStatusBar, SaysWhenTheLoopMayNotBeRealTime) {
     EXPECT_EQ(test::textOf(bar, "ticks"), QStringLiteral("–"));
 }
 
+TEST(LoopStatusBar, ARateThatIsNotKnownYetIsNoZero) {
+    LoopStatusBar bar;
+    bar.setFramesPerSecond(std::nullopt);
+    EXPECT_EQ(test::textOf(bar, "frames"), QStringLiteral("–"));
+    const std::size_t unknown = bar.numbers({}).size();
+    bar.setFramesPerSecond(30.0);
+    EXPECT_EQ(bar.numbers({}).size(), unknown + 1);
+}
+
 TEST(LoopStatusBar, FitsASmallWindow) {
     LoopStatusBar bar;
     bar.show({.statistics = statistics(SchedulingPolicy::Ordinary)});

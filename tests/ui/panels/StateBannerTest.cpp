@@ -201,6 +201,23 @@ TEST(StateBanner, ShowsTheMostSevereFlagAndTheRestOnDemand) {
     QToolTip::hideText();
 }
 
+/// All of these raise a doubt: what makes the force another one is not behind "+2".
+TEST(StateBanner, TheFlagThatMayChangeTheForceMostComesFirst) {
+    StateBanner banner;
+    banner.resize(1200, banner.height());
+    banner.grab();
+    TickSample sample = bonded(100e-9);
+    for (const Validity flag :
+         {Validity::LargeContact, Validity::ElasticLimit, Validity::BeyondSphere}) {
+        sample.output.flags.set(flag, true);
+    }
+    banner.show(test::snapshotOf(sample));
+    EXPECT_EQ(test::textOf(banner, "flags"), QStringLiteral("contact beyond sphere +2"));
+    sample.output.flags.set(Validity::NotInEquilibrium, true);
+    banner.show(test::snapshotOf(sample));
+    EXPECT_EQ(test::textOf(banner, "flags"), QStringLiteral("equilibrium not found +3"));
+}
+
 /// As a user reads it: what is left, then what is right.
 int lettersOf(const StateBanner& banner) {
     const QString flags = test::textOf(banner, "flags");

@@ -30,8 +30,10 @@ TEST(ViewNotes, SayWhatThePictureDoesNotShowAsItIs) {
                 ElementsAre("Scan pixel 24 nm: coarse for a tip radius of 15 nm"));
     facts = plain;
     facts.width = 2e-9;
-    EXPECT_THAT(viewNotes(facts), ElementsAre("tip radius 15 nm: larger than this view",
-                                              "Scan pixel 1 nm: coarse for this view"));
+    EXPECT_THAT(viewNotes(facts), ElementsAre("Scan pixel 1 nm: coarse for this view"));
+    facts = plain;
+    facts.showsCap = true;
+    EXPECT_THAT(viewNotes(facts), ElementsAre("tip radius 15 nm: only its lowest part is drawn"));
     EXPECT_EQ(tipAboveNote(12e-9), "tip 12 nm above the surface");
 }
 

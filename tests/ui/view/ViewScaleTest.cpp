@@ -5,6 +5,8 @@
 #include "tests/ui/view/ViewMoments.h"
 #include "tests/ui/view/WindowAround.h"
 #include "ui/view/ContactShape.h"
+#include "ui/view/ForceScale.h"
+#include "ui/view/TipOutline.h"
 
 #include <gtest/gtest.h>
 
@@ -124,6 +126,50 @@ TEST(ViewScale, AGivenWidthOfTheFrameIsKept) {
     Scene scene = rubberScene();
     scene.description.zoomHalfWidth = 50.0_nm;
     EXPECT_DOUBLE_EQ(viewScale(scene).usual, 50.0_nm);
+}
+
+/// A tip of 2 um on a scan of 128 nm: what bears is an asperity.
+TEST(ViewScale, OfATipLargerThanTheScanIsThatOfTheAsperityThatItMeets) {
+    SceneDescription description = test::plainScene();
+    description.tip.radius = 2.0_um;
+    const Scene hilly = buildScene(description, test::hillyMap());
+    const ViewScale scale = viewScale(hilly);
+    const double scan = 0.5 * hilly.surface.sizeX();
+    EXPECT_LT(scale.usual, 0.7 * scan);
+    EXPECT_LT(scale.section, 0.7 * scan);
+    EXPECT_LE(scale.least, scale.usual);
+    EXPECT_LT(scale.leastSection, 0.1 * scale.section);
+    // No asperity: the contact is as wide as the view.
+    const Scene flat = buildScene(description, test::flatMap());
+    EXPECT_GT(viewScale(flat).usual, 0.5 * flat.surface.sizeX());
+    EXPECT_DOUBLE_EQ(viewScale(flat).section, 0.5 * flat.surface.sizeX()) << "not 8 um";
+}
+
+/// The arrow of the setpoint and that of the pull-off are both seen, whatever the tip.
+TEST(ViewScale, TheUsualForceIsBetweenSetpointAndPullOff) {
+    for (const double radius : {15.0_nm, 2.0_um}) {
+        SceneDescription description = test::plainScene();
+        description.tip.radius = radius;
+        const Scene scene = buildScene(description, test::flatMap());
+        const double pullOff =
+            1.5 * std::numbers::pi * radius * scene.belief.contact.pair().workOfAdhesion;
+        const double usual = viewScale(scene).force;
+        for (const double force : {scene.description.setpoint, pullOff}) {
+            EXPECT_GT(arrowLength(force, usual, 1.0), 0.06) << radius << " " << force;
+        }
+    }
+}
+
+TEST(ViewScale, TheFrameHasRoomForTheShankOfATipAtTheSetpoint) {
+    SceneDescription description = rubberScene(std::nullopt).description;
+    description.setpoint = 5.0_nN;
+    HeightMap map = test::flatMap();
+    map.pitchX *= 4.0;
+    map.pitchY *= 4.0;
+    const ViewScale scale = viewScale(buildScene(description, map));
+    ASSERT_GT(scale.dent, 60.0_nm);
+    const TipOutline outline{description.tip.shape()};
+    EXPECT_GE(scale.usual, 1.5 * outline.radius(scale.dent));
 }
 
 TEST(ViewScale, ThePatchHoldsTheWideContactOfRubber) {

@@ -2,6 +2,7 @@
 
 #include "tests/support/TestScenes.h"
 #include "tests/ui/view/ViewMoments.h"
+#include "ui/view/TipOutline.h"
 
 #include <vtkGenericOpenGLRenderWindow.h>
 
@@ -47,13 +48,43 @@ TEST_F(ZoomPictureTest, WritesTheForceThatThePanelsShow) {
     picture.setScene(&scene);
     Snapshot deep = momentsOf(scene).deep;
     picture.setSample(deep.sample);
-    const double ofTick = deep.sample.output.estimate.force.norm();
-    EXPECT_NEAR(picture.writtenForce(), ofTick, 1e-12 * ofTick);
-    picture.setWrittenForce(4.99e-9);
+    deep.sample.output.estimate.force = {0.0, 0.0, 5.1e-9};
     picture.setSample(deep.sample);
-    EXPECT_EQ(picture.writtenForce(), 4.99e-9);
+    EXPECT_EQ(picture.writtenForce(), "5.10 nN") << "as many digits as in the panels";
+    picture.setWrittenForce("0.88 nN");
+    picture.setSample(deep.sample);
+    EXPECT_EQ(picture.writtenForce(), "0.88 nN");
     picture.setScene(&scene);
-    EXPECT_EQ(picture.writtenForce(), 0.0) << "of another scene";
+    EXPECT_EQ(picture.writtenForce(), "") << "of another scene";
+}
+
+/// Its shank would leave the block of sample through a side.
+TEST_F(ZoomPictureTest, TheFrameWidensForATipThatIsPressedInDeep) {
+    const Scene wide = buildScene(plainScene(), mapOfPitch(6e-9));
+    picture.setScene(&wide);
+    const double usual = picture.frame()->halfWidth();
+    Snapshot deep = momentsOf(wide).deep;
+    const ViewCamera camera;
+    picture.setSample(deep.sample);
+    picture.showSample(camera, false);
+    EXPECT_EQ(picture.frame()->halfWidth(), usual) << "there is room";
+    ContactState& contact = deep.sample.output.model.contact;
+    contact.indentation = 130e-9;
+    picture.setSample(deep.sample);
+    picture.showSample(camera, false);
+    const double widened = picture.frame()->halfWidth();
+    const TipOutline outline{wide.description.tip.shape()};
+    EXPECT_GT(widened, 1.5 * outline.radius(contact.indentation));
+    contact.indentation = 1e-9;
+    picture.setSample(deep.sample);
+    picture.showSample(camera, false);
+    EXPECT_EQ(picture.frame()->halfWidth(), widened) << "it does not come back by itself";
+    picture.setHalfWidth(usual);
+    picture.keepHalfWidth();
+    contact.indentation = 130e-9;
+    picture.setSample(deep.sample);
+    picture.showSample(camera, false);
+    EXPECT_EQ(picture.frame()->halfWidth(), usual) << "it was asked for";
 }
 
 TEST_F(ZoomPictureTest, ComesNoNearerThanItsScaleSays) {

@@ -38,6 +38,7 @@ TEST(RunVerdict, HoldsWithoutFlags) {
     const RunVerdict verdict = verdictOf({tickWith({}), tickWith({Validity::SnapInAhead})});
     EXPECT_EQ(verdict.brief, "holds");
     EXPECT_EQ(verdict.tone, PageTone::Plain);
+    EXPECT_FALSE(verdict.hasReasons);
 }
 
 TEST(RunVerdict, IsThatOfTheWorstFlag) {
@@ -50,6 +51,7 @@ TEST(RunVerdict, IsThatOfTheWorstFlag) {
                    tickWith({Validity::OutsideScan})});
     EXPECT_TRUE(holds(invalid.sentence, "in 1 of 4 ticks")) << invalid.sentence;
     EXPECT_EQ(invalid.tone, PageTone::Fault);
+    EXPECT_TRUE(doubt.hasReasons && invalid.hasReasons);
 }
 
 TEST(RunVerdict, LeavesOutFlagsOfNoisySignals) {

@@ -35,10 +35,10 @@ long count(const std::vector<HoldOutcome>& holds, bool coupled, HoldVerdict verd
     });
 }
 
-TEST(CouplingExtremes, TheCouplingHoldsWhatADirectDeviceShakes) {
+TEST(CouplingExtremes, TheCouplingHoldsWhatMakesADirectDeviceOscillate) {
     const std::vector<HoldOutcome> holds = holdsOf(gridOf(1000.0, 5.0_ms));
     EXPECT_EQ(count(holds, true, HoldVerdict::Still), static_cast<long>(holds.size()) / 2);
-    EXPECT_GT(count(holds, false, HoldVerdict::Shakes), 0);
+    EXPECT_GT(count(holds, false, HoldVerdict::Oscillates), 0);
 }
 
 TEST(CouplingExtremes, ALoopTooSlowForAnyCouplingIsRefused) {
