@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <utility>
 
 namespace asperity {
 
@@ -30,8 +31,58 @@ constexpr std::array<std::string_view, 6> kAngstrom = {"\u00C5", "\u212B",   "A\
 constexpr std::array<std::string_view, 5> kDegree = {"deg", "\u00B0", "\u00BA", "degree",
                                                      "degrees"};
 
+/// Names of prefixes and units in full, in lower case and without a plural.
+constexpr std::array<Prefix, 9> kPrefixNames = {{{"giga", 1e9},
+                                                 {"mega", 1e6},
+                                                 {"kilo", 1e3},
+                                                 {"milli", 1e-3},
+                                                 {"micro", 1e-6},
+                                                 {"nano", 1e-9},
+                                                 {"pico", 1e-12},
+                                                 {"femto", 1e-15},
+                                                 {"", 1.0}}};
+constexpr std::array<std::pair<std::string_view, std::string_view>, 15> kBaseNames = {
+    {{"meter", "m"},
+     {"metre", "m"},
+     {"volt", "V"},
+     {"ampere", "A"},
+     {"newton", "N"},
+     {"hertz", "Hz"},
+     {"second", "s"},
+     {"watt", "W"},
+     {"farad", "F"},
+     {"pascal", "Pa"},
+     {"joule", "J"},
+     {"radian", "rad"},
+     {"ohm", "Ohm"},
+     {"kelvin", "K"},
+     {"electronvolt", "eV"}}};
+
 bool isListed(const auto& list, std::string_view text) {
     return std::find(list.begin(), list.end(), text) != list.end();
+}
+
+/// A unit whose name stands in full, such as "Volts" or "nanometer".
+std::optional<PhysicalUnit> namedUnit(std::string_view text) {
+    std::string name = lowerCase(text);
+    if (name.ends_with('s')) {
+        name.pop_back();
+    }
+    if (name == "micron") {
+        return PhysicalUnit{1e-6, "m"};
+    }
+    for (const Prefix& prefix : kPrefixNames) {
+        if (!name.starts_with(prefix.symbol)) {
+            continue;
+        }
+        const std::string_view base = std::string_view(name).substr(prefix.symbol.size());
+        const auto* const found = std::ranges::find(
+            kBaseNames, base, &std::pair<std::string_view, std::string_view>::first);
+        if (found != kBaseNames.end()) {
+            return PhysicalUnit{prefix.factor, std::string(found->second)};
+        }
+    }
+    return std::nullopt;
 }
 
 std::optional<PhysicalUnit> simpleUnit(std::string_view text) {
@@ -47,7 +98,7 @@ std::optional<PhysicalUnit> simpleUnit(std::string_view text) {
             return PhysicalUnit{prefix.factor, std::string(text.substr(prefix.symbol.size()))};
         }
     }
-    return std::nullopt;
+    return namedUnit(text);
 }
 
 std::optional<PhysicalUnit> quotient(std::string_view text) {
