@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <optional>
-#include <utility>
 
 namespace asperity {
 
@@ -31,32 +30,44 @@ constexpr std::array<std::string_view, 6> kAngstrom = {"\u00C5", "\u212B",   "A\
 constexpr std::array<std::string_view, 5> kDegree = {"deg", "\u00B0", "\u00BA", "degree",
                                                      "degrees"};
 
-/// Names of prefixes and units in full, in lower case and without a plural.
-constexpr std::array<Prefix, 9> kPrefixNames = {{{"giga", 1e9},
-                                                 {"mega", 1e6},
-                                                 {"kilo", 1e3},
-                                                 {"milli", 1e-3},
-                                                 {"micro", 1e-6},
-                                                 {"nano", 1e-9},
-                                                 {"pico", 1e-12},
-                                                 {"femto", 1e-15},
-                                                 {"", 1.0}}};
-constexpr std::array<std::pair<std::string_view, std::string_view>, 15> kBaseNames = {
-    {{"meter", "m"},
-     {"metre", "m"},
-     {"volt", "V"},
-     {"ampere", "A"},
-     {"newton", "N"},
-     {"hertz", "Hz"},
-     {"second", "s"},
-     {"watt", "W"},
-     {"farad", "F"},
-     {"pascal", "Pa"},
-     {"joule", "J"},
-     {"radian", "rad"},
-     {"ohm", "Ohm"},
-     {"kelvin", "K"},
-     {"electronvolt", "eV"}}};
+// Names of prefixes and units in full, in lower case and without a plural.
+
+constexpr std::array<Prefix, 10> kPrefixNames = {{{"giga", 1e9},
+                                                  {"mega", 1e6},
+                                                  {"kilo", 1e3},
+                                                  {"centi", 1e-2},
+                                                  {"milli", 1e-3},
+                                                  {"micro", 1e-6},
+                                                  {"nano", 1e-9},
+                                                  {"pico", 1e-12},
+                                                  {"femto", 1e-15},
+                                                  {"", 1.0}}};
+
+struct UnitName {
+    std::string_view name;
+    std::string_view base;
+    double factor = 1.0;
+};
+
+constexpr std::array<UnitName, 19> kUnitNames = {{{"meter", "m"},
+                                                  {"metre", "m"},
+                                                  {"volt", "V"},
+                                                  {"ampere", "A"},
+                                                  {"newton", "N"},
+                                                  {"hertz", "Hz"},
+                                                  {"second", "s"},
+                                                  {"watt", "W"},
+                                                  {"farad", "F"},
+                                                  {"pascal", "Pa"},
+                                                  {"joule", "J"},
+                                                  {"radian", "rad"},
+                                                  {"degree", "deg"},
+                                                  {"ohm", "Ohm"},
+                                                  {"kelvin", "K"},
+                                                  {"electronvolt", "eV"},
+                                                  {"angstrom", "m", 1e-10},
+                                                  {"micron", "m", 1e-6},
+                                                  {"dimensionless", ""}}};
 
 bool isListed(const auto& list, std::string_view text) {
     return std::find(list.begin(), list.end(), text) != list.end();
@@ -64,22 +75,13 @@ bool isListed(const auto& list, std::string_view text) {
 
 /// A unit whose name stands in full, such as "Volts" or "nanometer".
 std::optional<PhysicalUnit> namedUnit(std::string_view text) {
-    std::string name = lowerCase(text);
-    if (name.ends_with('s')) {
-        name.pop_back();
-    }
-    if (name == "micron") {
-        return PhysicalUnit{1e-6, "m"};
-    }
+    const std::string name = lowerCase(text);
     for (const Prefix& prefix : kPrefixNames) {
-        if (!name.starts_with(prefix.symbol)) {
-            continue;
-        }
-        const std::string_view base = std::string_view(name).substr(prefix.symbol.size());
-        const auto* const found = std::ranges::find(
-            kBaseNames, base, &std::pair<std::string_view, std::string_view>::first);
-        if (found != kBaseNames.end()) {
-            return PhysicalUnit{prefix.factor, std::string(found->second)};
+        for (const UnitName& unit : kUnitNames) {
+            const std::string one = std::string(prefix.symbol) + std::string(unit.name);
+            if (name == one || name == one + "s") {
+                return PhysicalUnit{prefix.factor * unit.factor, std::string(unit.base)};
+            }
         }
     }
     return std::nullopt;
@@ -125,6 +127,10 @@ PhysicalUnit parseUnit(std::string_view text) {
         unit = quotient(text);
     }
     return unit.value_or(PhysicalUnit{1.0, std::string(text)});
+}
+
+PhysicalUnit parseLengthUnit(std::string_view text) {
+    return parseUnit(trimmed(text) == "A" ? "Angstrom" : text);
 }
 
 }  // namespace asperity

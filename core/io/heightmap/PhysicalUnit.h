@@ -17,4 +17,8 @@ struct PhysicalUnit {
 /// @param text UTF-8
 [[nodiscard]] PhysicalUnit parseUnit(std::string_view text);
 
+/// Reads the unit of what is a length, where "A" is the ångström and no ampere; others as
+/// parseUnit().
+[[nodiscard]] PhysicalUnit parseLengthUnit(std::string_view text);
+
 }  // namespace asperity

@@ -62,6 +62,16 @@ TEST(PhysicalUnit, TakesNamesInFull) {
     expectUnit("nanometers/Volt", 1e-9, "m/V");
     expectUnit("s", 1.0, "s");
     expectUnit("nano", 1.0, "nano");
+    expectUnit("Degrees", 1.0, "deg");
+    expectUnit("Angstroms", 1e-10, "m");
+    expectUnit("dimensionless", 1.0, "");
+}
+
+TEST(PhysicalUnit, OfALengthAIsTheAngstrom) {
+    EXPECT_DOUBLE_EQ(parseLengthUnit(" A ").factor, 1e-10);
+    EXPECT_EQ(parseLengthUnit("A").base, "m");
+    EXPECT_EQ(parseLengthUnit("nA").base, "A");
+    EXPECT_DOUBLE_EQ(parseLengthUnit("nm").factor, 1e-9);
 }
 
 TEST(PhysicalUnit, KeepsWhatItDoesNotKnow) {

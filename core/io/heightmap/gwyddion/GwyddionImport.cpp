@@ -113,7 +113,7 @@ std::optional<OwnUnit> ownUnit(const ScanChannel& channel) {
             continue;
         }
         const bool isAngstrom = trimmed(value) == "A" && namesHeight(channel.name);
-        const PhysicalUnit unit = parseUnit(isAngstrom ? "Angstrom" : value);
+        const PhysicalUnit unit = isAngstrom ? parseLengthUnit(value) : parseUnit(value);
         if (std::ranges::count(kKnown, unit.base) > 0 && unit.base != channel.unit) {
             const bool areNumbers = channel.unit.empty() || isAngstrom;
             return OwnUnit{.text = std::string(trimmed(value)),
