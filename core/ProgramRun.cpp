@@ -10,7 +10,7 @@
 #include <fcntl.h>
 #include <optional>
 #include <poll.h>
-#include <spawn.h>
+#include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <system_error>
@@ -25,6 +25,7 @@ using Clock = std::chrono::steady_clock;
 /// Between looks at whether the program has ended: its output mostly ends at the same moment.
 constexpr std::chrono::milliseconds kLook{20};
 constexpr std::chrono::milliseconds kShortLook{1};
+constexpr int kNoProgram = 127;  ///< exit code of a process that did not become the program
 
 [[noreturn]] void fail(const ProgramCall& call, const char* what, int error) {
     throw Error(call.program.string() + ": the program " + what + ": " +
@@ -47,45 +48,6 @@ Pipe openPipe(const ProgramCall& call) {
     return pipe;
 }
 
-/// What a new process changes before the program begins.
-class SpawnSettings {
-public:
-    SpawnSettings(const ProgramCall& call, int output) {
-        posix_spawn_file_actions_init(&actions_);
-        posix_spawnattr_init(&attributes_);
-        posix_spawn_file_actions_addopen(&actions_, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-        posix_spawn_file_actions_adddup2(&actions_, output, STDOUT_FILENO);
-        posix_spawn_file_actions_adddup2(&actions_, output, STDERR_FILENO);
-        posix_spawn_file_actions_addclosefrom_np(&actions_, STDERR_FILENO + 1);
-        posix_spawn_file_actions_addchdir_np(&actions_, call.folder.c_str());
-        sigset_t none;
-        sigemptyset(&none);
-        posix_spawnattr_setsigmask(&attributes_, &none);
-        sigset_t usual;
-        sigemptyset(&usual);
-        for (const int each : {SIGHUP, SIGINT, SIGQUIT, SIGPIPE, SIGTERM, SIGCHLD, SIGXFSZ}) {
-            sigaddset(&usual, each);
-        }
-        posix_spawnattr_setsigdefault(&attributes_, &usual);
-        posix_spawnattr_setpgroup(&attributes_, 0);
-        posix_spawnattr_setflags(&attributes_, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGMASK |
-                                                   POSIX_SPAWN_SETSIGDEF);
-    }
-    SpawnSettings(const SpawnSettings&) = delete;
-    SpawnSettings& operator=(const SpawnSettings&) = delete;
-    ~SpawnSettings() {
-        posix_spawn_file_actions_destroy(&actions_);
-        posix_spawnattr_destroy(&attributes_);
-    }
-
-    [[nodiscard]] const posix_spawn_file_actions_t* actions() const { return &actions_; }
-    [[nodiscard]] const posix_spawnattr_t* attributes() const { return &attributes_; }
-
-private:
-    posix_spawn_file_actions_t actions_{};
-    posix_spawnattr_t attributes_{};
-};
-
 /// Pointers to texts, as exec takes them.
 std::vector<char*> pointersTo(std::vector<std::string>& texts) {
     std::vector<char*> pointers;
@@ -97,20 +59,105 @@ std::vector<char*> pointersTo(std::vector<std::string>& texts) {
     return pointers;
 }
 
+/// What a new process needs to become the program. It allocates nothing: it may share the memory
+/// of this one until then.
+struct Start {
+    const char* program;
+    char* const* words;
+    char* const* environment;
+    const char* folder;
+    int input;
+    int output;
+    int failure;    ///< gets the system's number of what fails before
+    pid_t starter;  ///< the process that waits for the program
+};
+
+/// Ends this process with the one that started it, however that ends: the kernel does, for as long
+/// as the thread lives that started it, which waits. Where that is gone already, returns false.
+bool endWith(pid_t starter) {
+    return prctl(PR_SET_PDEATHSIG, SIGKILL) == 0 && getppid() == starter;
+}
+
+/// All signals at their defaults, none blocked. They are blocked until then: a handler would run in
+/// the memory of the process that waits.
+void resetSignals() {
+    struct sigaction usual {};
+    usual.sa_handler = SIG_DFL;
+    for (int each = 1; each < NSIG; ++each) {
+        (void)sigaction(each, &usual, nullptr);  // some cannot be changed
+    }
+    sigset_t none;
+    sigemptyset(&none);
+    sigprocmask(SIG_SETMASK, &none, nullptr);
+}
+
+/// Standard streams and the place for a failure alone stay open.
+bool moveStreams(const Start& start) {
+    constexpr int kFailure = STDERR_FILENO + 1;
+    if (dup2(start.input, STDIN_FILENO) < 0 || dup2(start.output, STDOUT_FILENO) < 0 ||
+        dup2(start.output, STDERR_FILENO) < 0 ||
+        (start.failure != kFailure && dup3(start.failure, kFailure, O_CLOEXEC) < 0)) {
+        return false;
+    }
+    closefrom(kFailure + 1);
+    return true;
+}
+
+[[noreturn]] void becomeProgram(const Start& start) {
+    int failure = start.failure;
+    if (endWith(start.starter) && setpgid(0, 0) == 0 && chdir(start.folder) == 0 &&
+        moveStreams(start)) {
+        failure = STDERR_FILENO + 1;
+        resetSignals();
+        execve(start.program, start.words, start.environment);
+    }
+    const int error = errno;
+    (void)!write(failure, &error, sizeof error);
+    _exit(kNoProgram);
+}
+
+/// Starts a process that becomes the program. As posix_spawn() does, but that cannot have it end
+/// with this process. No memory is copied, however large, and this thread waits until then.
+/// @return its number; negative where there is none
+pid_t startProcess(const Start& start) {
+    sigset_t all;
+    sigset_t before;
+    sigfillset(&all);
+    pthread_sigmask(SIG_BLOCK, &all, &before);
+    const pid_t process = vfork();  // NOLINT(clang-analyzer-security.insecureAPI.vfork)
+    if (process == 0) {
+        becomeProgram(start);
+    }
+    pthread_sigmask(SIG_SETMASK, &before, nullptr);
+    return process;
+}
+
 /// A started program, which does not outlive this.
 class Child {
 public:
     Child(const ProgramCall& call, int output) : call_(call) {
-        const SpawnSettings settings(call, output);
         std::vector<std::string> words{call.program.string()};
         words.insert(words.end(), call.arguments.begin(), call.arguments.end());
         std::vector<std::string> environment = call.environment;
-        const int error =
-            posix_spawn(&process_, call.program.c_str(), settings.actions(), settings.attributes(),
-                        pointersTo(words).data(), pointersTo(environment).data());
-        if (error != 0) {
-            fail(call, "cannot be started", error);
+        const std::vector<char*> wordPointers = pointersTo(words);
+        const std::vector<char*> environmentPointers = pointersTo(environment);
+        const FileDescriptor input(open("/dev/null", O_RDONLY | O_CLOEXEC));
+        if (!input.isOpen()) {
+            fail(call, "cannot be started", errno);
         }
+        Pipe failure = openPipe(call);
+        process_ = startProcess({.program = call.program.c_str(),
+                                 .words = wordPointers.data(),
+                                 .environment = environmentPointers.data(),
+                                 .folder = call.folder.c_str(),
+                                 .input = input.get(),
+                                 .output = output,
+                                 .failure = failure.writing.get(),
+                                 .starter = getpid()});
+        if (process_ < 0) {
+            fail(call, "cannot be started", errno);
+        }
+        requireStarted(failure);
         bound();
     }
     Child(const Child&) = delete;
@@ -144,9 +191,22 @@ public:
     }
 
 private:
+    /// @param failure is closed when the process has become the program
+    void requireStarted(Pipe& failure) {
+        failure.writing = FileDescriptor(-1);
+        pollfd waited{.fd = failure.reading.get(), .events = POLLIN, .revents = 0};
+        while (poll(&waited, 1, -1) < 0 && errno == EINTR) {
+        }
+        int error = 0;
+        if (read(failure.reading.get(), &error, sizeof error) == sizeof error) {
+            (void)end();
+            fail(call_, "cannot be started", error);
+        }
+    }
+
     /// Within the first moments of the program; it has not read its input by then.
     void bound() const {
-        // Should this program be killed, that one does not go on without end, either.
+        // With this program the kernel ends that one alone: what it has started ends by this limit.
         const auto seconds = std::chrono::ceil<std::chrono::seconds>(call_.deadline - Clock::now());
         limit(RLIMIT_CPU, static_cast<std::uint64_t>(std::max<long>(seconds.count(), 0)) + 1);
         limit(RLIMIT_FSIZE, call_.maxFile);

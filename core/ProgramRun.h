@@ -34,8 +34,9 @@ struct ProgramOutcome {
 };
 
 /// Runs a program without a shell and without input, in a process group of its own, and waits for
-/// its end. When this returns, no process of the group is left. It inherits no open file; its
-/// signals are as at the start of a program. Any threads.
+/// its end. When this returns, no process of the group is left; where this process is killed
+/// before, the program ends with it, but not what the program has started itself. It inherits no
+/// open file; its signals are as at the start of a program. Any threads.
 /// @throw Error when it cannot be started or waited for
 [[nodiscard]] ProgramOutcome runProgram(const ProgramCall& call);
 

@@ -36,7 +36,7 @@ fuzz() {
         cp --no-preserve=mode "$data"/$pattern "$folder/seeds"
     done
     nice -n 15 "$programs/asperity_fuzz_$format" -max_total_time="$seconds" -timeout=20 \
-        -rss_limit_mb=1024 -print_final_stats=1 -artifact_prefix="$folder/" "$folder/found" \
+        -rss_limit_mb=300 -print_final_stats=1 -artifact_prefix="$folder/" "$folder/found" \
         "$folder/seeds" "$top/tests/fuzz/corpus/$format" >"$folder/log" 2>&1 || true
     printf '%-12s %6s s %10s executions  %s\n' "$format" \
         "$(sed -n 's/^Done .* in \(.*\) second.*/\1/p' "$folder/log")" \

@@ -5,7 +5,7 @@
 #                                 tsan-gate
 #        tools/test.sh gates      all gates in one run: what changed compiled source by source; the release
 #                                 tests; readers, tick and maps with AddressSanitizer and UBSan, and
-#                                 15 s of each fuzzer; loop, recording and devices with ThreadSanitizer
+#                                 14 s of each fuzzer; loop, recording and devices with ThreadSanitizer
 set -euo pipefail
 top=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 wanted=${1:-release}

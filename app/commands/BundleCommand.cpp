@@ -34,12 +34,13 @@ struct BundleOptions {
 };
 
 /// A bundle of a run that is not what it says would tell others something else than its tables.
-void requireReplay(const std::string& name, const LoadedScene& loaded, const RecordedRun& run,
+void requireReplay(const std::string& name, const std::filesystem::path& folder,
+                   const LoadedScene& loaded, const RecordedRun& run,
                    const std::filesystem::path& scratch) {
     ProgressLine line("replaying");
     const std::string difference = differenceOnReplay(loaded.scene, run, scratch, {}, &line);
     if (!difference.empty()) {
-        throw Error(name + ": does not replay: " + difference);
+        throw Error(name + ": does not replay: " + failureOfReplay(difference, loaded, folder));
     }
 }
 
@@ -49,7 +50,7 @@ std::filesystem::path checkedRun(const BundleOptions& options, const std::filesy
     const RecordedRun run = readRun(folder);
     const LoadedScene loaded = loadSceneOnTerminal(folder / run_files::kScene, {});
     requireSameScan(loaded, folder);
-    requireReplay(options.run, loaded, run, scratch / "replay");
+    requireReplay(options.run, folder, loaded, run, scratch / "replay");
     if (!options.isPart && run.state == RunState::Complete) {
         return folder;
     }

@@ -56,9 +56,7 @@ void runReplay(const ReplayOptions& options) {
     } catch (const FileError&) {
         throw;
     } catch (const Error& difference) {
-        const std::string correction = knownCorrection(loaded, folder);
-        throw Error(correction.empty() ? difference.what()
-                                       : correction + " (" + difference.what() + ")");
+        throw Error(failureOfReplay(difference.what(), loaded, folder));
     }
     tellOutcome(run);
 }

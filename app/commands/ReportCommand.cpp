@@ -142,6 +142,9 @@ Written writeRun(const Task& task, const std::filesystem::path& folder, Progress
     run.difference = differenceOnReplay(
         loaded.scene, recorded, folder / "replay",
         [&run](const TickSample& sample) { run.history.take(sample); }, &replaying);
+    if (!run.difference.empty()) {
+        run.difference = failureOfReplay(run.difference, loaded, input.folder());
+    }
     ProgressPart drawing(progress, 0.6, 0.95);
     draw(run, folder / "picture.png", &drawing);
     writePage(folder, runPage(run, task.parent));

@@ -182,6 +182,10 @@ std::vector<ListedFile> listed(const ZipArchive& archive, const std::string& fil
             throw InputError(file, kDirectory, "expected a bundle, format version 1");
         }
         for (const auto& one : json.at("files")) {
+            // A number of another kind would be converted, whatever it is.
+            if (!one.at("bytes").is_number_unsigned()) {
+                throw InputError(file, kDirectory, "expected a whole number of bytes of each file");
+            }
             files.push_back({one.at("name"), one.at("bytes"), one.at("sha256")});
         }
     } catch (const nlohmann::json::exception&) {

@@ -4,6 +4,7 @@
 #include "core/Error.h"
 #include "core/SiFormat.h"
 #include "core/io/TextValue.h"
+#include "core/io/heightmap/ScanFile.h"
 #include "core/io/recording/RowChecks.h"
 
 #include <algorithm>
@@ -88,10 +89,50 @@ std::string sizeText(const Vector2& size) {
     return formatSi(size.x(), "m") + " x " + formatSi(size.y(), "m");
 }
 
+/// Returns the size of the whole scan that a scene shows a part of [m].
+Vector2 scanSizeOf(const SampleDescription& sample) {
+    const ScanFile file(sample.file, sample.scale);
+    const HeightMap& map = heightChannel(file.contents(), sample.file, sample.channel).map;
+    return {map.sizeX(), map.sizeY()};
+}
+
 /// But for the last digits of a sum.
 bool isSameSize(const Vector2& one, const Vector2& other) {
     constexpr double kRounding = 1e-12;
     return ((one - other).cwiseAbs().array() <= kRounding * one.cwiseAbs().array()).all();
+}
+
+/// Returns whether a correction of a reader may have changed the size that a scan is read with.
+bool isCorrected(const LoadedScene& loaded) {
+    constexpr std::string_view kCorrected = "NanoScope";
+    const SampleDescription& sample = loaded.scene.description.sample;
+    if (loaded.format.find(kCorrected) == std::string::npos || sample.scale.hasSize()) {
+        return false;
+    }
+    const Vector2 size = scanSizeOf(sample);
+    return !isSameSize(size, {size.x(), size.x()});
+}
+
+/// Returns why a scan is read with another size than before, for the end of a sentence; empty: it
+/// is not known.
+std::string causeOfSize(const LoadedScene& loaded) {
+    if (loaded.scene.description.sample.scale.hasSize()) {
+        return ", by the size in scene.toml";
+    }
+    return isCorrected(loaded) ? ", after a correction of the reader" : "";
+}
+
+/// Returns the correction that may be why a run does not replay, where the run does not say with
+/// which size its scan was read; empty: none is known.
+std::string knownCorrection(const LoadedScene& loaded, const std::filesystem::path& folder) {
+    if (recordedSize(folder) || !isCorrected(loaded)) {
+        return {};
+    }
+    const SampleDescription& sample = loaded.scene.description.sample;
+    return sample.file +
+           ": the size along y of NanoScope scans that are not square has been corrected; the scan "
+           "is now read as " +
+           sizeText(scanSizeOf(sample)) + ", and a run recorded before that does not replay";
 }
 
 }  // namespace
@@ -107,22 +148,15 @@ void requireSameScan(const LoadedScene& loaded, const std::filesystem::path& fol
     if (!loaded.sha256.empty() && before && !isSameSize(*before, now)) {
         throw InputError(file, "",
                          "it was read as " + sizeText(*before) + " when the run was recorded, " +
-                             "and is now, after a correction of the reader, as " + sizeText(now) +
+                             "and is now read as " + sizeText(now) + causeOfSize(loaded) +
                              ": the run does not replay; record it again");
     }
 }
 
-std::string knownCorrection(const LoadedScene& loaded, const std::filesystem::path& folder) {
-    constexpr std::string_view kCorrected = "NanoScope";
-    const Vector2 size = sizeOf(loaded);
-    const bool isSquare = isSameSize(size, {size.x(), size.x()});
-    if (loaded.format.find(kCorrected) == std::string::npos || isSquare || recordedSize(folder)) {
-        return {};
-    }
-    return loaded.scene.description.sample.file +
-           ": the size along y of NanoScope scans that are not square has been corrected; the scan "
-           "is now read as " +
-           sizeText(size) + ", and a run recorded before that does not replay";
+std::string failureOfReplay(const std::string& difference, const LoadedScene& loaded,
+                            const std::filesystem::path& folder) {
+    const std::string correction = knownCorrection(loaded, folder);
+    return correction.empty() ? difference : correction + " (" + difference + ")";
 }
 
 void replayTicks(const Scene& scene, const RecordedRun& run, const TickSink& sink) {

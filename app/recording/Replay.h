@@ -22,9 +22,11 @@ void requireSameSettings(const Scene& scene, const TickInput& first, double shor
 /// @param folder of the run @throw InputError
 void requireSameScan(const LoadedScene& loaded, const std::filesystem::path& folder);
 
-/// Returns the correction that may be why a run does not replay, where the run does not say with
-/// which size its scan was read; empty: none is known.
-[[nodiscard]] std::string knownCorrection(const LoadedScene& loaded,
+/// Returns why a run does not replay: the correction of a reader, where that may be why and the run
+/// does not say with which size its scan was read; and the difference.
+/// @param difference of requireSameLog() or differenceOnReplay()
+/// @throw InputError where the scan cannot be read any more
+[[nodiscard]] std::string failureOfReplay(const std::string& difference, const LoadedScene& loaded,
                                           const std::filesystem::path& folder);
 
 /// Runs the recorded inputs through the tick again: `sink` gets each sample with its output.

@@ -37,7 +37,7 @@ pid_t numberIn(const std::filesystem::path& path) { return std::atoi(contentOf(p
 
 /// A killed process may need a moment until it is gone.
 bool isGone(pid_t process) {
-    for (int i = 0; i < 200; ++i) {
+    for (int i = 0; i < 2000; ++i) {
         if (kill(process, 0) != 0) {
             return true;
         }
@@ -169,6 +169,26 @@ TEST(ProgramRun, RefusesWhatIsNoProgram) {
     call.program = folder.file("missing");
     EXPECT_THROW((void)runProgram(call), Error);
     expectNoChild();
+}
+
+/// Nobody is left to end it then.
+TEST(ProgramRun, EndsWithAKilledStarter) {
+    const ScratchFolder folder;
+    const pid_t starter = fork();
+    ASSERT_GE(starter, 0);
+    if (starter == 0) {
+        (void)runProgram(shell(folder, "echo $$ >begun; mv begun number; exec sleep 1000", 1000s));
+        _exit(0);
+    }
+    while (!std::filesystem::exists(folder.file("number"))) {
+        ASSERT_EQ(waitpid(starter, nullptr, WNOHANG), 0) << "it has ended by itself";
+        std::this_thread::sleep_for(10ms);
+    }
+    ASSERT_EQ(kill(starter, SIGKILL), 0);
+    ASSERT_EQ(waitpid(starter, nullptr, 0), starter);
+    const pid_t program = numberIn(folder.file("number"));
+    EXPECT_TRUE(isGone(program));
+    (void)kill(program, SIGKILL);
 }
 
 /// A child of one thread is not waited for by another.

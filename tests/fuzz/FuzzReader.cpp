@@ -1,8 +1,8 @@
 #include "core/Error.h"
-#include "core/io/heightmap/StoredRows.h"
+#include "tests/fuzz/WholeScan.h"
 
 #include <cstdint>
-#include <cstdlib>
+#include <string_view>
 
 // One reader, whatever the bytes start with: it must give whole channels or throw an InputError.
 
@@ -11,18 +11,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     try {
         const std::string_view bytes(reinterpret_cast<const char*>(data), size);
         const asperity::MemoryBytes source(bytes, "fuzz");
-        const asperity::StoredScan scan = asperity::ASPERITY_FUZZED.read(source);
-        for (const asperity::StoredChannel& stored : scan.channels) {
-            const asperity::HeightMap map = asperity::readHeightMap(stored, source);
-            const bool whole = map.heights.size() == map.index(map.rows, 0) &&
-                               (map.invalid.empty() || map.invalid.size() == map.heights.size());
-            if (!whole) {
-                std::abort();
-            }
-        }
-        if (scan.channels.empty()) {
-            std::abort();
-        }
+        asperity::requireWhole(asperity::ASPERITY_FUZZED.read(source), source);
     } catch (const asperity::InputError&) {
         return 0;
     }

@@ -114,7 +114,7 @@ std::optional<double> parseLength(std::string_view text) {
     if (!number) {
         return std::nullopt;
     }
-    const PhysicalUnit unit = parseUnit(number->rest);
+    const PhysicalUnit unit = parseLengthUnit(number->rest);
     return unit.base == "m" ? std::optional(number->value * unit.factor) : std::nullopt;
 }
 

@@ -117,7 +117,13 @@ std::size_t defaultOf(const StoredScan& scan) {
                             .map = {},
                             .isMask = channel.isMask});
     }
-    return suggestDefaultChannel(channels, scan.usualDirection);
+    const auto marked = std::ranges::find_if(channels, [&scan](const ScanChannel& channel) {
+        return channel.name == scan.markedChannel && !channel.isMask &&
+               (isTopography(channel) || mayBeTopography(channel));
+    });
+    return scan.markedChannel.empty() || marked == channels.end()
+               ? suggestDefaultChannel(channels, scan.usualDirection)
+               : static_cast<std::size_t>(marked - channels.begin());
 }
 
 HeightMapContents contentsOf(std::string format, StoredScan scan, const GivenScale& given,

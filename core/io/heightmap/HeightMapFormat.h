@@ -44,6 +44,9 @@ struct StoredScan {
     /// Of equally good channels the one that the vendor's program shows first; empty: the one that
     /// is stored first.
     std::string usualDirection = {};
+    /// Of channels that may be a topography, the one that the file marks as its main one; empty: it
+    /// marks none.
+    std::string markedChannel = {};
 };
 
 /// What a written file says about a height map besides its heights.

@@ -30,8 +30,61 @@ constexpr std::array<std::string_view, 6> kAngstrom = {"\u00C5", "\u212B",   "A\
 constexpr std::array<std::string_view, 5> kDegree = {"deg", "\u00B0", "\u00BA", "degree",
                                                      "degrees"};
 
+// Names of prefixes and units in full, in lower case and without a plural.
+
+constexpr std::array<Prefix, 10> kPrefixNames = {{{"giga", 1e9},
+                                                  {"mega", 1e6},
+                                                  {"kilo", 1e3},
+                                                  {"centi", 1e-2},
+                                                  {"milli", 1e-3},
+                                                  {"micro", 1e-6},
+                                                  {"nano", 1e-9},
+                                                  {"pico", 1e-12},
+                                                  {"femto", 1e-15},
+                                                  {"", 1.0}}};
+
+struct UnitName {
+    std::string_view name;
+    std::string_view base;
+    double factor = 1.0;
+};
+
+constexpr std::array<UnitName, 19> kUnitNames = {{{"meter", "m"},
+                                                  {"metre", "m"},
+                                                  {"volt", "V"},
+                                                  {"ampere", "A"},
+                                                  {"newton", "N"},
+                                                  {"hertz", "Hz"},
+                                                  {"second", "s"},
+                                                  {"watt", "W"},
+                                                  {"farad", "F"},
+                                                  {"pascal", "Pa"},
+                                                  {"joule", "J"},
+                                                  {"radian", "rad"},
+                                                  {"degree", "deg"},
+                                                  {"ohm", "Ohm"},
+                                                  {"kelvin", "K"},
+                                                  {"electronvolt", "eV"},
+                                                  {"angstrom", "m", 1e-10},
+                                                  {"micron", "m", 1e-6},
+                                                  {"dimensionless", ""}}};
+
 bool isListed(const auto& list, std::string_view text) {
     return std::find(list.begin(), list.end(), text) != list.end();
+}
+
+/// A unit whose name stands in full, such as "Volts" or "nanometer".
+std::optional<PhysicalUnit> namedUnit(std::string_view text) {
+    const std::string name = lowerCase(text);
+    for (const Prefix& prefix : kPrefixNames) {
+        for (const UnitName& unit : kUnitNames) {
+            const std::string one = std::string(prefix.symbol) + std::string(unit.name);
+            if (name == one || name == one + "s") {
+                return PhysicalUnit{prefix.factor * unit.factor, std::string(unit.base)};
+            }
+        }
+    }
+    return std::nullopt;
 }
 
 std::optional<PhysicalUnit> simpleUnit(std::string_view text) {
@@ -47,7 +100,7 @@ std::optional<PhysicalUnit> simpleUnit(std::string_view text) {
             return PhysicalUnit{prefix.factor, std::string(text.substr(prefix.symbol.size()))};
         }
     }
-    return std::nullopt;
+    return namedUnit(text);
 }
 
 std::optional<PhysicalUnit> quotient(std::string_view text) {
@@ -74,6 +127,10 @@ PhysicalUnit parseUnit(std::string_view text) {
         unit = quotient(text);
     }
     return unit.value_or(PhysicalUnit{1.0, std::string(text)});
+}
+
+PhysicalUnit parseLengthUnit(std::string_view text) {
+    return parseUnit(trimmed(text) == "A" ? "Angstrom" : text);
 }
 
 }  // namespace asperity

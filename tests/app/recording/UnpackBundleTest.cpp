@@ -58,6 +58,16 @@ TEST_F(UnpackBundle, RefusesMoreBytesThanItsOwnCanBe) {
     EXPECT_FALSE(std::filesystem::exists(scratch.file("out")));
 }
 
+TEST_F(UnpackBundle, RefusesWhatIsNoNumberOfBytes) {
+    for (const json& bytes : {json(1e300), json(5.0), json(-5), json("5"), json(true), json()}) {
+        json file = listed("summary.json");
+        file["bytes"] = bytes;
+        EXPECT_THAT(refusal(json::array({file})),
+                    HasSubstr("a.zip: bundle.json: expected a whole number of bytes"))
+            << bytes;
+    }
+}
+
 TEST_F(UnpackBundle, RefusesADirectoryThatIsTooDeep) {
     json deep = json::array();
     for (int i = 0; i < 100; ++i) {

@@ -24,6 +24,8 @@
 
 #include <cmath>
 #include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
 
 namespace asperity::test {
 namespace {
@@ -243,6 +245,24 @@ TEST_F(Playback, ADamagedRunGivesOneSentenceAndLeavesTheScene) {
     EXPECT_EQ(session.playback().shown(), nullptr);
     EXPECT_TRUE(session.run()->loop().running());
     EXPECT_TRUE(far());
+}
+
+/// No tick is the same then, and none is to blame.
+TEST_F(Playback, AScanOfAnotherSizeThanRecordedIsNamed) {
+    openFlatScene();
+    const std::filesystem::path other = folder.file("other");
+    std::filesystem::copy(of("polystyrene"), other);
+    const auto summary = other / run_files::kSummary;
+    auto json = nlohmann::json::parse(contentOf(summary));
+    json["input"]["size_y_m"] = 2.0 * json["input"]["size_y_m"].get<double>();
+    std::ofstream(summary) << json;
+    session.playback().look(other);
+    ASSERT_TRUE(eventually([this] { return window.findChild<QMessageBox*>() != nullptr; }, 60000));
+    const QString text = window.findChild<QMessageBox*>()->text();
+    EXPECT_TRUE(text.contains("when the run was recorded, and is now read as "))
+        << text.toStdString();
+    EXPECT_FALSE(text.contains("tick")) << text.toStdString();
+    EXPECT_EQ(session.playback().shown(), nullptr);
 }
 
 TEST_F(Playback, ASecondRunIsOverlaidWithTheDifference) {

@@ -50,6 +50,30 @@ TEST(PhysicalUnit, ReadsPrefixesAndQuotients) {
     expectUnit("nA/V", 1e-9, "A/V");
 }
 
+TEST(PhysicalUnit, TakesNamesInFull) {
+    expectUnit("Volt", 1.0, "V");
+    expectUnit("volts", 1.0, "V");
+    expectUnit("Meter", 1.0, "m");
+    expectUnit("Nanometers", 1e-9, "m");
+    expectUnit("micrometre", 1e-6, "m");
+    expectUnit("microns", 1e-6, "m");
+    expectUnit("picoampere", 1e-12, "A");
+    expectUnit("hertz", 1.0, "Hz");
+    expectUnit("nanometers/Volt", 1e-9, "m/V");
+    expectUnit("s", 1.0, "s");
+    expectUnit("nano", 1.0, "nano");
+    expectUnit("Degrees", 1.0, "deg");
+    expectUnit("Angstroms", 1e-10, "m");
+    expectUnit("dimensionless", 1.0, "");
+}
+
+TEST(PhysicalUnit, OfALengthAIsTheAngstrom) {
+    EXPECT_DOUBLE_EQ(parseLengthUnit(" A ").factor, 1e-10);
+    EXPECT_EQ(parseLengthUnit("A").base, "m");
+    EXPECT_EQ(parseLengthUnit("nA").base, "A");
+    EXPECT_DOUBLE_EQ(parseLengthUnit("nm").factor, 1e-9);
+}
+
 TEST(PhysicalUnit, KeepsWhatItDoesNotKnow) {
     expectUnit("", 1.0, "");
     expectUnit("Arb", 1.0, "Arb");

@@ -16,6 +16,7 @@
 #include <cstdlib>
 #include <iterator>
 #include <memory>
+#include <optional>
 #include <system_error>
 #include <unistd.h>
 
@@ -87,16 +88,23 @@ std::string lettersOf(std::string_view text) {
     return letters;
 }
 
-/// The unit "A" of such a channel is the ångström.
+/// Whether the unit "A" of such a channel is the ångström.
 bool namesHeight(const std::string& channel) {
     const std::string name = lowerCase(channel);
     return name.find("topograph") != std::string::npos ||
            name.find("height") != std::string::npos || name == "z" || name.starts_with("z ");
 }
 
-/// A unit of the file's own that the values cannot be converted to from Gwyddion's: not a length
-/// where that is one, for example. Empty: there is none.
-std::string ownUnit(const ScanChannel& channel) {
+/// A unit of the file's own that Gwyddion does not give the values.
+struct OwnUnit {
+    std::string text;     ///< as the file writes it
+    std::string base;     ///< of SI
+    double factor = 1.0;  ///< from Gwyddion's values to those in this unit
+};
+
+/// Gwyddion takes the prefix of a unit into its values, but keeps the numbers of the file where it
+/// gives none.
+std::optional<OwnUnit> ownUnit(const ScanChannel& channel) {
     constexpr std::array<std::string_view, 11> kKnown{"m", "V", "A",  "N",   "Hz", "s",
                                                       "W", "F", "Pa", "deg", "rad"};
     for (const auto& [key, value] : channel.metadata) {
@@ -104,24 +112,35 @@ std::string ownUnit(const ScanChannel& channel) {
         if (std::ranges::count(kUnitKeys, lettersOf(last)) == 0) {
             continue;
         }
-        const std::string base = parseUnit(value).base;
         const bool isAngstrom = trimmed(value) == "A" && namesHeight(channel.name);
-        if (std::ranges::count(kKnown, base) > 0 && base != channel.unit && !isAngstrom) {
-            return base;
+        const PhysicalUnit unit = isAngstrom ? parseLengthUnit(value) : parseUnit(value);
+        if (std::ranges::count(kKnown, unit.base) > 0 && unit.base != channel.unit) {
+            const bool areNumbers = channel.unit.empty() || isAngstrom;
+            return OwnUnit{.text = std::string(trimmed(value)),
+                           .base = unit.base,
+                           .factor = areNumbers ? unit.factor : 1.0};
         }
     }
-    return {};
+    return std::nullopt;
 }
 
 /// The unit in the file's metadata wins over the one that Gwyddion gives the values.
-void takeOwnUnit(ScanChannel& channel) {
-    const std::string own = ownUnit(channel);
-    if (own.empty()) {
+void takeOwnUnit(StoredChannel& stored) {
+    ScanChannel& channel = stored.channel;
+    const std::optional<OwnUnit> own = ownUnit(channel);
+    if (!own) {
         return;
     }
-    channel.notes.push_back("Gwyddion gives its values the unit '" + channel.unit +
-                            "', but the file's metadata name '" + own + "', which is taken");
-    channel.unit = own;
+    channel.notes.push_back(
+        "Gwyddion gives its values " +
+        (channel.unit.empty() ? std::string("no unit") : "the unit '" + channel.unit + "'") +
+        ", but the file's metadata name '" + own->text + "', which is taken");
+    channel.unit = own->base;
+    stored.factor *= own->factor;
+    std::erase_if(channel.provenance,
+                  [](const Provenance& entry) { return entry.what == "scale"; });
+    channel.provenance.push_back(
+        scaleProvenance(stored.factor, own->base, "the unit in the file's metadata"));
 }
 
 /// What an interferometer calls phase is the surface itself, in meters.
@@ -152,7 +171,7 @@ public:
         for (StoredChannel& stored : result.scan.channels) {
             stored.readRow = keeping(std::move(stored.readRow), converted);
             forgetInventedSize(stored.channel);
-            takeOwnUnit(stored.channel);
+            takeOwnUnit(stored);
             markSurface(stored.channel, found);
         }
         result.scan.provenance.push_back(

@@ -29,25 +29,6 @@ std::string productUnit(const std::string& sensitivity, const std::string& hard)
     return hard.empty() ? sensitivity : sensitivity + " " + hard;
 }
 
-/// One or two numbers and their unit, "84.8 84.8 ~m" or "2000 nm".
-struct ScanSize {
-    double x = 0.0;  ///< [m]
-    double y = 0.0;  ///< [m]; as x where there is one number
-};
-
-std::optional<ScanSize> parseScanSize(std::string_view text) {
-    const std::optional<LeadingNumber> x = parseLeadingNumber(text);
-    if (!x) {
-        return std::nullopt;
-    }
-    const std::optional<LeadingNumber> y = parseLeadingNumber(x->rest);
-    const PhysicalUnit unit = parseUnit(y ? y->rest : x->rest);
-    if (unit.base != "m") {
-        return std::nullopt;
-    }
-    return ScanSize{x->value * unit.factor, (y ? y->value : x->value) * unit.factor};
-}
-
 /// Whether an aspect ratio is none of a square. Gwyddion looks at the number before the colon.
 bool isNonSquare(const std::string* text) {
     if (text == nullptr || *text == "1:1") {
@@ -176,6 +157,20 @@ bool NanoscopeImage::fitSize(NanoscopeLayout& layout, ImageSize own, const ScanG
     return length > 0 && length % rowBytes == 0;
 }
 
+std::optional<NanoscopeImage::ScanSize> NanoscopeImage::scanSizeIn(const std::string* text) {
+    const std::optional<LeadingNumber> x =
+        text == nullptr ? std::nullopt : parseLeadingNumber(*text);
+    if (!x) {
+        return std::nullopt;
+    }
+    const std::optional<LeadingNumber> y = parseLeadingNumber(x->rest);
+    const PhysicalUnit unit = parseUnit(y ? y->rest : x->rest);
+    if (unit.base != "m") {
+        return std::nullopt;
+    }
+    return ScanSize{x->value * unit.factor, (y ? y->value : x->value) * unit.factor};
+}
+
 /// As Gwyddion does it, docs/formats.md 3.
 void NanoscopeImage::readScanSize(NanoscopeLayout& layout, ImageSize own,
                                   const ScanGrid& grid) const {
@@ -183,7 +178,7 @@ void NanoscopeImage::readScanSize(NanoscopeLayout& layout, ImageSize own,
     if (text == nullptr) {
         text = findIn(kNanoscopeScanLists, "Scan size");
     }
-    const std::optional<ScanSize> size = text ? parseScanSize(*text) : std::nullopt;
+    const std::optional<ScanSize> size = scanSizeIn(text);
     if (!size) {
         fail("expected 'Scan size' with one or two numbers and a unit of length");
     }
@@ -271,11 +266,14 @@ std::vector<std::string> NanoscopeImage::notes() const {
         notes.push_back("the scan was stopped after " + std::to_string(found.size.rows) + " of " +
                         std::to_string(found.plannedRows) + " lines");
     }
-    const double pitchX = found.sizeX / found.size.columns;
-    const double pitchY = found.sizeY / found.size.rows;
-    if (std::abs(pitchX - pitchY) > 0.01 * pitchX) {
+    const double pitchX = pixelPitch(found.sizeX, found.size.columns);
+    const double pitchY = pixelPitch(found.sizeY, found.size.rows);
+    if (pitchX > 0.0 && pitchY > 0.0 && std::abs(pitchX - pitchY) > 0.01 * pitchX) {
         notes.push_back("its pixels are not square: " + formatSi(pitchX, "m") + " x " +
                         formatSi(pitchY, "m") + ", by its scan size and aspect ratio");
+    }
+    if (std::string note = partNote(); !note.empty()) {
+        notes.push_back(std::move(note));
     }
     const std::string* planefit = image_->find("Offline planefit");
     if (planefit != nullptr && !planefit->empty() && *planefit != "None") {
@@ -326,6 +324,26 @@ std::optional<NanoscopePlace> NanoscopeImage::center(const NanoscopeLayout& layo
     const int missing = layout.plannedRows - layout.size.rows;
     return NanoscopePlace{x.value_or(0.0),
                           y.value_or(0.0) - 0.5 * missing * layout.sizeY / layout.size.rows};
+}
+
+std::string NanoscopeImage::partNote() const {
+    constexpr double kRounding = 1e-3;
+    const std::optional<ScanSize> own = scanSizeIn(image_->find("Scan size"));
+    const std::optional<ScanSize> scan = scanSizeIn(findIn(kNanoscopeScanLists, "Scan size"));
+    const bool hasCenter = scanLength("X Offset") || scanLength("Y Offset");
+    if (!own || !scan || !hasCenter) {
+        return {};
+    }
+    const auto isSmaller = [](double one, double other) {
+        return std::abs(one) < (1.0 - kRounding) * std::abs(other);
+    };
+    // Of a scan that is no square, y may be the larger side or its own.
+    const bool isSquare = !isNonSquare(image_->find("Aspect ratio")) && !scanGrid().hasAspect;
+    if (!isSmaller(own->x, scan->x) && !(isSquare && isSmaller(own->y, scan->y))) {
+        return {};
+    }
+    return "it is a part of a scan of " + formatSi(std::abs(scan->x), "m") +
+           ", and the file does not say which: its origin is that of the middle";
 }
 
 double NanoscopeImage::rotation() const {

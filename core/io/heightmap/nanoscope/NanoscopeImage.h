@@ -63,8 +63,15 @@ public:
     /// empty: the header does not give it.
     [[nodiscard]] std::optional<NanoscopePlace> center(const NanoscopeLayout& layout) const;
     [[nodiscard]] double rotation() const;  ///< of the scan [deg]
+    /// A note where the image is smaller than its scan: which part of it, the header does not say.
+    /// Empty: it is the scan, or the header gives no center either.
+    [[nodiscard]] std::string partNote() const;
 
 private:
+    struct ScanSize {
+        double x = 0.0;  ///< [m]
+        double y = 0.0;  ///< [m]; as x where there is one number
+    };
     /// What the scan list says of all images.
     struct ScanGrid {
         long long columns = 0;  ///< 0: it does not say
@@ -76,6 +83,8 @@ private:
     [[nodiscard]] long long integer(const std::string& key) const;
     [[nodiscard]] ImageSize ownSize() const;
     [[nodiscard]] ScanGrid scanGrid() const;
+    /// @param text one or two numbers and their unit, "84.8 84.8 ~m" or "2000 nm"; null: none
+    [[nodiscard]] static std::optional<ScanSize> scanSizeIn(const std::string* text);
     /// Decides between the image's own size and that of the scan list by the length of the data.
     /// @return whether one of them fits it
     [[nodiscard]] static bool fitSize(NanoscopeLayout& layout, ImageSize own, const ScanGrid& grid,

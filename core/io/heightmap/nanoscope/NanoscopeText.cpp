@@ -300,6 +300,9 @@ private:
         if (const std::optional<NanoscopePlace> center = image.center(layout)) {
             setOrigin(channel, center->x, center->y, GivenPoint::Center);
         }
+        if (std::string note = image.partNote(); !note.empty()) {
+            channel.notes.push_back(std::move(note));
+        }
     }
 
     static constexpr std::size_t kShown = 32;

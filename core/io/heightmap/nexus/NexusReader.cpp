@@ -1,3 +1,5 @@
+#include "core/io/heightmap/nexus/NexusReader.h"
+
 #include "core/Error.h"
 #include "core/io/ByteReader.h"
 #include "core/io/TextValue.h"
@@ -15,6 +17,7 @@
 #include <cmath>
 #include <cstring>
 #include <set>
+#include <utility>
 
 // Scans in NeXus files (HDF5) by the definitions NXafm, NXstm and NXspm. Each NXdata whose signal
 // has two dimensions is a channel. Source: docs/formats.md 18.
@@ -32,50 +35,6 @@ constexpr std::array<std::string_view, 3> kDefinitions{"NXafm", "NXstm", "NXspm"
 
 std::string_view parentOf(std::string_view path) { return path.substr(0, path.rfind('/')); }
 std::string_view nameOf(std::string_view path) { return path.substr(path.rfind('/') + 1); }
-
-/// NeXus spells units out: "nanometer".
-PhysicalUnit nexusUnit(const std::string& text) {
-    using Name = std::pair<std::string_view, std::string_view>;
-    constexpr std::array<Name, 9> kPrefixes{{{"femto", "f"},
-                                             {"pico", "p"},
-                                             {"nano", "n"},
-                                             {"micro", "u"},
-                                             {"milli", "m"},
-                                             {"centi", "c"},
-                                             {"kilo", "k"},
-                                             {"mega", "M"},
-                                             {"giga", "G"}}};
-    constexpr std::array<Name, 13> kUnits{{{"meter", "m"},
-                                           {"metre", "m"},
-                                           {"ampere", "A"},
-                                           {"volt", "V"},
-                                           {"hertz", "Hz"},
-                                           {"newton", "N"},
-                                           {"second", "s"},
-                                           {"kelvin", "K"},
-                                           {"pascal", "Pa"},
-                                           {"degree", "deg"},
-                                           {"radian", "rad"},
-                                           {"angstrom", "Å"},
-                                           {"dimensionless", ""}}};
-    std::string_view rest = trimmed(text);
-    const std::string lower = lowerCase(rest);
-    rest = lower;
-    const auto* const prefix = std::ranges::find_if(
-        kPrefixes, [&](const Name& each) { return rest.starts_with(each.first); });
-    if (prefix != kPrefixes.end()) {
-        rest.remove_prefix(prefix->first.size());
-    }
-    if (rest.size() > 1 && rest.ends_with('s')) {
-        rest.remove_suffix(1);
-    }
-    const auto* const unit = std::ranges::find(kUnits, rest, &Name::first);
-    if (unit == kUnits.end()) {
-        return parseUnit(text);
-    }
-    return parseUnit((prefix == kPrefixes.end() ? std::string() : std::string(prefix->second)) +
-                     std::string(unit->second));
-}
 
 /// One axis of the images.
 struct NexusAxis {
@@ -95,17 +54,20 @@ struct NexusAxis {
 
 class NexusReader {
 public:
-    explicit NexusReader(const ByteSource& bytes) : bytes_(bytes), content_(readHdf5(bytes, {})) {}
+    NexusReader(std::string file, ReadHdf5Content readContent)
+        : file_(std::move(file))
+        , readContent_(std::move(readContent))
+        , content_(readContent_({})) {}
 
     StoredScan read() {
         const std::vector<std::string> images = imagesOfAll();
-        requireImages(images.size(), bytes_.name(), "NXdata");
+        requireImages(images.size(), file_, "NXdata");
         readAxes(images);
         for (const std::string& group : images) {
             addImage(group);
         }
         if (scan_.channels.empty()) {
-            content_.fail("NXentry", "it holds no NXdata whose signal is an image");
+            content_.fail("NXentry", noImage());
         }
         scan_.provenance.push_back({"format", definition_, "NXentry, definition"});
         return std::move(scan_);
@@ -129,6 +91,9 @@ private:
                 continue;
             }
             const Hdf5Item* const signal = signalOf(item.path);
+            if (signal == nullptr) {
+                withoutSignal_ = item.path;
+            }
             if (signal != nullptr && signal->shape.size() == 2) {
                 groups.push_back(item.path);
             }
@@ -141,6 +106,13 @@ private:
             return group == shown ? 0 : (isBackward ? 2 : 1);
         });
         return groups;
+    }
+
+    [[nodiscard]] std::string noImage() const {
+        return withoutSignal_.empty()
+                   ? "it holds no NXdata whose signal is an image"
+                   : "the signal of its NXdata " + withoutSignal_ +
+                         " is not in this file; a link to another file is not followed";
     }
 
     [[nodiscard]] static std::string entryOf(const std::string& path) {
@@ -191,13 +163,13 @@ private:
         if (paths.empty()) {
             return;
         }
-        const Hdf5Content content = readHdf5(bytes_, {paths.begin(), paths.end()});
+        const Hdf5Content content = readContent_({paths.begin(), paths.end()});
         for (const std::string& path : paths) {
             const Hdf5Item* const item = content.find(Kind::Dataset, path);
             if (item == nullptr || !item->place || item->shape.size() != 1 || item->count == 0) {
                 continue;
             }
-            const PhysicalUnit unit = nexusUnit(textOf(path, "units"));
+            const PhysicalUnit unit = parseUnit(textOf(path, "units"));
             NexusAxis axis{.path = path};
             content.read(*item, 0, std::span<double>(&axis.first, 1));
             content.read(*item, item->count - 1, std::span<double>(&axis.last, 1));
@@ -219,7 +191,7 @@ private:
                 item.count == 1 && item.place) {
                 double value = 0.0;
                 content_.read(item, 0, std::span<double>(&value, 1));
-                const PhysicalUnit unit = nexusUnit(textOf(item.path, "units"));
+                const PhysicalUnit unit = parseUnit(textOf(item.path, "units"));
                 return std::isfinite(value) && unit.base == base
                            ? std::optional(value * unit.factor)
                            : std::nullopt;
@@ -240,12 +212,12 @@ private:
         const std::uint64_t rows = signal.shape[isTurned ? 1 : 0];
         const std::uint64_t columns = signal.shape[isTurned ? 0 : 1];
         const ImageSize size =
-            checkedImageSize(toSigned(columns), toSigned(rows), bytes_.name(), signal.path);
+            checkedImageSize(toSigned(columns), toSigned(rows), file_, signal.path);
         const std::string entry = entryOf(group);
         const auto length = [&](const char* name) { return scanNumber(entry, name, "m"); };
         const double width = length("scan_range_x").value_or(x.size(columns));
         const double height = length("scan_range_y").value_or(y.size(rows));
-        const PhysicalUnit unit = nexusUnit(textOf(signal.path, "units"));
+        const PhysicalUnit unit = parseUnit(textOf(signal.path, "units"));
         ScanChannel channel;
         channel.name = nameOf(signal.path);
         channel.unit = unit.base;
@@ -284,15 +256,15 @@ private:
                                   .bottomFirst = !y.falls(),
                                   .rightFirst = x.falls()};
         return rowsOfDecoded(
-            [&bytes = bytes_, path = signal.path, size, isTurned] {
-                const Hdf5Content content = readHdf5(bytes, {path});
+            [readContent = readContent_, path = signal.path, size, isTurned] {
+                const Hdf5Content content = readContent({path});
                 const Hdf5Item* const item = content.find(Kind::Dataset, path);
                 if (item == nullptr || !item->place || item->count != size.pixels()) {
                     content.fail(path, "its values cannot be read");
                 }
                 return samplesOf(content, *item, size, isTurned);
             },
-            layout, bytes_.name());
+            layout, file_);
     }
 
     /// @param isTurned stored column after column
@@ -312,9 +284,11 @@ private:
         return samples;
     }
 
-    const ByteSource& bytes_;
+    std::string file_;
+    ReadHdf5Content readContent_;
     Hdf5Content content_;
     std::string definition_;
+    std::string withoutSignal_;  ///< an NXdata whose signal is not there
     std::map<std::string, NexusAxis> axes_;
     StoredScan scan_;
 };
@@ -330,10 +304,18 @@ constexpr std::array<std::string_view, 1> kNexusExtensions{".nxs"};
 
 }  // namespace
 
+StoredScan readNexus(const std::string& file, const ReadHdf5Content& readContent) {
+    return NexusReader(file, readContent).read();
+}
+
 const HeightMapFormat kNexusFormat = {
     .name = "NeXus NXafm/NXstm .nxs",
     .extensions = kNexusExtensions,
     .recognizes = isNexusScan,
-    .read = [](const ByteSource& bytes) { return NexusReader(bytes).read(); }};
+    .read = [](const ByteSource& bytes) {
+        return readNexus(bytes.name(), [&bytes](const std::vector<std::string>& paths) {
+            return readHdf5(bytes, paths);
+        });
+    }};
 
 }  // namespace asperity

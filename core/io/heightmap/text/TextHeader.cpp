@@ -92,6 +92,7 @@ public:
                     takeSpip(assignments_, lines_, header_);
                 }
                 takeComments(comments_, header_);
+                takeGrid();
                 return std::move(header_);
             }
             if (lines_.number() > kMaxHeaderLines || !takeLine(toUtf8(text))) {
@@ -160,7 +161,8 @@ private:
         } else if (key == "Y Amplitude" && length) {
             header_.sizeY = *length;
         } else if (key == "Z Amplitude" && number) {
-            const PhysicalUnit unit = parseUnit(number->rest);
+            // Currents are of nA and pA; a bare A is WSxM's ångström, as of X and Y.
+            const PhysicalUnit unit = parseLengthUnit(number->rest);
             header_.unit = unit.base == "a.u." ? PhysicalUnit{} : unit;
             header_.unitSource = place() + ", Z Amplitude";
         } else {
@@ -177,7 +179,7 @@ private:
             const ColumnLabel& label = (*labels)[i];
             const bool isLength = i < 2 || lowerCase(label.name).starts_with('z');
             // WSxM writes A for ångström.
-            header_.pointUnits[i] = parseUnit(isLength && label.unit == "A" ? "Å" : label.unit);
+            header_.pointUnits[i] = isLength ? parseLengthUnit(label.unit) : parseUnit(label.unit);
         }
         header_.title = (*labels)[2].name;
         header_.unitSource = place() + ", '" + std::string(line) + "'";
@@ -203,12 +205,49 @@ private:
             header_.noData = *number;
         } else {
             header_.metadata[key] = value;
+            grid_[key] = *number;
         }
         if (!header_.noData) {
             header_.noData = kEsriNoData;
         }
         header_.isMatrix = true;
         return true;
+    }
+
+    [[nodiscard]] std::optional<double> gridNumber(const std::string& key) const {
+        const auto found = grid_.find(key);
+        return found == grid_.end() ? std::nullopt : std::optional(found->second);
+    }
+
+    /// Takes size and corner of an ESRI grid. They have no unit: meters, where a scan may be as
+    /// large as that.
+    void takeGrid() {
+        constexpr double kMaxScan = 1e-3;  // [m]
+        const double cell = gridNumber("cellsize").value_or(0.0);
+        const double cellX = gridNumber("dx").value_or(cell);
+        const double cellY = gridNumber("dy").value_or(cell);
+        const double sizeX = cellX * static_cast<double>(header_.columns);
+        const double sizeY = cellY * static_cast<double>(header_.rows);
+        if (!(sizeX > 0.0 && sizeY > 0.0)) {
+            return;
+        }
+        if (sizeX > kMaxScan || sizeY > kMaxScan) {
+            header_.notes.push_back("its cells have sides of " + exactText(cellX) + " and " +
+                                    exactText(cellY) + " without a unit, too large for meters");
+            return;
+        }
+        const auto corner = [this](char axis, double pitch) {
+            const std::string start = axis + std::string("ll");
+            const std::optional<double> center = gridNumber(start + "center");
+            return center ? *center - 0.5 * pitch : gridNumber(start + "corner").value_or(0.0);
+        };
+        header_.sizeX = sizeX;
+        header_.sizeY = sizeY;
+        header_.originX = corner('x', cellX);
+        header_.originY = corner('y', cellY);
+        header_.lateralUnit = "m";
+        header_.sizeSource = "cellsize";
+        header_.notes.emplace_back("cellsize and corner have no unit; meters are assumed");
     }
 
     /// "h=305 w=75", and after it "pixel size=3.7e-007 m" and others.
@@ -280,6 +319,7 @@ private:
     TextLines& lines_;
     TextHeader header_;
     std::vector<TextComment> comments_;
+    std::map<std::string, double> grid_;    ///< of an ESRI grid, by their keys
     std::vector<TextComment> assignments_;  ///< comments of the form "key = value"; lower-case keys
     bool isWsxmMatrix_ = false;
 };

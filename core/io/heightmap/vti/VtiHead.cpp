@@ -269,12 +269,21 @@ private:
             fail(name, "expected numbers of pixels");
         }
         if (extent[4] != extent[5]) {
-            fail(name, extent[0] == extent[1] || extent[2] == extent[3]
-                           ? "its image stands upright; one along x and y is expected"
-                           : "it holds a volume; an image of one layer is expected");
+            fail(name, whatHasHeight(extent));
         }
         return {std::llround(extent[0]), std::llround(extent[1]), std::llround(extent[2]),
                 std::llround(extent[3])};
+    }
+
+    /// @param extent whose first and last index along z differ
+    static std::string whatHasHeight(const std::vector<double>& extent) {
+        const bool isThinX = extent[0] == extent[1];
+        const bool isThinY = extent[2] == extent[3];
+        if (isThinX && isThinY) {
+            return "it is a line along z, no height map";
+        }
+        return isThinX || isThinY ? "its image stands upright; one along x and y is expected"
+                                  : "it holds a volume; an image of one layer is expected";
     }
 
     void readGrid(const pugi::xml_node& image) {
@@ -387,6 +396,7 @@ private:
 
     /// @param kind PointData or CellData
     void readArrays(const char* kind) {
+        head_.scalars = attribute(pieces_[0].child(kind), "Scalars");
         for (const pugi::xml_node& array : pieces_[0].child(kind).children("DataArray")) {
             const std::string name = attribute(array, "Name");
             const std::optional<SampleType> type = sampleType(attribute(array, "type"));

@@ -34,6 +34,7 @@ struct VtiHead {
     double pitchX = 0.0;  ///< of a number without a unit
     double pitchY = 0.0;
     std::vector<VtiArray> arrays;
+    std::string scalars;  ///< name of the array that the file marks as the one to show; empty: none
     /// By their names; those of one number a tuple and one text alone.
     std::map<std::string, std::string> texts;
     std::map<std::string, std::vector<double>> numbers;  ///< as texts

@@ -30,6 +30,7 @@ public:
                 scan.channels.push_back(channel(*array, hasMask ? &*mask : nullptr));
             }
         }
+        scan.markedChannel = head_.scalars;
         scan.notes = head_.notes;
         scan.provenance = {{"orientation", "first stored row at the bottom", "VTK: y is up"}};
         if (!head_.version.empty()) {

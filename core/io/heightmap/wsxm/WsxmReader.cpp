@@ -167,7 +167,9 @@ private:
                 "the file gives no amplitude in z; values are numbers");
             return;
         }
-        const PhysicalUnit unit = parseUnit(amplitude->rest);
+        const bool isCurrent = lowerCase(stored.channel.name).find("current") != std::string::npos;
+        const PhysicalUnit unit =
+            isCurrent ? parseUnit(amplitude->rest) : parseLengthUnit(amplitude->rest);
         stored.channel.unit = unit.base == "a.u." ? std::string() : unit.base;
         const NumberRange extent = numberRangeOf(stored.readRow, size);
         if (extent.isFlat()) {

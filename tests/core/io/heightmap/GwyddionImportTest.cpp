@@ -9,6 +9,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 // Files that no format of ours recognizes: read by a program that does what it is told in place of
 // Gwyddion, and by Gwyddion where it is installed.
 
@@ -238,6 +240,37 @@ TEST(GwyddionImport, UnitOfTheFilesOwnMetadataWins) {
     EXPECT_EQ(imported("Height", "Z units", "nm").unit, "m");
     EXPECT_EQ(imported("Height", "Comment", "A").unit, "m");
     EXPECT_EQ(imported("Height", "Z units", "parsec").unit, "m");
+    const ScanChannel voltage = imported("Channel 3", "ZUnits", "Volt");
+    EXPECT_EQ(voltage.unit, "V");
+    EXPECT_THAT(voltage.notes, testing::Contains(HasSubstr("name 'Volt'")));
+}
+
+/// Without a unit Gwyddion keeps the numbers of the file.
+TEST(GwyddionImport, UnitOfTheFilesOwnMetadataScalesNumbersWithoutOne) {
+    const auto imported = [](const std::string& title, const std::string& unit,
+                             const std::string& own) {
+        const std::string field = gwyObjectBytes(
+            "GwyDataField", gwyInteger("xres", 2) + gwyInteger("yres", 1) +
+                                gwyNumber("xreal", 4e-9) + gwyNumber("yreal", 2e-9) +
+                                gwyUnit("si_unit_xy", "m") + gwyUnit("si_unit_z", unit) +
+                                gwyNumbers("data", {5.0, 7.0}));
+        const std::string meta = gwyObjectBytes("GwyContainer", gwyText("Unit", own));
+        const ConvertingGwyddion gwyddion(gwyFile(gwyComponent("/0/data", field) +
+                                                  gwyText("/0/data/title", title) +
+                                                  gwyComponent("/0/meta", meta)));
+        return readByGwyddion(gwyddion.program()).channels.at(0);
+    };
+    const ScanChannel height = imported("Height", "", "nm");
+    EXPECT_EQ(height.unit, "m");
+    EXPECT_DOUBLE_EQ(height.map.at(0, 1), 7e-9);
+    EXPECT_THAT(height.notes, testing::Contains(HasSubstr("no unit, but the file's metadata name "
+                                                          "'nm'")));
+    EXPECT_EQ(std::ranges::count(height.provenance, "scale", &Provenance::what), 1);
+    EXPECT_DOUBLE_EQ(imported("Height", "", "A").map.at(0, 0), 5e-10);  // ångström
+    EXPECT_DOUBLE_EQ(imported("Topography", "A", "A").map.at(0, 0), 5e-10);
+    EXPECT_EQ(imported("Topography", "A", "A").unit, "m");
+    EXPECT_DOUBLE_EQ(imported("Channel 3", "", "mV").map.at(0, 0), 5e-3);
+    EXPECT_EQ(imported("Height", "", "parsec").unit, "");
 }
 
 TEST(GwyddionImport, PhaseOfMetroProIsTheHeightMap) {

@@ -192,6 +192,31 @@ TEST(NanoscopeReader, OffsetIsThatOfTheCenterAndARotationIsNoted) {
     EXPECT_THAT(file.notes, testing::Contains(HasSubstr("rotated by 30 degrees")));
 }
 
+/// A crop of NanoScope Analysis: the scan list stays that of the scan.
+TEST(NanoscopeReader, APartOfAScanWhosePlaceIsNotGivenIsNoted) {
+    NanoscopeText text;
+    text.scanList = "\\Scan Size: 60 nm\r\n\\Lines: 2\r\n\\X Offset: 7 nm\r\n"
+                    "\\@Sens. ZsensSens: V 100.0000 nm/V\r\n";
+    const ScanChannel channel = nanoscopeChannel(text);
+    EXPECT_DOUBLE_EQ(channel.originX, -8e-9);
+    EXPECT_THAT(channel.notes,
+                testing::Contains(HasSubstr("a part of a scan of 60 nm, and the file "
+                                            "does not say which")));
+    EXPECT_THAT(nanoscopeChannel({}).notes, Not(testing::Contains(HasSubstr("a part of a scan"))));
+    text.scanList.erase(text.scanList.find("\\X Offset"), 18);
+    EXPECT_THAT(nanoscopeChannel(text).notes,
+                Not(testing::Contains(HasSubstr("a part of a scan"))));
+}
+
+TEST(NanoscopeReader, ASideOfZeroIsAnUnknownSize) {
+    NanoscopeText text;
+    text.scanSize = "10 0 nm";
+    const ScanChannel channel = nanoscopeChannel(text);
+    EXPECT_FALSE(channel.hasSize());
+    EXPECT_THAT(channel.notes, testing::Contains(HasSubstr("no lateral size")));
+    EXPECT_THAT(channel.notes, Not(testing::Contains(HasSubstr("not square"))));
+}
+
 TEST(NanoscopeReader, FirstLineMayNameElectrochemistry) {
     std::string bytes = nanoscopeFile({});
     bytes.insert(2, "EC ");

@@ -122,6 +122,11 @@ TEST(TextReader, WsxmMatrixIsInTheUnitOfItsAmplitude) {
     EXPECT_EQ(textChannel(wsxmMatrix("Z Amplitude: 3 pA\r\n")).unit, "A");
     EXPECT_FALSE(textChannel(wsxmMatrix("Z Amplitude: 3 nm\r\n")).hasSize());
     EXPECT_EQ(textChannel(wsxmMatrix("Z Amplitude: 3 a.u.\r\n")).unit, "");
+    const ScanChannel angstrom = textChannel(
+        wsxmMatrix("X Amplitude: 600 A\r\nY Amplitude: 400 A\r\nZ Amplitude: 35 A\r\n"));
+    EXPECT_EQ(angstrom.unit, "m");
+    EXPECT_DOUBLE_EQ(angstrom.map.at(0, 0), 1.5e-10);
+    EXPECT_DOUBLE_EQ(angstrom.map.sizeX(), 600e-10);
 }
 
 TEST(TextReader, Matrix3IsTheLeveledHeightSensorOfDi3) {
@@ -274,6 +279,25 @@ TEST(TextReader, EsriGridsNameTheirMissingNumber) {
     EXPECT_TRUE(channel.map.invalid.at(2));
     EXPECT_FALSE(channel.hasSize());
     EXPECT_EQ(channel.metadata.at("cellsize"), "50");
+    EXPECT_THAT(channel.notes, testing::Contains(HasSubstr("too large for meters")));
+}
+
+TEST(TextReader, EsriGridsGiveSizeAndCornerInMeters) {
+    const auto grid = [](const std::string& place) {
+        return textChannel("ncols 4\nnrows 2\n" + place + "NODATA_value -1\n1 2 -1 4\n5 6 7 8\n");
+    };
+    const ScanChannel corner = grid("xllcorner 3e-6\nyllcorner -1e-6\ncellsize 5e-9\n");
+    EXPECT_TRUE(corner.hasSize());
+    EXPECT_DOUBLE_EQ(corner.map.sizeX(), 20e-9);
+    EXPECT_DOUBLE_EQ(corner.map.sizeY(), 10e-9);
+    EXPECT_DOUBLE_EQ(corner.originX, 3e-6);
+    EXPECT_DOUBLE_EQ(corner.originY, -1e-6);
+    EXPECT_TRUE(corner.map.invalid.at(2));
+    EXPECT_THAT(corner.notes, testing::Contains(HasSubstr("meters are assumed")));
+    const ScanChannel center = grid("xllcenter 3e-6\nyllcenter -1e-6\ndx 4e-9\ndy 2e-9\n");
+    EXPECT_DOUBLE_EQ(center.map.pitchY, 2e-9);
+    EXPECT_DOUBLE_EQ(center.originX, 3e-6 - 2e-9);
+    EXPECT_DOUBLE_EQ(center.originY, -1e-6 - 1e-9);
 }
 
 TEST(TextReader, MinusNineThousandMeansNoDataWhereNothingIsLower) {

@@ -16,7 +16,9 @@ namespace asperity::test {
 
 namespace {
 
+using testing::AllOf;
 using testing::HasSubstr;
+using testing::Not;
 
 /// A file of 3 x 2 points with float32 values 1 to 6, the bottom row first.
 struct VtiText {
@@ -25,8 +27,9 @@ struct VtiText {
     std::string extent = "0 2 0 1 0 0";
     std::string image = R"(Origin="0 0 0" Spacing="2 3 1")";
     std::string array = R"(type="Float32" Name="z" format="appended" offset="0")";
-    std::string others;  ///< after the array
-    std::string fields;  ///< before the piece
+    std::string others;     ///< after the array
+    std::string pointData;  ///< attributes of it
+    std::string fields;     ///< before the piece
     std::string encoding = "raw";
     std::uint32_t bytes = 24;
 
@@ -34,9 +37,9 @@ struct VtiText {
     [[nodiscard]] std::string textWith(const std::string& values) const {
         return "<?xml version=\"1.0\"?>\n<VTKFile type=\"" + type + "\" " + attributes +
                "><ImageData WholeExtent=\"" + extent + "\" " + image + ">" + fields +
-               "<Piece Extent=\"" + extent + "\"><PointData><DataArray " + array + "/>" + others +
-               "</PointData></Piece></ImageData><AppendedData " + "encoding=\"" + encoding +
-               "\">_" + values + "</AppendedData></VTKFile>";
+               "<Piece Extent=\"" + extent + "\"><PointData" + pointData + "><DataArray " + array +
+               "/>" + others + "</PointData></Piece></ImageData><AppendedData " + "encoding=\"" +
+               encoding + "\">_" + values + "</AppendedData></VTKFile>";
     }
 
     [[nodiscard]] std::string text() const {
@@ -68,6 +71,23 @@ TEST(VtiReader, ReadsNumbersOfOtherProgramsFromTheBottomUp) {
     EXPECT_FALSE(channel.hasSize());
     EXPECT_EQ(channel.map.heights, (std::vector<double>{4, 5, 6, 1, 2, 3}));
     EXPECT_THAT(channel.notes, testing::Contains(HasSubstr("no units")));
+}
+
+TEST(VtiReader, TheMarkedArrayIsTheDefaultWhereItMayBeATopography) {
+    const auto defaultOf = [](const std::string& marked) {
+        VtiText file;
+        file.pointData = " Scalars=\"" + marked + "\"";
+        for (const char* name : {"Filtered", "Phase"}) {
+            file.others += std::string(R"(<DataArray type="Float32" Name=")") + name +
+                           R"(" format="appended" offset="0"/>)";
+        }
+        const HeightMapFile read = readAsVti(file);
+        return read.channels.at(read.defaultChannel).name;
+    };
+    EXPECT_EQ(defaultOf("Filtered"), "Filtered");
+    EXPECT_EQ(defaultOf("Phase"), "z");
+    EXPECT_EQ(defaultOf("missing"), "z");
+    EXPECT_EQ(defaultOf(""), "z");
 }
 
 TEST(VtiReader, ReadsEachArrayAndNotesThoseItLeavesOut) {
@@ -259,6 +279,8 @@ TEST(VtiReader, RefusesWhatIsNoFlatImage) {
     EXPECT_THAT(refused([](VtiText& file) { file.type = "PolyData"; }), HasSubstr("'PolyData'"));
     EXPECT_THAT(refused([](VtiText& file) { file.extent = "0 2 0 1 0 4"; }), HasSubstr("volume"));
     EXPECT_THAT(refused([](VtiText& file) { file.extent = "0 2 1 1 0 4"; }), HasSubstr("upright"));
+    EXPECT_THAT(refused([](VtiText& file) { file.extent = "0 0 0 0 0 5"; }),
+                AllOf(HasSubstr("a line along z"), Not(HasSubstr("upright"))));
     EXPECT_THAT(refused([](VtiText& file) { file.extent = "0 2 0 1"; }), HasSubstr("6 numbers"));
     EXPECT_THAT(refused([](VtiText& file) { file.extent = "0 nan 0 1 0 0"; }),
                 HasSubstr("6 numbers"));

@@ -69,6 +69,19 @@ TEST(WsxmReader, MicroSignMayBeLatin) {
     EXPECT_DOUBLE_EQ(channel.map.at(0, 0), 6 * 0.4e-6);
 }
 
+TEST(WsxmReader, AnAmplitudeInAIsInAngstromsButForACurrent) {
+    WsxmText text;
+    text.amplitudeX = "600 A";
+    text.amplitudeZ = "10 A";
+    const ScanChannel height = wsxmChannel(text);
+    EXPECT_EQ(height.unit, "m");
+    EXPECT_DOUBLE_EQ(height.map.sizeX(), 600e-10);
+    EXPECT_DOUBLE_EQ(height.map.at(0, 0), 6 * 2e-10);
+    std::string current = wsxmFile(text, {1, 2, 3, 4, 5, 6});
+    current.replace(current.find("Topography"), 10, "Current   ");
+    EXPECT_EQ(readHeightMapBytes(current, "scan.stp").channels.at(0).unit, "A");
+}
+
 TEST(WsxmReader, FlatImageIsZero) {
     const ScanChannel channel = wsxmChannel({}, std::vector<double>(6, 5.0));
     EXPECT_EQ(channel.unit, "m");
