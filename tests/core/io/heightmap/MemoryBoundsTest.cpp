@@ -45,4 +45,24 @@ TEST(MemoryBounds, HoldForBlocksThatCannotHoldTheirValues) {
     }
 }
 
+/// Numbers as text are decoded into memory that does not grow.
+TEST(MemoryBounds, HoldForNumbersAsText) {
+    if (kSanitized) {
+        GTEST_SKIP() << "a sanitizer takes memory of its own";
+    }
+    constexpr std::uint64_t kSide = 2048;
+    constexpr std::uint64_t kMap = kSide * kSide * sizeof(double);
+    std::string numbers;
+    for (std::uint64_t i = 0; i < kSide * kSide; ++i) {
+        numbers += "1 ";
+    }
+    const std::string bytes =
+        R"(<VTKFile type="ImageData" byte_order="LittleEndian"><ImageData )"
+        R"(WholeExtent="0 2047 0 2047 0 0" Spacing="1 1 1"><Piece Extent="0 2047 0 2047 0 0">)"
+        R"(<PointData><DataArray Name="z" type="Float64" format="ascii">)" +
+        numbers + "</DataArray></PointData></Piece></ImageData></VTKFile>";
+    const BoundedRead read = readBounded(bytes, 2 * kMap + kMap / 2);
+    EXPECT_TRUE(read.isRead) << read.failure;
+}
+
 }  // namespace asperity::test
