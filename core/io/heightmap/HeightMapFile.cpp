@@ -120,10 +120,28 @@ std::size_t defaultOf(const StoredScan& scan) {
     return suggestDefaultChannel(channels, scan.usualDirection);
 }
 
+/// Gives each channel the texts that all share.
+void shareTexts(StoredScan& scan) {
+    const TextQuota quota = TextQuota::ofEach(scan.channels.size());
+    bool isCut = scan.hasCutTexts || scan.texts.isCut();
+    for (StoredChannel& stored : scan.channels) {
+        BoundedTexts texts(quota);
+        texts.add(stored.channel.metadata);
+        texts.add(scan.texts.all());
+        isCut = isCut || texts.isCut();
+        stored.channel.metadata = texts.all();
+    }
+    if (isCut) {
+        scan.notes.emplace_back("the file holds more metadata than an instrument writes; some of "
+                                "them are left out");
+    }
+}
+
 HeightMapContents contentsOf(std::string format, StoredScan scan, const GivenScale& given,
                              const std::string& file) {
     HeightMapContents contents;
     contents.file.format = std::move(format);
+    shareTexts(scan);
     std::ranges::for_each(scan.channels, noteMask);
     contents.file.defaultChannel = defaultOf(scan);
     applyScale(scan, given, file);

@@ -42,7 +42,7 @@ constexpr std::uint16_t kChannel = 0x8050;
 constexpr std::uint16_t kRetrace = 0x8051;
 constexpr std::uint16_t kFancyName = 0x8052;
 
-/// Of a text that is kept: each channel carries a copy.
+/// Of a text that is kept.
 constexpr std::size_t kJpkMaxText = 4096;
 
 class JpkReader {
@@ -61,7 +61,7 @@ public:
         isReflected_ = scan_.integer(kReflect).value_or(0) != 0;
         for (const auto& [key, tag] : kTexts) {
             if (const std::string text(trimmed(scan_.text(tag))); !text.empty()) {
-                metadata_.emplace(key, text.substr(0, kJpkMaxText));
+                result_.texts.add(key, text.substr(0, kJpkMaxText));
             }
         }
         for (const TiffDirectory& directory : channels) {
@@ -114,7 +114,6 @@ private:
                                scan_.number(kJpkSizeY).value_or(0.0));
         setOrigin(channel, scan_.number(kJpkOriginX).value_or(0.0),
                   scan_.number(kJpkOriginY).value_or(0.0), GivenPoint::Corner);
-        channel.metadata = metadata_;
         settleSize(channel, "tags 32834 and 32835");
         return channel;
     }
@@ -178,7 +177,6 @@ private:
     std::vector<TiffDirectory> directories_;
     const TiffDirectory& scan_;
     bool isReflected_ = false;
-    std::map<std::string, std::string> metadata_;
     StoredScan result_;
 };
 

@@ -40,11 +40,11 @@ public:
         channel.name = header_.title.empty() ? "z" : header_.title;
         channel.unit = header_.pointUnits[2].base;
         channel.direction = directionFromName(channel.name);
-        channel.metadata = std::move(header_.metadata);
         setSize(channel);
         addProvenance(channel);
         std::deque<double> heights = heightsOnGrid(channel);
         StoredScan scan;
+        scan.texts = std::move(header_.texts);
         scan.channels.push_back({.channel = std::move(channel),
                                  .factor = header_.pointUnits[2].factor,
                                  .readRow = rowsOfNumbers(std::move(heights), x_.count)});

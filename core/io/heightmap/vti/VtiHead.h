@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/io/heightmap/BoundedTexts.h"
 #include "core/io/heightmap/SampleRows.h"
 
 #include <functional>
@@ -35,7 +36,7 @@ struct VtiHead {
     double pitchY = 0.0;
     std::vector<VtiArray> arrays;
     /// By their names; those of one number a tuple and one text alone.
-    std::map<std::string, std::string> texts;
+    BoundedTexts texts{kHeaderQuota};
     std::map<std::string, std::vector<double>> numbers;  ///< as texts
     std::vector<std::string> notes;                      ///< on arrays that were left out
     std::string version;                                 ///< of the file format
