@@ -1,6 +1,7 @@
 #include "core/io/heightmap/HeightMapFile.h"
 
 #include "core/Error.h"
+#include "core/Utf8.h"
 #include "core/io/BufferedFile.h"
 #include "core/io/TextValue.h"
 #include "core/io/heightmap/ApplyScale.h"
@@ -120,6 +121,26 @@ std::size_t defaultOf(const StoredScan& scan) {
     return suggestDefaultChannel(channels, scan.usualDirection);
 }
 
+/// Cuts what no instrument writes: many channels may take their name from one place in the file.
+void cut(std::string& words) {
+    constexpr std::size_t kMost = 4096;
+    if (words.size() > kMost) {
+        words = std::string(utf8Start(words, kMost));  // the long one is freed
+    }
+}
+
+void cutLongWords(StoredChannel& stored) {
+    ScanChannel& channel = stored.channel;
+    cut(channel.name);
+    cut(channel.unit);
+    cut(channel.lateralUnit);
+    std::ranges::for_each(channel.notes, cut);
+    for (Provenance& entry : channel.provenance) {
+        cut(entry.value);
+        cut(entry.source);
+    }
+}
+
 /// Gives each channel the texts that all share.
 void shareTexts(StoredScan& scan) {
     const TextQuota quota = TextQuota::ofEach(scan.channels.size());
@@ -141,6 +162,7 @@ HeightMapContents contentsOf(std::string format, StoredScan scan, const GivenSca
                              const std::string& file) {
     HeightMapContents contents;
     contents.file.format = std::move(format);
+    std::ranges::for_each(scan.channels, cutLongWords);
     shareTexts(scan);
     std::ranges::for_each(scan.channels, noteMask);
     contents.file.defaultChannel = defaultOf(scan);

@@ -1,6 +1,7 @@
 #include "core/io/heightmap/gwy/GwyObject.h"
 
 #include "core/Error.h"
+#include "core/Utf8.h"
 #include "core/io/TextValue.h"
 
 #include <algorithm>
@@ -114,7 +115,10 @@ double gwyNumber(const GwyComponent& component, const ByteSource& source) {
 std::string gwyText(const GwyComponent& component, const ByteSource& source) {
     requireType(component, 's', source);
     const ByteSpan& value = component.value;
-    return toUtf8(bytesOf(source, {value.place, std::min(value.count, kGwyMaxText)}));
+    constexpr std::uint64_t kCharacter = 4;
+    const std::string text =
+        bytesOf(source, {value.place, std::min(value.count, kGwyMaxText + kCharacter)});
+    return toUtf8(utf8Start(text, kGwyMaxText));
 }
 
 ByteSpan gwyNumbers(const GwyComponent& component, const ByteSource& source) {

@@ -1,4 +1,5 @@
 #include "core/Error.h"
+#include "core/Utf8.h"
 #include "core/io/TextValue.h"
 #include "core/io/heightmap/ImageScale.h"
 #include "core/io/heightmap/PhysicalUnit.h"
@@ -61,7 +62,7 @@ public:
         isReflected_ = scan_.integer(kReflect).value_or(0) != 0;
         for (const auto& [key, tag] : kTexts) {
             if (const std::string text(trimmed(scan_.text(tag))); !text.empty()) {
-                result_.texts.add(key, text.substr(0, kJpkMaxText));
+                result_.texts.add(key, std::string(utf8Start(text, kJpkMaxText)));
             }
         }
         for (const TiffDirectory& directory : channels) {

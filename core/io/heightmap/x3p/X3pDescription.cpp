@@ -1,6 +1,7 @@
 #include "core/io/heightmap/x3p/X3pDescription.h"
 
 #include "core/Error.h"
+#include "core/Utf8.h"
 #include "core/io/ByteReader.h"
 #include "core/io/TextValue.h"
 #include "core/io/heightmap/ScanImage.h"
@@ -251,7 +252,7 @@ private:
 
     void keep(const pugi::xml_node& node, const std::string& name) {
         if (const std::string text = textOf(node); !text.empty()) {
-            description_.texts.set(toUtf8(name), text.substr(0, kX3pMaxText));
+            description_.texts.set(toUtf8(name), std::string(utf8Start(text, kX3pMaxText)));
         }
     }
 

@@ -73,15 +73,19 @@ std::string nanonisWithTexts() {
     return nanonisFile(text, std::vector<double>(std::size_t{6} * 128, 1.0));
 }
 
-std::string nanosurfWithTexts() {
-    const std::string bytes = replacedOnce(nanosurfFile({{}}), "SaveBits=16\r\n",
-                                           "SaveBits=16\r\n" + numberedLines(30000, "", "=\r\n"));
+/// The same Nanosurf file with its channel 128 times, all described by one section.
+std::string with128Channels(const std::string& bytes) {
     const std::size_t name = bytes.find("Gr0-Ch1=") + 8;
     const std::string section = bytes.substr(name, bytes.find('\r', name) - name);
     const std::string more = repeated(
         127, [&](int i) { return "Gr0-Ch" + std::to_string(i + 2) + "=" + section + "\r\n"; });
     return replacedOnce(bytes, "[DataSet]\r\n", "[DataSet]\r\n" + more) +
            std::string(std::size_t{12} * 127, '\0');
+}
+
+std::string nanosurfWithTexts() {
+    return with128Channels(replacedOnce(nanosurfFile({{}}), "SaveBits=16\r\n",
+                                        "SaveBits=16\r\n" + numberedLines(30000, "", "=\r\n")));
 }
 
 std::string picoviewWithTexts() {
@@ -275,11 +279,18 @@ TEST(TextBounds, HoldForTheNumberOfGwyddionsImages) {
 }
 
 TEST(TextBounds, CutALongTitle) {
-    const HeightMapFile file =
-        readHeightMapBytes(gwyFile(gwyComponent("/0/data", smallGwyField()) +
-                                   gwyText("/0/data/title", std::string(1'000'000, 'x'))),
-                           "scan");
-    EXPECT_EQ(file.channels.at(0).name, std::string(65536, 'x'));
+    const std::string title = "x" + repeated(500'000, [](int) { return "µ"; });
+    const HeightMapFile file = readHeightMapBytes(
+        gwyFile(gwyComponent("/0/data", smallGwyField()) + gwyText("/0/data/title", title)),
+        "scan");
+    EXPECT_EQ(file.channels.at(0).name, title.substr(0, 4095));
+}
+
+TEST(TextBounds, CutANameOfManyChannels) {
+    const std::string bytes = with128Channels(nanosurfFile({{.name = std::string(200'000, 'x')}}));
+    for (const ScanChannel& channel : readHeightMapBytes(bytes, "scan").channels) {
+        EXPECT_EQ(channel.name, std::string(4096, 'x'));
+    }
 }
 
 /// The OpenEXR library takes 400 bytes for each, before anything can be left out.
