@@ -19,6 +19,9 @@ struct Utf8Character {
 /// Whether a text is valid UTF-8 from end to end.
 [[nodiscard]] bool isUtf8(std::string_view text);
 
+/// Returns the start of a text, of at most so many bytes, that does not end within a character.
+[[nodiscard]] std::string_view utf8Start(std::string_view text, std::size_t most);
+
 /// Appends a character. @param codePoint a Unicode scalar value
 void appendUtf8(std::string& text, char32_t codePoint);
 

@@ -143,13 +143,11 @@ void printJson(const Report& shown) {
     const ScanChannel& first = file.channels.at(file.defaultChannel);
     const nlohmann::json defaultName =
         isTopography(first) ? nlohmann::json(first.name) : nlohmann::json();
-    const nlohmann::json report = {{"file", pathText(shown.path)},
-                                   {"format", file.format},
-                                   {"sha256", shown.file.sha256()},
-                                   {"default_channel", defaultName},
-                                   {"channels", channels},
-                                   {"notes", notesOf(shown)},
-                                   {"provenance", provenanceJson(file.provenance)}};
+    nlohmann::json report = {
+        {"file", pathText(shown.path)},  {"format", file.format},
+        {"sha256", shown.file.sha256()}, {"default_channel", defaultName},
+        {"notes", notesOf(shown)},       {"provenance", provenanceJson(file.provenance)}};
+    report["channels"] = std::move(channels);
     std::cout << jsonText(report) << '\n';
 }
 

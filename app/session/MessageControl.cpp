@@ -1,5 +1,6 @@
 #include "app/session/MessageControl.h"
 
+#include "core/PrintableText.h"
 #include "core/words/SceneWords.h"
 #include "ui/CoreWords.h"
 #include "ui/panels/MessageLog.h"
@@ -51,7 +52,7 @@ void MessageControl::list(const std::vector<std::string>& notes, std::vector<std
     if (notes != listed) {
         listed = notes;
         for (const std::string& note : notes) {
-            window_.messages().add(MessageKind::Note, QString::fromStdString(note));
+            window_.messages().add(MessageKind::Note, QString::fromStdString(printable(note)));
         }
     }
 }

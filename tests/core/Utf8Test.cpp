@@ -23,5 +23,13 @@ TEST(Utf8, TellsCodePointAndLength) {
     EXPECT_EQ(firstCharacter("\xB5m").length, 0U);
 }
 
+TEST(Utf8, CutsBetweenCharacters) {
+    EXPECT_EQ(utf8Start("aµm", 4), "aµm");
+    EXPECT_EQ(utf8Start("aµm", 3), "aµ");
+    EXPECT_EQ(utf8Start("aµm", 2), "a");
+    EXPECT_EQ(utf8Start("aµm", 0), "");
+    EXPECT_EQ(utf8Start("\x80\x80", 1), "");
+}
+
 }  // namespace
 }  // namespace asperity

@@ -2,6 +2,7 @@
 
 #include "core/FormattedText.h"
 #include "core/SiFormat.h"
+#include "core/Utf8.h"
 #include "core/words/ImagingTipWords.h"
 #include "core/words/LevelingWords.h"
 #include "core/words/SceneWords.h"
@@ -17,14 +18,7 @@ namespace {
 /// What a file says of itself may be long.
 std::string shortened(const std::string& text) {
     constexpr std::size_t kMost = 400;
-    if (text.size() <= kMost) {
-        return text;
-    }
-    std::size_t end = kMost;
-    while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U) {
-        --end;  // not within a character
-    }
-    return text.substr(0, end) + " …";
+    return text.size() <= kMost ? text : std::string(utf8Start(text, kMost)) + " …";
 }
 
 void addFact(PageTable& facts, const char* name, const std::string& value) {

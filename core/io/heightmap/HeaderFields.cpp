@@ -44,12 +44,12 @@ HeaderFields::HeaderFields(std::string file, std::string place)
     : file_(std::move(file)), place_(std::move(place)) {}
 
 void HeaderFields::add(std::string_view key, std::string_view value) {
-    fields_.emplace(toUtf8(trimmed(key)), toUtf8(trimmed(value)));
+    fields_.add(toUtf8(trimmed(key)), toUtf8(trimmed(value)));
 }
 
 const std::string* HeaderFields::find(const std::string& key) const& {
-    const auto field = fields_.find(key);
-    return field == fields_.end() ? nullptr : &field->second;
+    const auto field = all().find(key);
+    return field == all().end() ? nullptr : &field->second;
 }
 
 std::string HeaderFields::text(const std::string& key) const {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/io/ByteSource.h"
+#include "core/io/heightmap/BoundedTexts.h"
 
 #include <cstdint>
 #include <map>
@@ -49,7 +50,8 @@ public:
     [[nodiscard]] std::optional<double> number(const std::string& key) const;
     /// @throw InputError when the field is missing or no number
     [[nodiscard]] double requiredNumber(const std::string& key) const;
-    [[nodiscard]] const std::map<std::string, std::string>& all() const { return fields_; }
+    [[nodiscard]] const std::map<std::string, std::string>& all() const { return fields_.all(); }
+    [[nodiscard]] const BoundedTexts& texts() const { return fields_; }
     [[nodiscard]] const std::string& place() const { return place_; }
     /// @throw InputError that names the field
     [[noreturn]] void fail(const std::string& key, const std::string& what) const;
@@ -57,7 +59,7 @@ public:
 private:
     std::string file_;
     std::string place_;
-    std::map<std::string, std::string> fields_;
+    BoundedTexts fields_{kHeaderQuota};
 };
 
 /// The parts of a header by their names; lines `[name]` begin one.

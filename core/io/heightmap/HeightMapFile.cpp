@@ -1,6 +1,7 @@
 #include "core/io/heightmap/HeightMapFile.h"
 
 #include "core/Error.h"
+#include "core/Utf8.h"
 #include "core/io/BufferedFile.h"
 #include "core/io/TextValue.h"
 #include "core/io/heightmap/ApplyScale.h"
@@ -126,10 +127,49 @@ std::size_t defaultOf(const StoredScan& scan) {
                : static_cast<std::size_t>(marked - channels.begin());
 }
 
+/// Cuts what no instrument writes: many channels may take their name from one place in the file.
+void cut(std::string& words) {
+    constexpr std::size_t kMost = 4096;
+    if (words.size() > kMost) {
+        words = std::string(utf8Start(words, kMost));  // the long one is freed
+    }
+}
+
+void cutLongWords(StoredChannel& stored) {
+    ScanChannel& channel = stored.channel;
+    cut(channel.name);
+    cut(channel.unit);
+    cut(channel.lateralUnit);
+    std::ranges::for_each(channel.notes, cut);
+    for (Provenance& entry : channel.provenance) {
+        cut(entry.value);
+        cut(entry.source);
+    }
+}
+
+/// Gives each channel the texts that all share.
+void shareTexts(StoredScan& scan) {
+    const TextQuota quota = TextQuota::ofEach(scan.channels.size());
+    bool isCut = scan.hasCutTexts || scan.texts.isCut();
+    for (StoredChannel& stored : scan.channels) {
+        BoundedTexts texts(quota);
+        texts.add(stored.channel.metadata);
+        texts.add(scan.texts.all());
+        isCut = isCut || texts.isCut();
+        stored.channel.metadata = texts.all();
+    }
+    if (isCut) {
+        scan.notes.emplace_back("the file holds more metadata than an instrument writes; some of "
+                                "them are left out");
+    }
+}
+
 HeightMapContents contentsOf(std::string format, StoredScan scan, const GivenScale& given,
                              const std::string& file) {
     HeightMapContents contents;
     contents.file.format = std::move(format);
+    std::ranges::for_each(scan.channels, cutLongWords);
+    shareTexts(scan);
     std::ranges::for_each(scan.channels, noteMask);
     contents.file.defaultChannel = defaultOf(scan);
     applyScale(scan, given, file);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/io/ByteSource.h"
+#include "core/io/heightmap/BoundedTexts.h"
 #include "core/io/heightmap/Gwyddion.h"
 #include "core/io/heightmap/HeightMapFile.h"
 #include "core/surface/GivenScale.h"
@@ -47,6 +48,10 @@ struct StoredScan {
     /// Of channels that may be a topography, the one that the file marks as its main one; empty: it
     /// marks none.
     std::string markedChannel = {};
+    /// That all channels share, each of which has its own in its metadata; where both have one of
+    /// the same name, its own counts.
+    BoundedTexts texts = {};
+    bool hasCutTexts = false;  ///< some of a channel's own texts were left out
 };
 
 /// What a written file says about a height map besides its heights.

@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <limits>
 #include <memory>
-#include <mutex>
 #include <span>
 #include <utility>
 #include <vector>
@@ -62,27 +61,6 @@ void readSamples(const ByteSource& bytes, const SampleLayout& layout, int row, R
     }
 }
 
-/// Samples that are decoded when they are needed, once for all threads that read them together.
-class DecodedSamples {
-public:
-    explicit DecodedSamples(std::function<std::string()> decode) : decode_(std::move(decode)) {}
-
-    std::shared_ptr<const ByteSource> bytes() {
-        const std::lock_guard lock(mutex_);
-        std::shared_ptr<const ByteSource> samples = samples_.lock();
-        if (!samples) {
-            samples = std::make_shared<OwnedBytes>(decode_(), "decoded samples");
-            samples_ = samples;
-        }
-        return samples;
-    }
-
-private:
-    std::function<std::string()> decode_;
-    std::mutex mutex_;
-    std::weak_ptr<const ByteSource> samples_;
-};
-
 }  // namespace
 
 std::size_t sizeOf(SampleType type) {
@@ -120,11 +98,34 @@ ReadRow rowsOf(const ByteSource& bytes, const SampleLayout& layout) {
     };
 }
 
+std::shared_ptr<const ByteSource> DecodedSamples::bytes() {
+    const std::lock_guard lock(mutex_);
+    std::shared_ptr<const ByteSource> samples = samples_.lock();
+    if (!samples) {
+        keep(nullptr);  // they need no memory while others are decoded
+        samples = std::make_shared<OwnedBytes>(decode_(), "decoded samples");
+        samples_ = samples;
+        keep(samples);
+    }
+    return samples;
+}
+
+void DecodedSamples::keep(std::shared_ptr<const ByteSource> samples) {
+    if (latest_) {
+        const std::lock_guard lock(latest_->mutex);
+        latest_->bytes = std::move(samples);
+    }
+}
+
 ReadRow rowsOfDecoded(std::function<std::string()> decode, const SampleLayout& layout,
                       const std::string& file) {
+    return rowsOfDecoded(std::make_shared<DecodedSamples>(std::move(decode)), layout, file);
+}
+
+ReadRow rowsOfDecoded(std::shared_ptr<DecodedSamples> samples, const SampleLayout& layout,
+                      const std::string& file) {
     requireMemory(layout.place + layout.bytes() + layout.size.pixels() * sizeof(double), file, "");
-    return [samples = std::make_shared<DecodedSamples>(std::move(decode)),
-            layout](int row, RowRoom& room, double* numbers) {
+    return [samples = std::move(samples), layout](int row, RowRoom& room, double* numbers) {
         std::shared_ptr<const ByteSource>& bytes = room.decoded[samples];
         if (!bytes) {
             bytes = samples->bytes();

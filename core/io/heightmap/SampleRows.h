@@ -9,6 +9,7 @@
 #include <deque>
 #include <functional>
 #include <memory>
+#include <mutex>
 #include <string>
 #include <utility>
 
@@ -57,6 +58,33 @@ using ReadRow = decltype(StoredChannel::readRow);
 /// Reads rows of samples as they lie. @param bytes must outlive the result
 [[nodiscard]] ReadRow rowsOf(const ByteSource& bytes, const SampleLayout& layout);
 
+/// Keeps the samples that were decoded last, for the next image that is decoded with them.
+struct LatestSamples {
+    std::mutex mutex;
+    std::shared_ptr<const ByteSource> bytes;
+};
+
+/// Samples of one or several images that are decoded together when they are needed, once for all
+/// threads that read them together.
+class DecodedSamples {
+public:
+    /// @param latest keeps them until others are decoded; null: they stay while somebody reads them
+    explicit DecodedSamples(std::function<std::string()> decode,
+                            std::shared_ptr<LatestSamples> latest = nullptr)
+        : decode_(std::move(decode)), latest_(std::move(latest)) {}
+
+    /// Decodes them if nobody has them. Any threads. @throw whatever decoding throws
+    [[nodiscard]] std::shared_ptr<const ByteSource> bytes();
+
+private:
+    void keep(std::shared_ptr<const ByteSource> samples);
+
+    std::function<std::string()> decode_;
+    std::shared_ptr<LatestSamples> latest_;
+    std::mutex mutex_;
+    std::weak_ptr<const ByteSource> samples_;
+};
+
 /// Reads rows of samples that have to be decoded first: all at once, when the first row is asked
 /// for. They stay as long as a room that a row was read with.
 /// @param decode gives the samples of the layout, which begins at its byte 0 or later; it is called
@@ -65,6 +93,9 @@ using ReadRow = decltype(StoredChannel::readRow);
 /// @throw InputError when they and the heights take more memory than an input may
 [[nodiscard]] ReadRow rowsOfDecoded(std::function<std::string()> decode, const SampleLayout& layout,
                                     const std::string& file);
+/// The same of samples that several images may share.
+[[nodiscard]] ReadRow rowsOfDecoded(std::shared_ptr<DecodedSamples> samples,
+                                    const SampleLayout& layout, const std::string& file);
 
 /// Reads rows of numbers that are in memory, one row after the other from the top.
 [[nodiscard]] ReadRow rowsOfNumbers(std::deque<double> numbers, int columns);

@@ -43,15 +43,6 @@ void requireImages(std::size_t count, const std::string& file, const std::string
     }
 }
 
-bool affordsCopies(const std::map<std::string, std::string>& texts, std::size_t images) {
-    constexpr std::size_t kMost = std::size_t{1} << 24U;  // [bytes]
-    std::size_t bytes = 0;
-    for (const auto& [key, text] : texts) {
-        bytes += key.size() + text.size();
-    }
-    return bytes * images <= kMost;
-}
-
 double finiteOrZero(double origin) { return std::isfinite(origin) ? origin : 0.0; }
 
 HeightMap emptyMap(ImageSize size, double sizeX, double sizeY) {

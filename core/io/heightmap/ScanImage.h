@@ -24,13 +24,10 @@ struct ImageSize {
 [[nodiscard]] ImageSize checkedImageSize(long long columns, long long rows, const std::string& file,
                                          const std::string& place);
 
-/// Instruments write up to 8 images into a file, some twice as many; each carries its metadata.
+/// Instruments write up to 8 images into a file, some twice as many.
 inline constexpr std::size_t kMaxImages = 128;
 /// @throw InputError when there are more images than that
 void requireImages(std::size_t count, const std::string& file, const std::string& place);
-/// Whether each of so many images may carry a copy of these texts.
-[[nodiscard]] bool affordsCopies(const std::map<std::string, std::string>& texts,
-                                 std::size_t images);
 
 /// Size of one pixel; 0 (unknown) unless the size is a positive finite number.
 [[nodiscard]] double pixelPitch(double size, int pixels);

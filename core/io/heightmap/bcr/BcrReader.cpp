@@ -74,6 +74,7 @@ public:
         refuseForceCurve();
         const SampleLayout layout = samples();
         StoredScan scan;
+        scan.texts.add(fields_.texts());
         scan.channels.push_back(channel(layout));
         return scan;
     }
@@ -144,7 +145,6 @@ private:
                                                   : "header, intelmode"});
         channel.provenance.push_back(
             {"orientation", "the first row is the top one", "usual; the file does not say"});
-        channel.metadata = fields_.all();
         settleSize(channel, "header, xlength and ylength");
         return stored;
     }

@@ -41,14 +41,22 @@ constexpr std::array kFixed{TypeSize{"box2f", 16},
                             TypeSize{"v3f", 12},
                             TypeSize{"v3i", 12}};
 
-/// Names with 16 bytes after each, ended by an empty one.
-bool isChannelList(const ByteSource& bytes, const ByteSpan& value) {
+/// Takes a list of channels: names with 16 bytes after each, ended by an empty one.
+/// @return how many there are @throw InputError when it does not end
+std::size_t takeChannels(ByteReader& reader) {
     constexpr std::uint64_t kChannelBytes = 16;
+    std::size_t count = 0;
+    while (!reader.takeName("a channel's name").empty()) {
+        (void)reader.take(kChannelBytes, "a channel");
+        ++count;
+    }
+    return count;
+}
+
+bool isChannelList(const ByteSource& bytes, const ByteSpan& value) {
     try {
         ByteReader reader(bytes, value);
-        while (!reader.takeName("a channel's name").empty()) {
-            (void)reader.take(kChannelBytes, "a channel");
-        }
+        (void)takeChannels(reader);
         return reader.atEnd();
     } catch (const InputError&) {
         return false;
@@ -80,6 +88,11 @@ bool fitsExrType(const ByteSource& bytes, std::string_view type, const ByteSpan&
     }
     const auto* const fixed = std::ranges::find(kFixed, type, &TypeSize::type);
     return fixed == kFixed.end() || fixed->bytes == value.count;
+}
+
+std::size_t exrChannelCount(const ByteSource& bytes, const ByteSpan& value) {
+    ByteReader reader(bytes, value);
+    return takeChannels(reader);
 }
 
 }  // namespace asperity

@@ -2,6 +2,7 @@
 
 #include "core/io/ByteReader.h"
 
+#include <cstddef>
 #include <string_view>
 
 namespace asperity {
@@ -10,5 +11,9 @@ namespace asperity {
 /// values are: the library reads that many bytes, and walks astray where the file lists others.
 [[nodiscard]] bool fitsExrType(const ByteSource& bytes, std::string_view type,
                                const ByteSpan& value);
+
+/// The number of channels that a list of them holds. @param value of an attribute that fits its
+/// type, chlist
+[[nodiscard]] std::size_t exrChannelCount(const ByteSource& bytes, const ByteSpan& value);
 
 }  // namespace asperity

@@ -14,6 +14,8 @@ constexpr std::uint32_t kMultiPart = 0x1000;
 /// A scale is a short text.
 constexpr std::uint64_t kExrMaxText = 65536;
 constexpr int kMaxParts = 64;
+/// Of all parts: each takes the library some 400 bytes.
+constexpr int kMaxAttributes = 1 << 16;
 /// Pixels per byte: no data are packed better than this.
 constexpr std::uint64_t kExrMaxRatio = 2000;
 
@@ -47,6 +49,9 @@ private:
         tilePixels_ = 0;
         for (std::string name = reader_.takeName("an attribute's name"); !name.empty();
              name = reader_.takeName("an attribute's name")) {
+            if (attributes_ + count == kMaxAttributes) {
+                reader_.fail("expected at most " + std::to_string(kMaxAttributes) + " attributes");
+            }
             const std::string type = reader_.takeName("an attribute's type");
             const auto size = reader_.takeNumber<std::int32_t>("an attribute's size");
             if (size < 0) {
@@ -57,6 +62,9 @@ private:
             if (!fitsExrType(bytes_, type, value)) {
                 failLength(name, type);
             }
+            if (type == "chlist") {
+                requireImages(exrChannelCount(bytes_, value), bytes_.name(), name);
+            }
             if (type == "box2i" && name == "dataWindow") {
                 takeWindow(value);
             } else if (type == "tiledesc") {
@@ -66,6 +74,7 @@ private:
             }
             ++count;
         }
+        attributes_ += count;
         return count;
     }
 
@@ -112,18 +121,19 @@ private:
 
     void takeText(const std::string& name, const std::string& type, const ByteSpan& value) {
         if (type == "string" && value.count <= kExrMaxText) {
-            header_.texts.emplace(toUtf8(name), toUtf8(bytesOf(bytes_, value)));
+            header_.texts.add(toUtf8(name), toUtf8(bytesOf(bytes_, value)));
         } else if (type == "double") {
-            header_.texts.emplace(toUtf8(name), exactText(numberIn<double>(bytes_, value)));
+            header_.texts.add(toUtf8(name), exactText(numberIn<double>(bytes_, value)));
         } else if (type == "float") {
-            header_.texts.emplace(toUtf8(name),
-                                  exactText(static_cast<double>(numberIn<float>(bytes_, value))));
+            header_.texts.add(toUtf8(name),
+                              exactText(static_cast<double>(numberIn<float>(bytes_, value))));
         }
     }
 
     const ByteSource& bytes_;
     ByteReader reader_;
     bool isFirst_ = true;           ///< header
+    int attributes_ = 0;            ///< of the headers before the present one
     ImageSize window_;              ///< of the present header
     std::uint64_t tilePixels_ = 0;  ///< of the present header; 0: it has no tiles
     ExrHeader header_;

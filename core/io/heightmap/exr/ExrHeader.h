@@ -6,8 +6,8 @@ namespace asperity {
 
 /// What the first header of an OpenEXR file says.
 struct ExrHeader {
-    ImageSize size;    ///< of the data window
-    ImageTexts texts;  ///< attributes that are texts or numbers
+    ImageSize size;                    ///< of the data window
+    BoundedTexts texts{kHeaderQuota};  ///< attributes that are texts or numbers
     bool isMultiPart = false;
 };
 

@@ -69,15 +69,23 @@ std::vector<ExrChannel> listChannels(const Imf::InputFile& file) {
     return channels;
 }
 
-std::string decode(Imf::InputFile& file, const ExrChannel& channel) {
+std::string decode(Imf::InputFile& file, const std::vector<ExrChannel>& channels) {
     const Imath::Box2i window = file.header().dataWindow();
     const auto columns = static_cast<std::size_t>(std::int64_t{window.max.x} - window.min.x + 1);
     const auto rows = static_cast<std::size_t>(std::int64_t{window.max.y} - window.min.y + 1);
-    std::string samples(columns * rows * sizeOf(channel.type), '\0');
+    std::size_t bytes = 0;
+    for (const ExrChannel& channel : channels) {
+        bytes += columns * rows * sizeOf(channel.type);
+    }
+    std::string samples(bytes, '\0');
+    char* target = samples.data();
     Imf::FrameBuffer frame;
-    frame.insert(channel.name,
-                 Imf::Slice::Make(channel.type == SampleType::UInt32 ? Imf::UINT : Imf::FLOAT,
-                                  samples.data(), window));
+    for (const ExrChannel& channel : channels) {
+        frame.insert(channel.name,
+                     Imf::Slice::Make(channel.type == SampleType::UInt32 ? Imf::UINT : Imf::FLOAT,
+                                      target, window));
+        target += columns * rows * sizeOf(channel.type);
+    }
     file.setFrameBuffer(frame);
     file.readPixels(window.min.y, window.max.y);
     return samples;
@@ -89,8 +97,8 @@ std::vector<ExrChannel> exrChannels(const ByteSource& bytes) {
     return withExr(bytes, listChannels);
 }
 
-std::string decodeExr(const ByteSource& bytes, const ExrChannel& channel) {
-    return withExr(bytes, [&channel](Imf::InputFile& file) { return decode(file, channel); });
+std::string decodeExr(const ByteSource& bytes, const std::vector<ExrChannel>& channels) {
+    return withExr(bytes, [&channels](Imf::InputFile& file) { return decode(file, channels); });
 }
 
 }  // namespace asperity

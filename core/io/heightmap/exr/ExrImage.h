@@ -20,8 +20,10 @@ struct ExrChannel {
 /// @throw InputError when the OpenEXR library refuses the file
 [[nodiscard]] std::vector<ExrChannel> exrChannels(const ByteSource& bytes);
 
-/// All samples of a channel, row after row from the top, in the processor's byte order. Any
-/// threads. @throw InputError when the OpenEXR library cannot decode it
-[[nodiscard]] std::string decodeExr(const ByteSource& bytes, const ExrChannel& channel);
+/// All samples of these channels, one channel after the other, row after row from the top, in the
+/// processor's byte order. It unpacks all channels of the file, whichever are asked for. Any
+/// threads. @throw InputError when the OpenEXR library cannot decode them
+[[nodiscard]] std::string decodeExr(const ByteSource& bytes,
+                                    const std::vector<ExrChannel>& channels);
 
 }  // namespace asperity

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <memory>
 #include <utility>
 
 // OpenEXR: each channel of numbers is one; Gwyddion's attributes belong to Y, or to the only one.
@@ -18,10 +19,23 @@ namespace {
 constexpr ByteOrder kExrNative =
     std::endian::native == std::endian::little ? ByteOrder::Little : ByteOrder::Big;
 
+/// Channels that are decoded together.
+struct ExrBatch {
+    std::vector<ExrChannel> channels;
+    std::uint64_t bytes = 0;  ///< of all samples
+};
+
+/// A batch has no more unless it is of one channel [bytes].
+constexpr std::uint64_t kMaxBatch = std::uint64_t{1} << 26U;
+
 class ExrReader {
 public:
     explicit ExrReader(const ByteSource& bytes)
-        : bytes_(bytes), header_(readExrHeader(bytes)), channels_(exrChannels(bytes)) {}
+        : bytes_(bytes), header_(readExrHeader(bytes)), channels_(exrChannels(bytes)) {
+        if (channels_.size() > 1) {
+            latest_ = std::make_shared<LatestSamples>();
+        }
+    }
 
     StoredScan read() {
         requireImages(channels_.size(), bytes_.name(), "channels");
@@ -39,6 +53,7 @@ public:
                                  ", no height map: its pixels are no heights. A channel Y is "
                                  "expected");
         }
+        result_.texts.add(header_.texts);
         if (header_.isMultiPart) {
             result_.notes.emplace_back("only the first part of the file is read");
         }
@@ -59,7 +74,7 @@ private:
                                     "' has no sample for each pixel and was left out");
             return;
         }
-        ImageScale scale = gwyScale(header_.texts, channel.type, bytes_.name(), "attributes");
+        ImageScale scale = gwyScale(header_.texts.all(), channel.type, bytes_.name(), "attributes");
         if (channels_.size() > 1 && channel.name != "Y") {
             scale.title.clear();
             scale.unit.clear();
@@ -68,29 +83,39 @@ private:
             std::erase_if(scale.provenance,
                           [](const Provenance& entry) { return entry.what == "scale"; });
         }
-        if (const auto unit = header_.texts.find(kExrUnitOf + channel.name);
-            unit != header_.texts.end()) {
+        const std::map<std::string, std::string>& texts = header_.texts.all();
+        if (const auto unit = texts.find(kExrUnitOf + channel.name); unit != texts.end()) {
             scale.unit = unit->second;
         }
-        if (channel.isHalf && scale.unit == "m" && !header_.texts.contains("Gwy::ZScale")) {
+        if (channel.isHalf && scale.unit == "m" && !texts.contains("Gwy::ZScale")) {
             scale.notes.emplace_back("it is stored as half floats of meters, which are too coarse "
                                      "for heights below 61 um");
         }
-        StoredChannel stored = scaledChannel(
-            scale, header_.size,
-            rowsOfDecoded([bytes = &bytes_, channel] { return decodeExr(*bytes, channel); },
-                          {.size = header_.size, .type = channel.type, .order = kExrNative},
-                          bytes_.name()),
-            channel.name, bytes_.name());
-        if (affordsCopies(header_.texts, channels_.size())) {
-            stored.channel.metadata = header_.texts;
+        result_.channels.push_back(
+            scaledChannel(scale, header_.size, rows(channel), channel.name, bytes_.name()));
+    }
+
+    /// To decode one channel costs as much as to decode all.
+    [[nodiscard]] ReadRow rows(const ExrChannel& channel) {
+        SampleLayout layout{.size = header_.size, .type = channel.type, .order = kExrNative};
+        if (!batch_ || batch_->bytes + layout.bytes() > kMaxBatch) {
+            batch_ = std::make_shared<ExrBatch>();
+            samples_ = std::make_shared<DecodedSamples>(
+                [bytes = &bytes_, batch = batch_] { return decodeExr(*bytes, batch->channels); },
+                layout.bytes() > kMaxBatch ? nullptr : latest_);
         }
-        result_.channels.push_back(std::move(stored));
+        layout.place = batch_->bytes;
+        batch_->channels.push_back(channel);
+        batch_->bytes += layout.bytes();
+        return rowsOfDecoded(samples_, layout, bytes_.name());
     }
 
     const ByteSource& bytes_;
     ExrHeader header_;
     std::vector<ExrChannel> channels_;
+    std::shared_ptr<LatestSamples> latest_;    ///< null: there is one channel
+    std::shared_ptr<ExrBatch> batch_;          ///< that the next channel belongs to if it fits
+    std::shared_ptr<DecodedSamples> samples_;  ///< of that batch
     StoredScan result_;
 };
 

@@ -50,8 +50,8 @@ Imf::Header headerOfMap(const HeightRows& map, const HeightMapMeta& meta) {
     Imf::Header header = commonHeader(map, meta);
     header.channels().insert("Y", Imf::Channel(Imf::FLOAT));
     header.insert("Gwy::ZScale", Imf::DoubleAttribute(1.0));
-    header.insert("Gwy::ZUnit", Imf::StringAttribute(meta.unit));
-    header.insert("Gwy::Title", Imf::StringAttribute(meta.title));
+    header.insert("Gwy::ZUnit", Imf::StringAttribute(oneLine(meta.unit)));
+    header.insert("Gwy::Title", Imf::StringAttribute(oneLine(meta.title)));
     insertMetadata(header, meta);
     return header;
 }
@@ -59,8 +59,9 @@ Imf::Header headerOfMap(const HeightRows& map, const HeightMapMeta& meta) {
 Imf::Header headerOfImages(std::span<const WrittenImage> images) {
     Imf::Header header = commonHeader(images.front().rows, images.front().meta);
     for (const WrittenImage& image : images) {
-        header.channels().insert(image.meta.title, Imf::Channel(Imf::FLOAT));
-        header.insert(kExrUnitOf + image.meta.title, Imf::StringAttribute(image.meta.unit));
+        const std::string name = oneLine(image.meta.title);
+        header.channels().insert(name, Imf::Channel(Imf::FLOAT));
+        header.insert(kExrUnitOf + name, Imf::StringAttribute(oneLine(image.meta.unit)));
     }
     insertMetadata(header, images.front().meta);
     return header;
@@ -122,7 +123,7 @@ void writeExrImages(const std::filesystem::path& target, std::span<const Written
     std::vector<ExrLine> lines(images.size(), ExrLine(first.columns));
     Imf::FrameBuffer frame;
     for (std::size_t i = 0; i < images.size(); ++i) {
-        lines[i].addTo(frame, images[i].meta.title);
+        lines[i].addTo(frame, oneLine(images[i].meta.title));
     }
     std::vector<double> values(static_cast<std::size_t>(first.columns));
     writeLines(target, headerOfImages(images), frame, first, progress,

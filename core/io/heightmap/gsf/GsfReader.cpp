@@ -110,7 +110,7 @@ private:
         setOrigin(channel, number("XOffset") * lateral.factor, number("YOffset") * lateral.factor,
                   GivenPoint::Corner);
         channel.metadata = fields_;
-        return {.channel = channel,
+        return {.channel = std::move(channel),
                 .factor = vertical.factor,
                 .readRow = rowsOf(bytes_, {.size = size_, .place = data})};
     }

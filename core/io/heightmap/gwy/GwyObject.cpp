@@ -1,11 +1,17 @@
 #include "core/io/heightmap/gwy/GwyObject.h"
 
 #include "core/Error.h"
+#include "core/Utf8.h"
 #include "core/io/TextValue.h"
+
+#include <algorithm>
 
 namespace asperity {
 
 namespace {
+
+/// Of a title or a unit: what is beyond is cut off.
+constexpr std::uint64_t kGwyMaxText = 65536;
 
 /// Bytes of one value of a type with a fixed size; 0: no such type.
 std::uint64_t valueSize(char type) {
@@ -108,7 +114,11 @@ double gwyNumber(const GwyComponent& component, const ByteSource& source) {
 
 std::string gwyText(const GwyComponent& component, const ByteSource& source) {
     requireType(component, 's', source);
-    return toUtf8(bytesOf(source, component.value));
+    const ByteSpan& value = component.value;
+    constexpr std::uint64_t kCharacter = 4;
+    const std::string text =
+        bytesOf(source, {value.place, std::min(value.count, kGwyMaxText + kCharacter)});
+    return toUtf8(utf8Start(text, kGwyMaxText));
 }
 
 ByteSpan gwyNumbers(const GwyComponent& component, const ByteSource& source) {

@@ -23,6 +23,9 @@ namespace {
 constexpr std::string_view kGwyMagic = "GWYP";
 constexpr std::string_view kOldMagic = "GWYO";
 
+/// Stacks have some hundred.
+constexpr std::size_t kGwyMaxImages = 1024;
+
 /// What the container holds about one image.
 struct ImageParts {
     std::optional<GwyObject> data;
@@ -86,6 +89,11 @@ public:
             }
         }
         images_.finish(result_);
+        if (isCut_) {
+            result_.notes.push_back("the file holds more than " + std::to_string(kGwyMaxImages) +
+                                    " images; those after the first " +
+                                    std::to_string(kGwyMaxImages) + " are left out");
+        }
         if (result_.channels.empty()) {
             throw InputError(file_, "",
                              holdsCurves_ ? "the file holds curves, such as force curves, and no "
@@ -157,19 +165,28 @@ private:
 
     void store(const GwyComponent& component) {
         holdsCurves_ = holdsCurves_ || isOfCurves(component.name);
+        constexpr std::array<std::string_view, 4> kRead{"data", "mask", "meta", "data/title"};
         const std::optional<ImageKey> key = parseKey(component.name);
-        if (!key) {
+        if (!key || std::ranges::count(kRead, key->rest) == 0 || isBeyond(key->image)) {
             return;
         }
+        ImageParts& parts = parts_[key->image];
         if (key->rest == "data") {
-            parts_[key->image].data = field(component);
+            parts.data = field(component);
         } else if (key->rest == "mask") {
-            parts_[key->image].mask = field(component);
+            parts.mask = field(component);
         } else if (key->rest == "meta") {
-            parts_[key->image].metadata = gwyObject(component, bytes_);
-        } else if (key->rest == "data/title") {
-            parts_[key->image].title = gwyText(component, bytes_);
+            parts.metadata = gwyObject(component, bytes_);
+        } else {
+            parts.title = gwyText(component, bytes_);
         }
+    }
+
+    /// Whether an image is left out because there are too many.
+    bool isBeyond(long long image) {
+        const bool isBeyond = parts_.size() == kGwyMaxImages && !parts_.contains(image);
+        isCut_ = isCut_ || isBeyond;
+        return isBeyond;
     }
 
     [[nodiscard]] GwyObject field(const GwyComponent& component) const {
@@ -198,7 +215,9 @@ private:
                           maskOf(channel, *parts.mask).rows(bytes_));
         }
         if (parts.metadata) {
-            channel.metadata = readMetadata(*parts.metadata);
+            const BoundedTexts texts = readMetadata(*parts.metadata);
+            channel.metadata = texts.all();
+            result_.hasCutTexts = result_.hasCutTexts || texts.isCut();
         }
         addProvenance(channel, data, "/" + std::to_string(number) + "/data");
         result_.channels.push_back({.channel = std::move(channel),
@@ -293,15 +312,16 @@ private:
         return unit;
     }
 
-    [[nodiscard]] std::map<std::string, std::string> readMetadata(const GwyObject& object) const {
-        std::map<std::string, std::string> metadata;
+    [[nodiscard]] BoundedTexts readMetadata(const GwyObject& object) const {
+        BoundedTexts metadata(TextQuota::ofEach(parts_.size()));
         const ByteSpan& whole = object.components;
         const std::string texts = bytesOf(bytes_, whole);  // they are many, and short
         GwyComponents components(object, bytes_);
         while (const std::optional<GwyComponent> part = components.next()) {
             if (part->type == 's') {
-                metadata[toUtf8(part->name)] = toUtf8(std::string_view(texts).substr(
-                    part->value.place - whole.place, part->value.count));
+                metadata.set(toUtf8(part->name),
+                             toUtf8(std::string_view(texts).substr(part->value.place - whole.place,
+                                                                   part->value.count)));
             }
         }
         return metadata;
@@ -315,6 +335,7 @@ private:
     const std::string& file_;
     std::map<long long, ImageParts> parts_;  ///< by the number of the image
     WholeImages images_;
+    bool isCut_ = false;  ///< there are more images than are read
     bool holdsCurves_ = false;
     StoredScan result_;
 };

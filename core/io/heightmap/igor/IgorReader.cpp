@@ -36,6 +36,7 @@ public:
             .place = wave_.place,
             .bottomFirst = true};
         StoredScan result;
+        result.texts.add(note_);
         result.usualDirection = isAsylum() ? "backward" : "";
         WholeImages whole;
         for (int layer = 0; layer < layers(); ++layer) {
@@ -121,7 +122,6 @@ private:
         channel.name = label.empty() ? nameOf(layer) : label;
         channel.direction = directionFromName(label);
         setSize(channel, samples.size);
-        channel.metadata = note_;
         const PhysicalUnit unit = parseUnit(isAsylum() ? asylumUnit(label, note_) : wave_.unit);
         channel.unit = unit.base;
         settleSize(channel, "steps of the wave's dimensions, byte 148");

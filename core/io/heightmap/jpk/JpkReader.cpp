@@ -1,4 +1,5 @@
 #include "core/Error.h"
+#include "core/Utf8.h"
 #include "core/io/TextValue.h"
 #include "core/io/heightmap/ImageScale.h"
 #include "core/io/heightmap/PhysicalUnit.h"
@@ -42,7 +43,7 @@ constexpr std::uint16_t kChannel = 0x8050;
 constexpr std::uint16_t kRetrace = 0x8051;
 constexpr std::uint16_t kFancyName = 0x8052;
 
-/// Of a text that is kept: each channel carries a copy.
+/// Of a text that is kept.
 constexpr std::size_t kJpkMaxText = 4096;
 
 class JpkReader {
@@ -61,7 +62,7 @@ public:
         isReflected_ = scan_.integer(kReflect).value_or(0) != 0;
         for (const auto& [key, tag] : kTexts) {
             if (const std::string text(trimmed(scan_.text(tag))); !text.empty()) {
-                metadata_.emplace(key, text.substr(0, kJpkMaxText));
+                result_.texts.add(key, std::string(utf8Start(text, kJpkMaxText)));
             }
         }
         for (const TiffDirectory& directory : channels) {
@@ -114,7 +115,6 @@ private:
                                scan_.number(kJpkSizeY).value_or(0.0));
         setOrigin(channel, scan_.number(kJpkOriginX).value_or(0.0),
                   scan_.number(kJpkOriginY).value_or(0.0), GivenPoint::Corner);
-        channel.metadata = metadata_;
         settleSize(channel, "tags 32834 and 32835");
         return channel;
     }
@@ -178,7 +178,6 @@ private:
     std::vector<TiffDirectory> directories_;
     const TiffDirectory& scan_;
     bool isReflected_ = false;
-    std::map<std::string, std::string> metadata_;
     StoredScan result_;
 };
 

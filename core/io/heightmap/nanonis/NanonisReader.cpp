@@ -59,6 +59,7 @@ public:
                     .order = ByteOrder::Big,
                     .place = markAfter(header.end),
                     .bottomFirst = isUpward()};
+        result_.texts.add(tags_.texts());
         const std::vector<Signal> signals = listedSignals();
         const bool single = holdsOneImageEach(signals);
         for (const Signal& signal : signals) {
@@ -223,7 +224,6 @@ private:
         channel.map = emptyMap(samples_.size, width, height);
         setOrigin(channel, x, y, GivenPoint::Center);
         noteRotation(result_.notes, angle());
-        channel.metadata = tags_.all();
         settleSize(channel, "SCAN_RANGE");
         samples_.rightFirst = direction == "backward";
         if (samples_.rightFirst) {

@@ -47,6 +47,7 @@ public:
         sections_ = readNanoscopeHeader(start_, file_);
         headerEnd_ = nanoscopeHeaderSize(start_);
         refuseProfiles();
+        takeSharedTexts();
         for (const NanoscopeSection& section : sections_) {
             if (isNanoscopeImageList(section)) {
                 addChannel(section);
@@ -136,7 +137,9 @@ private:
         if (const std::optional<NanoscopePlace> center = image.center(layout)) {
             setOrigin(channel, center->x, center->y, GivenPoint::Center);
         }
-        channel.metadata = metadata(section);
+        for (const auto& [key, entry] : section.entries) {
+            channel.metadata.insert_or_assign(entry.key, entry.value);
+        }
         // Whatever the scan's direction was, the first stored row is the bottom of the image.
         const SampleLayout samples{.size = layout.size,
                                    .type = layout.sampleBytes == sizeof(std::int32_t)
@@ -193,23 +196,15 @@ private:
             {"orientation", "the bottom row is stored first", "the same in every NanoScope file"});
     }
 
-    /// Everything but the other images; the image's own entries win.
-    [[nodiscard]] std::map<std::string, std::string> metadata(const NanoscopeSection& image) const {
-        std::map<std::string, std::string> metadata;
+    /// Those of everything but the images.
+    void takeSharedTexts() {
         for (const NanoscopeSection& section : sections_) {
-            const bool other = lowerCase(section.name).ends_with("image list");
-            if (!other) {
-                insert(metadata, section);
+            if (lowerCase(section.name).ends_with("image list")) {
+                continue;
             }
-        }
-        insert(metadata, image);
-        return metadata;
-    }
-
-    static void insert(std::map<std::string, std::string>& metadata,
-                       const NanoscopeSection& section) {
-        for (const auto& [key, entry] : section.entries) {
-            metadata.insert_or_assign(entry.key, entry.value);
+            for (const auto& [key, entry] : section.entries) {
+                result_.texts.set(entry.key, entry.value);
+            }
         }
     }
 

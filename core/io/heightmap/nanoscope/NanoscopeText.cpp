@@ -148,6 +148,7 @@ public:
             result.channels.push_back(channelOf(i, layout));
         }
         if (!images_.empty()) {
+            takeSharedTexts(result.texts);
             noteRotation(result.notes, imageOf(0).rotation());
         }
         const std::string version = images_.empty() ? "" : imageOf(0).ofFile("Version");
@@ -290,18 +291,21 @@ private:
                   const NanoscopeLayout& layout) const {
         channel.lateralUnit = "m";
         channel.direction = image.direction();
-        for (const NanoscopeSection& section : sections_) {
-            if (!isNanoscopeImageList(section)) {
-                for (const auto& [key, entry] : section.entries) {
-                    channel.metadata.insert_or_assign(entry.key, entry.value);
-                }
-            }
-        }
         if (const std::optional<NanoscopePlace> center = image.center(layout)) {
             setOrigin(channel, center->x, center->y, GivenPoint::Center);
         }
         if (std::string note = image.partNote(); !note.empty()) {
             channel.notes.push_back(std::move(note));
+        }
+    }
+
+    void takeSharedTexts(BoundedTexts& texts) const {
+        for (const NanoscopeSection& section : sections_) {
+            if (!isNanoscopeImageList(section)) {
+                for (const auto& [key, entry] : section.entries) {
+                    texts.set(entry.key, entry.value);
+                }
+            }
         }
     }
 

@@ -58,7 +58,10 @@ public:
         const HeaderText header = headerText(bytes_, kNanosurfHeaderEnd);
         sections_ = sectionsOf(header.text, '=', file_);
         place_ = header.end;
-        for (const HeaderFields* const channel : listedChannels()) {
+        takeSharedTexts();
+        const std::vector<const HeaderFields*> channels = listedChannels();
+        quota_ = TextQuota::ofEach(channels.size());
+        for (const HeaderFields* const channel : channels) {
             addChannel(*channel);
         }
         images_.finish(result_);
@@ -177,8 +180,7 @@ private:
         }
     }
 
-    [[nodiscard]] StoredChannel imageOf(const HeaderFields& section,
-                                        const SampleLayout& samples) const {
+    [[nodiscard]] StoredChannel imageOf(const HeaderFields& section, const SampleLayout& samples) {
         ScanChannel channel;
         channel.direction = directionFromName(section.text("Frame"));
         channel.name = section.text("Dim2Name");
@@ -190,7 +192,9 @@ private:
                                section.number("Dim1Range").value_or(0.0) * y.factor);
         setOrigin(channel, section.number("Dim0Min").value_or(0.0) * x.factor,
                   section.number("Dim1Min").value_or(0.0) * y.factor, GivenPoint::Corner);
-        channel.metadata = metadataOf(section);
+        const BoundedTexts texts = textsOf(section);
+        channel.metadata = texts.all();
+        result_.hasCutTexts = result_.hasCutTexts || texts.isCut();
         channel.provenance.push_back(
             {"orientation", "the bottom row is stored first", "the same in every Nanosurf file"});
         const PhysicalUnit unit = parseUnit(section.text("Dim2Unit"));
@@ -220,20 +224,28 @@ private:
                 .lowestCount = -std::ldexp(1.0, bits - 1)};
     }
 
-    /// The channel's own fields and those on the whole scan, without the titles among them.
-    [[nodiscard]] std::map<std::string, std::string> metadataOf(const HeaderFields& section) const {
-        std::map<std::string, std::string> metadata = section.all();
-        const auto scan = sections_.find("DataSet-Info");
-        if (scan != sections_.end()) {
-            metadata.insert(scan->second.all().begin(), scan->second.all().end());
+    /// Those on the whole scan.
+    void takeSharedTexts() {
+        if (const auto scan = sections_.find("DataSet-Info"); scan != sections_.end()) {
+            result_.texts = textsOf(scan->second);
         }
-        std::erase_if(metadata, [](const auto& field) { return field.first.starts_with("--"); });
-        return metadata;
+    }
+
+    /// The fields of a section without the titles among them; several images may have the same one.
+    [[nodiscard]] BoundedTexts textsOf(const HeaderFields& section) const {
+        BoundedTexts texts(quota_);
+        for (const auto& [key, value] : section.all()) {
+            if (!key.starts_with("--")) {
+                texts.add(key, value);
+            }
+        }
+        return texts;
     }
 
     const ByteSource& bytes_;
     const std::string& file_;
     HeaderSections sections_;
+    TextQuota quota_;                          ///< of each image
     std::uint64_t place_ = 0;                  ///< of the next samples
     std::map<std::string, long long> curves_;  ///< how many of each frame
     WholeImages images_;

@@ -39,6 +39,7 @@ public:
             throw InputError(file_, "header", "it lists no image ('bufferLabel')");
         }
         StoredScan result;
+        result.texts.add(scan_.texts());
         if (const std::string* const version = scan_.find("version")) {
             result.provenance.push_back({"format version", *version, "version"});
         }
@@ -119,7 +120,6 @@ private:
                       scan_.number("yOffset").value_or(0.0), GivenPoint::Center);
         }
         channel.metadata = image.all();
-        channel.metadata.insert(scan_.all().begin(), scan_.all().end());
         settleSize(channel, "xLength and yLength");
         channel.provenance.push_back(
             {"orientation", "the bottom row is stored first", "the same in every PicoView file"});

@@ -77,7 +77,7 @@ private:
         const std::string data = shortData();
         const std::size_t end = data.find('\0');
         if (end != std::string::npos) {
-            header_.texts.emplace(data.substr(0, end), toUtf8(data.substr(end + 1)));
+            header_.texts.add(data.substr(0, end), toUtf8(data.substr(end + 1)));
         }
     }
 
@@ -91,7 +91,7 @@ private:
         const std::size_t translated =
             language == std::string::npos ? std::string::npos : data.find('\0', language + 1);
         if (translated != std::string::npos && data[keyword + 1] == '\0') {
-            header_.texts.emplace(data.substr(0, keyword), toUtf8(data.substr(translated + 1)));
+            header_.texts.add(data.substr(0, keyword), toUtf8(data.substr(translated + 1)));
         }
     }
 

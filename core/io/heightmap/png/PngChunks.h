@@ -9,8 +9,8 @@ struct PngHeader {
     ImageSize size;
     int bits = 0;   ///< of a sample
     int color = 0;  ///< 0 gray, 2 color, 3 palette, 4 gray with transparency, 6 color with it
-    std::uint64_t packedBytes = 0;  ///< of all pixels in the file
-    ImageTexts texts;               ///< UTF-8
+    std::uint64_t packedBytes = 0;     ///< of all pixels in the file
+    BoundedTexts texts{kHeaderQuota};  ///< UTF-8
 };
 
 /// The signature of every PNG.

@@ -48,18 +48,18 @@ StoredScan readPng(const ByteSource& bytes) {
     const PngHeader header = readPngChunks(bytes);
     requireHeights(bytes, header);
     requirePlausible(bytes, header);
-    const ImageScale scale = gwyScale(header.texts, SampleType::UInt16, bytes.name(), "text");
+    const ImageScale scale = gwyScale(header.texts.all(), SampleType::UInt16, bytes.name(), "text");
     StoredChannel stored = scaledChannel(
         scale, header.size,
         rowsOfDecoded([&bytes, header] { return decodePng(bytes, header); },
                       {.size = header.size, .type = SampleType::UInt16, .order = ByteOrder::Big},
                       bytes.name()),
         "gray", bytes.name());
-    stored.channel.metadata = header.texts;
     if (header.color == kTransparentGray) {
         stored.channel.notes.emplace_back("its transparency is not used");
     }
     StoredScan result;
+    result.texts.add(header.texts);
     result.channels.push_back(std::move(stored));
     result.provenance = {{"format", "PNG, 16-bit gray", "IHDR"},
                          {"orientation", "first stored row on top", "order of rows in PNG"}};

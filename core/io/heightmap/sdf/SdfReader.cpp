@@ -63,6 +63,7 @@ public:
         }
         setChannel(stored);
         StoredScan scan;
+        scan.texts.add(fields_.texts());
         scan.channels.push_back(std::move(stored));
         return scan;
     }
@@ -176,7 +177,6 @@ private:
         channel.name = "Topography";
         channel.lateralUnit = "m";
         channel.map = emptyMap(size_, pitchX_ * size_.columns, pitchY_ * size_.rows);
-        channel.metadata = fields_.all();
         const bool hasScale = std::isfinite(scale_) && scale_ != 0.0;
         if (hasScale) {
             channel.unit = "m";

@@ -185,7 +185,7 @@ void takeSpip(const std::vector<TextComment>& assignments, const TextLines& line
         header.unitSource = placeOf(*step);
     }
     for (const TextComment& each : assignments) {
-        header.metadata[each.key] = each.value;
+        header.texts.set(each.key, each.value);
     }
 }
 
@@ -213,7 +213,7 @@ void takeComments(const std::vector<TextComment>& comments, TextHeader& header) 
     }
     for (std::size_t i = 0; i < comments.size(); ++i) {
         if (!used[i] && !comments[i].key.empty() && !takeOrigin(comments[i], header)) {
-            header.metadata[comments[i].key] = comments[i].value;
+            header.texts.set(comments[i].key, comments[i].value);
         }
     }
 }

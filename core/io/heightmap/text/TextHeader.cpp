@@ -166,7 +166,7 @@ private:
             header_.unit = unit.base == "a.u." ? PhysicalUnit{} : unit;
             header_.unitSource = place() + ", Z Amplitude";
         } else {
-            header_.metadata[key] = value;
+            header_.texts.set(key, value);
         }
     }
 
@@ -204,7 +204,7 @@ private:
         } else if (key == "nodata_value") {
             header_.noData = *number;
         } else {
-            header_.metadata[key] = value;
+            header_.texts.set(key, value);
             grid_[key] = *number;
         }
         if (!header_.noData) {
@@ -292,7 +292,7 @@ private:
             header_.unit.factor *= number->value;
             header_.unitSource = place() + ", height conversion factor";
         } else {
-            header_.metadata[key] = value;
+            header_.texts.set(key, value);
             if (key == "data unit" && header_.unit.base.empty()) {
                 header_.unit = parseUnit(value);
                 header_.unitSource = place() + ", data unit";

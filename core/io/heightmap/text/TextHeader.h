@@ -1,11 +1,11 @@
 #pragma once
 
 #include "core/io/TextLines.h"
+#include "core/io/heightmap/BoundedTexts.h"
 #include "core/io/heightmap/HeightMapFile.h"
 #include "core/io/heightmap/PhysicalUnit.h"
 
 #include <array>
-#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -30,7 +30,7 @@ struct TextHeader {
     bool isMatrix = false;         ///< what it gives belongs to a matrix, not to points
     bool hasMask = false;          ///< as many lines follow that say which numbers are valid (1)
     std::array<PhysicalUnit, 3> pointUnits;  ///< of x, y, z where the columns are labeled
-    std::map<std::string, std::string> metadata;
+    BoundedTexts texts;
     std::vector<std::string> notes;
     std::string firstLine;  ///< of numbers
 };

@@ -66,6 +66,7 @@ public:
         requirePromisedSize();
         markNoData();
         StoredScan scan;
+        scan.texts = std::move(header_.texts);
         scan.channels.push_back(channel());
         return scan;
     }
@@ -199,7 +200,6 @@ private:
         channel.map = emptyMap(size, byPixel ? header_.pitch * size.columns : header_.sizeX,
                                byPixel ? header_.pitch * size.rows : header_.sizeY);
         setOrigin(channel, header_.originX, header_.originY, GivenPoint::Corner);
-        channel.metadata = std::move(header_.metadata);
         channel.notes = std::move(header_.notes);
         settleSize(channel, header_.sizeSource);
         if (!channel.unit.empty()) {

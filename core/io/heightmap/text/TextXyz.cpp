@@ -11,7 +11,9 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <memory>
 #include <utility>
+#include <vector>
 
 // Points of a grid as text, x, y and z in each line, in any order; the largest y is the top row.
 // Source: docs/formats.md 4.
@@ -23,7 +25,28 @@ namespace {
 /// A grid has about one node for each of its points; with fewer nodes, points are there twice.
 constexpr double kMinNodesPerPoint = 0.8;
 constexpr double kMaxNodesPerPoint = 1.2;
-constexpr std::size_t kNoColumn = std::numeric_limits<std::size_t>::max();
+constexpr std::size_t kNoPoint = std::numeric_limits<std::size_t>::max();
+
+/// Takes memory when it has a point.
+struct GridRow {
+    std::vector<double> heights;      ///< NaN: none
+    std::vector<std::size_t> points;  ///< that gave them
+
+    void begin(std::size_t columns) {
+        if (heights.empty()) {
+            heights.assign(columns, std::numeric_limits<double>::quiet_NaN());
+            points.assign(columns, kNoPoint);
+        }
+    }
+};
+
+/// Reads rows that are in memory.
+ReadRow rowsOf(std::vector<GridRow> rows) {
+    return [kept = std::make_shared<const std::vector<GridRow>>(std::move(rows))](int row, RowRoom&,
+                                                                                  double* target) {
+        std::ranges::copy((*kept)[static_cast<std::size_t>(row)].heights, target);
+    };
+}
 
 class TextXyzReader {
 public:
@@ -40,14 +63,14 @@ public:
         channel.name = header_.title.empty() ? "z" : header_.title;
         channel.unit = header_.pointUnits[2].base;
         channel.direction = directionFromName(channel.name);
-        channel.metadata = std::move(header_.metadata);
         setSize(channel);
         addProvenance(channel);
-        std::deque<double> heights = heightsOnGrid(channel);
+        ReadRow rows = rowsOf(rowsOnGrid(channel));
         StoredScan scan;
+        scan.texts = std::move(header_.texts);
         scan.channels.push_back({.channel = std::move(channel),
                                  .factor = header_.pointUnits[2].factor,
-                                 .readRow = rowsOfNumbers(std::move(heights), x_.count)});
+                                 .readRow = std::move(rows)});
         return scan;
     }
 
@@ -145,34 +168,38 @@ private:
             {"orientation", "the largest y is the top row", "usual; the file does not say"});
     }
 
+    /// Uses the points up, so that each takes memory once.
     /// @throw InputError when two points lie on the same node
-    std::deque<double> heightsOnGrid(ScanChannel& channel) {
+    std::vector<GridRow> rowsOnGrid(ScanChannel& channel) {
         const auto columns = static_cast<std::size_t>(x_.count);
-        const std::size_t nodes = columns * static_cast<std::size_t>(y_.count);
-        std::deque<double> heights(nodes, std::numeric_limits<double>::quiet_NaN());
-        std::vector<std::size_t> points(nodes, kNoColumn);
-        for (std::size_t i = 0; i < points_.size(); ++i) {
-            const int row = y_.count - 1 - y_.nodeOf(points_.at(i, 1));
-            const std::size_t node = static_cast<std::size_t>(row) * columns +
-                                     static_cast<std::size_t>(x_.nodeOf(points_.at(i, 0)));
-            if (points[node] != kNoColumn) {
+        const std::size_t count = points_.size();
+        std::vector<GridRow> rows(static_cast<std::size_t>(y_.count));
+        for (std::size_t i = 0; i < count; ++i) {
+            const double x = points_.at(0, 0);
+            const double y = points_.at(0, 1);
+            GridRow& row = rows[static_cast<std::size_t>(y_.count - 1 - y_.nodeOf(y))];
+            const auto column = static_cast<std::size_t>(x_.nodeOf(x));
+            row.begin(columns);
+            if (row.points[column] != kNoPoint) {
                 throw InputError(file_,
-                                 "points " + std::to_string(points[node] + 1) + " and " +
+                                 "points " + std::to_string(row.points[column] + 1) + " and " +
                                      std::to_string(i + 1),
-                                 "two points lie at x = " + exactText(points_.at(i, 0)) +
-                                     ", y = " + exactText(points_.at(i, 1)));
+                                 "two points lie at x = " + exactText(x) + ", y = " + exactText(y));
             }
-            points[node] = i;
-            heights[node] = points_.at(i, 2);
+            row.points[column] = i;
+            row.heights[column] = points_.at(0, 2);
+            points_.removeFirst();
         }
-        const std::size_t missing = nodes - points_.size();  // no two lie on one
-        if (missing > 0) {
-            channel.notes.push_back(std::to_string(missing) + " of " + std::to_string(nodes) +
+        const std::size_t nodes = rows.size() * columns;
+        if (nodes > count) {  // no two points lie on one
+            channel.notes.push_back(std::to_string(nodes - count) + " of " + std::to_string(nodes) +
                                     " nodes of the grid have no point");
         }
-        points_.numbers.clear();
-        points_.numbers.shrink_to_fit();
-        return heights;
+        for (GridRow& row : rows) {
+            row.begin(columns);
+            row.points = {};
+        }
+        return rows;
     }
 
     std::string file_;

@@ -12,6 +12,9 @@ namespace asperity {
 namespace {
 
 constexpr std::uint64_t kTiffMaxText = 65536;
+/// Of a tag: as many as an image of the largest side has tiles of 64 x 64 pixels. The file may hold
+/// a byte for each, the memory 32.
+constexpr std::uint64_t kMaxNumbers = std::uint64_t{1} << 20U;
 
 }  // namespace
 
@@ -51,6 +54,9 @@ std::vector<std::uint64_t> TiffDirectory::wholeNumbers(std::uint16_t tag) const 
     const TiffField* const field = find(tag);
     if (field == nullptr) {
         return {};
+    }
+    if (field->count > kMaxNumbers) {
+        failAt(tag, "at most " + std::to_string(kMaxNumbers) + " numbers");
     }
     const std::uint64_t size = sizeOfTiffType(field->type);
     const std::string stored = bytesOf(*bytes_, {field->place, field->count * size});

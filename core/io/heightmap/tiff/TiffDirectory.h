@@ -39,7 +39,8 @@ public:
     /// @throw InputError when there is none, too
     [[nodiscard]] std::int64_t requireInteger(std::uint16_t tag) const;
     /// All values; none when there are none.
-    /// @throw InputError when they are no whole numbers, or one is negative
+    /// @throw InputError when they are no whole numbers, one is negative, or there are more than
+    ///        2^20
     [[nodiscard]] std::vector<std::uint64_t> wholeNumbers(std::uint16_t tag) const;
     /// The first value, a fraction as its quotient; empty when there is none.
     /// @throw InputError when it is no number

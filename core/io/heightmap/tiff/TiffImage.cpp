@@ -202,8 +202,11 @@ ReadRow rowsOf(const TiffDirectory& directory, const TiffImage& image, bool bott
     if (image.isPlain) {
         return rowsOfStrips(directory.bytes(), image, bottomFirst);
     }
+    // The places of its strips would take more memory than those of many images may.
     return rowsOfDecoded(
-        [directory, image] { return decodeTiff(directory, image); },
+        [directory, type = image.type] {
+            return decodeTiff(directory, tiffImage(directory, type));
+        },
         {.size = image.size, .type = image.type, .order = kTiffNative, .bottomFirst = bottomFirst},
         directory.bytes().name());
 }

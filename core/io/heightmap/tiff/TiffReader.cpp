@@ -109,17 +109,20 @@ private:
         return directories_.size() == 1 ? what : what + ", " + directory.name();
     }
 
-    static void addMetadata(const TiffDirectory& directory, ScanChannel& channel) {
-        channel.metadata = tiffMetadata(directory);
+    void addMetadata(const TiffDirectory& directory, ScanChannel& channel) {
+        BoundedTexts kept(TextQuota::ofEach(directories_.size()));
+        kept.add(tiffMetadata(directory));
         const std::pair<const char*, TiffTag> texts[] = {{"description", TiffTag::ImageDescription},
                                                          {"software", TiffTag::Software},
                                                          {"date", TiffTag::DateTime}};
         for (const auto& [key, tag] : texts) {
             const std::string text(trimmed(directory.text(number(tag))));
             if (!text.empty()) {
-                channel.metadata.emplace(key, text);
+                kept.add(key, text);
             }
         }
+        channel.metadata = kept.all();
+        result_.hasCutTexts = result_.hasCutTexts || kept.isCut();
     }
 
     const ByteSource& bytes_;

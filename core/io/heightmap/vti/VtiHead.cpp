@@ -323,7 +323,7 @@ private:
             const std::string type = attribute(array, "type");
             const std::optional<SampleType> numbers = sampleType(type);
             if (type == "String") {
-                head_.texts.emplace(name, textOf(array));
+                head_.texts.add(name, textOf(array));
             } else if (numbers) {
                 head_.numbers.emplace(name, numbersOf(array, *numbers));
             } else {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/io/heightmap/BoundedTexts.h"
 #include "core/io/heightmap/SampleRows.h"
 
 #include <functional>
@@ -36,7 +37,7 @@ struct VtiHead {
     std::vector<VtiArray> arrays;
     std::string scalars;  ///< name of the array that the file marks as the one to show; empty: none
     /// By their names; those of one number a tuple and one text alone.
-    std::map<std::string, std::string> texts;
+    BoundedTexts texts{kHeaderQuota};
     std::map<std::string, std::vector<double>> numbers;  ///< as texts
     std::vector<std::string> notes;                      ///< on arrays that were left out
     std::string version;                                 ///< of the file format

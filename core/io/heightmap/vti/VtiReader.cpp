@@ -32,6 +32,9 @@ public:
         }
         scan.markedChannel = head_.scalars;
         scan.notes = head_.notes;
+        scan.texts.add(head_.texts);
+        scan.texts.remove(kVtiTitle);
+        scan.texts.remove(kVtiUnit);
         scan.provenance = {{"orientation", "first stored row at the bottom", "VTK: y is up"}};
         if (!head_.version.empty()) {
             scan.provenance.push_back({"format version", head_.version, "VTKFile"});
@@ -42,11 +45,12 @@ public:
 private:
     StoredChannel channel(const VtiArray& array, const VtiArray* mask) {
         const std::string unitOf = kVtiUnitOf + array.name;
-        const bool isOurs = head_.texts.contains(kVtiUnit) || head_.texts.contains(unitOf);
+        const bool isOurs =
+            head_.texts.all().contains(kVtiUnit) || head_.texts.all().contains(unitOf);
         // Title and unit are those of the one image of a height map that Asperity writes.
         const bool isAlone = head_.arrays.size() == (mask == nullptr ? 1U : 2U);
         const std::string given =
-            text(isAlone && head_.texts.contains(kVtiUnit) ? kVtiUnit : unitOf);
+            text(isAlone && head_.texts.all().contains(kVtiUnit) ? kVtiUnit : unitOf);
         const PhysicalUnit unit = parseUnit(given);
         ScanChannel channel;
         channel.name = isAlone && !text(kVtiTitle).empty() ? text(kVtiTitle) : array.name;
@@ -58,9 +62,6 @@ private:
         if (const auto origin = head_.numbers.find(kVtiOrigin);
             origin != head_.numbers.end() && origin->second.size() == 2) {
             setOrigin(channel, origin->second[0], origin->second[1], GivenPoint::Corner);
-        }
-        if (affordsCopies(head_.texts, head_.arrays.size())) {
-            channel.metadata = metadata();
         }
         if (!isOurs) {
             channel.notes.emplace_back("VTK images give no units; sizes and values are numbers");
@@ -84,15 +85,8 @@ private:
     }
 
     [[nodiscard]] std::string text(const std::string& name) const {
-        const auto found = head_.texts.find(name);
-        return found == head_.texts.end() ? std::string() : found->second;
-    }
-
-    [[nodiscard]] std::map<std::string, std::string> metadata() const {
-        std::map<std::string, std::string> texts = head_.texts;
-        texts.erase(kVtiTitle);
-        texts.erase(kVtiUnit);
-        return texts;
+        const auto found = head_.texts.all().find(name);
+        return found == head_.texts.all().end() ? std::string() : found->second;
     }
 
     const ByteSource& bytes_;

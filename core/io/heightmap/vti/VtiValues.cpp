@@ -83,6 +83,16 @@ private:
     std::string decoded_;  ///< not taken
 };
 
+std::uint64_t wordsIn(std::string_view text) {
+    std::uint64_t words = 0;
+    bool isBetween = true;
+    for (const char c : text) {
+        words += isBetween && !isBlank(c) ? 1 : 0;
+        isBetween = isBlank(c);
+    }
+    return words;
+}
+
 /// Whether a compressed block of so many bytes can hold that many: none packs better than the best
 /// case of its method.
 bool mayHold(VtiCompressor compressor, std::uint64_t packed, std::uint64_t bytes) {
@@ -187,6 +197,7 @@ private:
     [[nodiscard]] std::string numbersOfText() const {
         const std::string text = bytesOf(bytes_, values_.span);
         std::string result;
+        result.reserve(std::min(wordsIn(text) * sizeof(double), most_));
         for (std::size_t begin = 0; begin < text.size();) {
             const auto end = static_cast<std::size_t>(
                 std::find_if(text.begin() + static_cast<std::ptrdiff_t>(begin), text.end(),

@@ -63,6 +63,7 @@ public:
                                    .rightFirst = true};
         requireSamples(bytes_, samples, "image");
         StoredScan result;
+        result.texts = texts();
         result.channels.push_back(channelOf(samples));
         const std::string turned = control_.text("Angle");
         const std::optional<LeadingNumber> angle = parseLeadingNumber(turned);
@@ -95,14 +96,14 @@ private:
                                         : found->second;
     }
 
-    [[nodiscard]] std::map<std::string, std::string> metadata() const {
-        std::map<std::string, std::string> metadata;
+    [[nodiscard]] BoundedTexts texts() const {
+        BoundedTexts texts;
         for (const auto& [name, fields] : sections_) {
             for (const auto& [key, value] : fields.all()) {
-                metadata.emplace(std::string(name).append(": ").append(key), value);
+                texts.add(std::string(name).append(": ").append(key), value);
             }
         }
-        return metadata;
+        return texts;
     }
 
     [[nodiscard]] ImageSize imageSize() const {
@@ -150,7 +151,6 @@ private:
         if (x || y) {
             setOrigin(channel, x.value_or(0.0), y.value_or(0.0), GivenPoint::Center);
         }
-        channel.metadata = metadata();
         settleSize(channel, "[Control] X Amplitude, Y Amplitude");
         channel.provenance.push_back({"orientation", "rows and columns are stored in reverse order",
                                       "the same in every WSxM file"});

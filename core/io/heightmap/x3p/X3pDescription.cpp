@@ -1,6 +1,7 @@
 #include "core/io/heightmap/x3p/X3pDescription.h"
 
 #include "core/Error.h"
+#include "core/Utf8.h"
 #include "core/io/ByteReader.h"
 #include "core/io/TextValue.h"
 #include "core/io/heightmap/ScanImage.h"
@@ -17,7 +18,7 @@ namespace asperity {
 
 namespace {
 
-/// Of a text that is kept; a comment may be of any length, and each layer carries a copy.
+/// Of a text that is kept; a comment may be of any length.
 constexpr std::size_t kX3pMaxText = 4096;
 /// Elements and attributes. Each takes the parser up to 128 bytes, but the file less than one where
 /// it is packed: as many as a list of a 1024 x 1024 image has, and a head of any length.
@@ -251,7 +252,7 @@ private:
 
     void keep(const pugi::xml_node& node, const std::string& name) {
         if (const std::string text = textOf(node); !text.empty()) {
-            description_.metadata[toUtf8(name)] = text.substr(0, kX3pMaxText);
+            description_.texts.set(toUtf8(name), std::string(utf8Start(text, kX3pMaxText)));
         }
     }
 

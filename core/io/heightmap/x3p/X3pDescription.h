@@ -1,8 +1,8 @@
 #pragma once
 
+#include "core/io/heightmap/BoundedTexts.h"
 #include "core/io/heightmap/SampleRows.h"
 
-#include <map>
 #include <optional>
 #include <string>
 
@@ -33,7 +33,7 @@ struct X3pDescription {
     X3pLink validPoints;
     std::optional<std::string> listed;  ///< doubles from a list in main.xml; NaN: no data
     bool isRotated = false;             ///< a rotation of the axes is given
-    std::map<std::string, std::string> metadata;
+    BoundedTexts texts;
 
     [[nodiscard]] std::uint64_t numbers() const {
         return size.pixels() * static_cast<std::uint64_t>(layers);

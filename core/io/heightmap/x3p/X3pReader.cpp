@@ -58,6 +58,7 @@ public:
         openPoints();
         openValidPoints();
         noteOrigin();
+        result_.texts = description_.texts;
         for (int layer = 0; layer < description_.layers; ++layer) {
             result_.channels.push_back(channel(layer));
         }
@@ -138,7 +139,6 @@ private:
         channel.map = emptyMap(size, description_.x.increment * size.columns,
                                description_.y.increment * size.rows);
         setOrigin(channel, description_.x.offset, description_.y.offset, GivenPoint::Corner);
-        channel.metadata = description_.metadata;
         channel.provenance = {{"scale",
                                exactText(z.increment) + " m per stored number" +
                                    (z.offset == 0.0 ? "" : ", plus " + exactText(z.offset) + " m"),

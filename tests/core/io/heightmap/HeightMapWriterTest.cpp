@@ -214,7 +214,7 @@ TEST(HeightMapWriter, TextsHoldNoCommandsForATerminal) {
     const HeightMapMeta meta{.title = "a\x1b[31mred\x07",
                              .unit = "V\x1b[m",
                              .metadata = {{"Key\x1b[1m", "of\ttwo\nlines\x1b[2m"}}};
-    for (const char* const name : {"a.txt", "a.gsf", "a.tiff", "a.png", "a.vti"}) {
+    for (const char* const name : {"a.txt", "a.gsf", "a.tiff", "a.png", "a.vti", "a.exr"}) {
         const std::filesystem::path file = folder.file(name);
         writeHeightMap(file, rowsOf(bumpyMap(8, 8)), meta);
         std::ostringstream bytes;

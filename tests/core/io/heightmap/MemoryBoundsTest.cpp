@@ -45,4 +45,43 @@ TEST(MemoryBounds, HoldForBlocksThatCannotHoldTheirValues) {
     }
 }
 
+/// A point has x, y and z until its height is in the grid; the map that is read from there makes
+/// four numbers a point.
+TEST(MemoryBounds, HoldForPoints) {
+    if (kSanitized) {
+        GTEST_SKIP() << "a sanitizer takes memory of its own";
+    }
+    constexpr std::uint64_t kSide = 2000;
+    constexpr std::uint64_t kMap = kSide * kSide * sizeof(double);
+    std::string bytes;
+    for (std::uint64_t y = 0; y < kSide; ++y) {
+        for (std::uint64_t x = 0; x < kSide; ++x) {
+            bytes += std::to_string(x) + " " + std::to_string(y) + " 1\n";
+        }
+    }
+    const BoundedRead read = readBounded(bytes, 8 * kMap);
+    EXPECT_TRUE(read.isRead) << read.failure;
+    EXPECT_LT(read.memory, 4 * kMap + kMap / 2);
+}
+
+/// Numbers as text are decoded into memory that does not grow.
+TEST(MemoryBounds, HoldForNumbersAsText) {
+    if (kSanitized) {
+        GTEST_SKIP() << "a sanitizer takes memory of its own";
+    }
+    constexpr std::uint64_t kSide = 2048;
+    constexpr std::uint64_t kMap = kSide * kSide * sizeof(double);
+    std::string numbers;
+    for (std::uint64_t i = 0; i < kSide * kSide; ++i) {
+        numbers += "1 ";
+    }
+    const std::string bytes =
+        R"(<VTKFile type="ImageData" byte_order="LittleEndian"><ImageData )"
+        R"(WholeExtent="0 2047 0 2047 0 0" Spacing="1 1 1"><Piece Extent="0 2047 0 2047 0 0">)"
+        R"(<PointData><DataArray Name="z" type="Float64" format="ascii">)" +
+        numbers + "</DataArray></PointData></Piece></ImageData></VTKFile>";
+    const BoundedRead read = readBounded(bytes, 2 * kMap + kMap / 2);
+    EXPECT_TRUE(read.isRead) << read.failure;
+}
+
 }  // namespace asperity::test

@@ -134,6 +134,29 @@ TEST(SampleRows, KeepsDecodedSamplesAsLongAsTheyAreRead) {
     }
 }
 
+/// Images that are decoded together and read one after the other are decoded once.
+TEST(SampleRows, KeepsTheLatestSamplesForTheNextImage) {
+    int decoded = 0;
+    const auto latest = std::make_shared<LatestSamples>();
+    const auto decode = [&decoded] {
+        ++decoded;
+        return kBytes + kBytes;
+    };
+    const auto together = std::make_shared<DecodedSamples>(decode, latest);
+    SampleLayout second = kLayout;
+    second.place += kLayout.bytes();
+    const ReadRow rows = rowsOfDecoded(together, kLayout, "a file");
+    const ReadRow next = rowsOfDecoded(together, second, "a file");
+    EXPECT_EQ(readRowOf(rows, 0), (std::vector<double>{1, 2, 3}));
+    EXPECT_EQ(readRowOf(next, 0), (std::vector<double>{1, 2, 3}));
+    EXPECT_EQ(decoded, 1);
+    const auto other = std::make_shared<DecodedSamples>(decode, latest);
+    (void)readRowOf(rowsOfDecoded(other, kLayout, "a file"), 0);
+    EXPECT_EQ(decoded, 2);
+    EXPECT_EQ(readRowOf(rows, 1), (std::vector<double>{4, 5, 6}));
+    EXPECT_EQ(decoded, 3) << "the samples of two are in memory";
+}
+
 TEST(SampleRows, LeavesOutWhatAMaskMarks) {
     const MemoryBytes bytes(kBytes, "a file");
     const ReadRow mask = [](int row, RowRoom&, double* numbers) {

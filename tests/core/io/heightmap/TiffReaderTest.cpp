@@ -328,6 +328,14 @@ TEST(TiffReader, ImagesThatShareTheirPixelsAreDamaged) {
     EXPECT_THAT(refusalOfTiff(tiffFile(images)), HasSubstr("overlap"));
 }
 
+/// Each takes a byte of the file, but 32 of memory.
+TEST(TiffReader, FarTooManyStripsAreRefusedBeforeTheyAreRead) {
+    constexpr std::size_t kOneTooMany = (std::size_t{1} << 20U) + 1;
+    const TiffTestImage image{
+        .extra = {{.tag = 279, .type = 1, .numbers = {}, .bytes = std::string(kOneTooMany, '\0')}}};
+    EXPECT_THAT(refusalOfTiff(image), HasSubstr("at most 1048576 numbers"));
+}
+
 TEST(TiffReader, WholeImagesOfATruncatedFileOpenWithANote) {
     const std::string bytes = tiffFile({{}, {}});
     const HeightMapFile cut =
