@@ -95,7 +95,8 @@ void writeTouches(const std::filesystem::path& file, const std::vector<Touch>& t
         row.addModel(touch, "snap_in_distance_m");
         row.add(cycle.pullOffForce());
         row.addModel(touch, "pull_off_force_n");
-        row.add(cycle.adhesionWork);
+        const std::optional<Reading> work = cycle.workOfAdhesion();
+        row.addIf(work.has_value(), work ? work->value : 0.0);
         const std::optional<Reading> hysteresis = cycle.closedHysteresis();
         row.addIf(hysteresis.has_value(), hysteresis ? hysteresis->value : 0.0);
         row.add(cycle.areaSigma);

@@ -209,7 +209,7 @@ OrderedJson cycleJson(const Scene& scene, const ContactCycle& cycle) {
          cycle.snapIn ? OrderedJson(cycle.snapInBaseDistance.sigma) : OrderedJson(nullptr)},
         {"pull_off_force_n", readingJson(pullOff)},
         {"pull_off_force_sigma_n", pullOff ? OrderedJson(pullOff->sigma) : OrderedJson(nullptr)},
-        {"adhesion_work_j", cycle.adhesionWork},
+        {"adhesion_work_j", readingJson(cycle.workOfAdhesion())},
         {"hysteresis_j", readingJson(cycle.closedHysteresis())},
         {"area_sigma_j", cycle.areaSigma},
         {"contact_stiffness_n_m", readingJson(cycle.stiffness)},

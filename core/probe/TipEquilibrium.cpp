@@ -89,7 +89,7 @@ public:
         }
         putMainPointFirst();
         report();
-        state_.mayLackNeck = leavesPointsOpen() || (memory.mayLackNeck && mayBeHeld());
+        state_.mayLackPoint = mayMissPoints(state_.proof) || (memory.mayLackPoint && mayBeHeld());
         remember(memory);
         return state_;
     }
@@ -420,10 +420,6 @@ private:
         state_.interaction = std::max(state_.interaction, sunk / closest.depth());
     }
 
-    [[nodiscard]] bool leavesPointsOpen() const {
-        return mayMissPoints(state_.proof) || state_.proof == SearchProof::NotConverged;
-    }
-
     /// Whether contacts that nobody knows of may hold the tip: where lever and sample have a bonded
     /// state beside the free one. Necks that share a lever tear off as one does on a lever as many
     /// times as soft.
@@ -444,7 +440,7 @@ private:
     void remember(EquilibriumMemory& memory) const {
         memory.deflection = deflection_;
         memory.tip = state_.tip;
-        memory.mayLackNeck = state_.mayLackNeck;
+        memory.mayLackPoint = state_.mayLackPoint;
         memory.pointCount = 0;
         for (const TipContactPoint& closest : points_) {
             const bool isFar = closest.contact.branch == ContactBranch::Far &&

@@ -33,7 +33,7 @@ struct EquilibriumMemory {
     std::size_t pointCount = 0;            ///< 0: nothing is known yet
     Vector3 deflection = Vector3::Zero();  ///< of the tip, lab frame [m]
     Vector3 tip = Vector3::Zero();         ///< apex, where the points were left, lab frame [m]
-    bool mayLackNeck = false;              ///< as TipState::mayLackNeck
+    bool mayLackPoint = false;             ///< as TipState::mayLackPoint
 };
 
 /// The tip in quasi-static equilibrium between lever and sample; lab frame. In a valley that the
@@ -55,9 +55,10 @@ struct TipState {
                                ///< what the others press, N / (pi E* d) at a distance d
     bool overlapping = false;  ///< two contact circles overlap: the sum counts matter twice
     SearchProof proof = SearchProof::NotSought;  ///< whether all closest points are known
-    /// A search left it open whether there were other closest points, and one that it missed may
-    /// hold the tip still: contacts remember how they came about until the lever tears them off.
-    bool mayLackNeck = false;
+    /// The search left it open whether there are other closest points, or one before did, and a
+    /// contact that it missed may hold the tip still: contacts remember how they came about until
+    /// the lever tears them off.
+    bool mayLackPoint = false;
     bool tipFits = true;       ///< false: valley narrower than the tip
     bool anisotropic = false;  ///< effectiveRadius is approximate
     bool converged = false;    ///< tip position found to rounding

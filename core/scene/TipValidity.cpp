@@ -54,7 +54,7 @@ ValidityFlags quickValidity(const Scene& scene, const ProbeSystem& system,
     flags.set(Validity::SeveralContactPoints, state.points > 1);
     flags.set(Validity::OverlappingContacts, state.overlapping);
     flags.set(Validity::InteractingContacts, state.interaction > kInteraction);
-    flags.set(Validity::SearchNotExhaustive, mayMissPoints(state.proof) || state.mayLackNeck);
+    flags.set(Validity::SearchNotExhaustive, state.mayLackPoint);
     if (state.contact.contactRadius > 0.0) {
         flags.set(
             Validity::VariedMaterial,

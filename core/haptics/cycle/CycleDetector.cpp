@@ -20,6 +20,13 @@ bool slides(const BaseMotion& base) noexcept {
     return std::hypot(base.velocity.x(), base.velocity.y()) > std::abs(base.velocity.z());
 }
 
+/// Standard deviation of a trend that has not begun anew a moment ago [N]: after a jump a single
+/// tick says so little that any force would be like the strongest.
+double settledSigma(const ForceTrend& trend, const ForceDistancePoint& point) noexcept {
+    constexpr double kSettled = 0.42;  // of a tick's, see ForceTrend
+    return std::min(trend.sigma(), kSettled * point.sigma);
+}
+
 /// A reading with what else it may have missed [N].
 std::optional<Reading> withMissed(std::optional<Reading> reading, double missed) noexcept {
     if (reading) {
@@ -90,6 +97,7 @@ void CycleDetector::begin() noexcept {
     push_ = StrongestForce(StrongestForce::kGrowing);
     snapInPull_ = StrongestForce(StrongestForce::kSudden);
     pullOffPull_ = StrongestForce(StrongestForce::kGrowing);
+    snapInPlaces_ = {};
     areaVariance_ = 0.0;
     retracted_ = false;
     ++number_;
@@ -149,12 +157,14 @@ void CycleDetector::takeSnapIn() noexcept {
         return;
     }
     const bool isStrongest = snapInPull_.take(trend_.halves(-1.0), trend_.pull());
+    snapInPlaces_.take(trend_.pull(), settledSigma(trend_, point_), point_.baseDistance);
+    Reading& place = cycle_.snapInBaseDistance;
     if (isStrongest) {
-        cycle_.snapInBaseDistance = {
-            .value = point_.baseDistance,
-            .sigma = std::hypot(step_ / std::sqrt(12.0), compliance() * trend_.sigma())};
+        place.value = point_.baseDistance;
+        snapInPlaceNoise_ = std::hypot(step_ / std::sqrt(12.0), compliance() * trend_.sigma());
         snapInMissed_ = missedByStep();
     }
+    place.sigma = std::hypot(snapInPlaceNoise_, snapInPlaces_.sigmaOf(place.value));
     cycle_.snapIn = withMissed(snapInPull_.reading(), snapInMissed_);
 }
 
@@ -186,7 +196,8 @@ void CycleDetector::takeAreas(double forceBefore) noexcept {
     cycle_.hysteresis -= 0.5 * (force + forceBefore) * step_;
     // A jump lies anywhere between its two ticks.
     const double jump = (force - forceBefore) * step_;
-    areaVariance_ += jump * jump / 12.0 + trend_.sigma() * trend_.sigma() * step_ * step_;
+    // Each tick's own noise counts once: that of the trend is shared by neighbors.
+    areaVariance_ += jump * jump / 12.0 + point_.sigma * point_.sigma * step_ * step_;
     cycle_.areaSigma = std::sqrt(areaVariance_);
     if (cycle_.phase == CyclePhase::Contact && branch_.branch() == CurveBranch::Retract) {
         const double pull = std::max(0.0, -force) + std::max(0.0, -forceBefore);

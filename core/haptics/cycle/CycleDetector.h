@@ -60,14 +60,16 @@ private:
     double step_ = 0.0;              ///< of its base distance, since the tick before [m]
     double contactStiffness_ = 0.0;  ///< of the contact model there [N/m]
     double snapInMissed_ = 0.0;      ///< of the snap-in, see missedByStep() [N]
+    double snapInPlaceNoise_ = 0.0;  ///< of its place, by step and lever alone [m]
     double pullOffMissed_ = 0.0;     ///< of the pull-off [N]
     UnloadingFit unloading_;
     StrongestForce push_{StrongestForce::kGrowing};         ///< in contact
     StrongestForce snapInPull_{StrongestForce::kSudden};    ///< of the first approach
     StrongestForce pullOffPull_{StrongestForce::kGrowing};  ///< of the last retract
-    double deepest_ = 0.0;                                  ///< base distance [m]
-    Vector2 place_ = Vector2::Zero();                       ///< of the base [m]
-    Vector2 tip_ = Vector2::Zero();                         ///< of the tip [m]
+    StrongestPlaces snapInPlaces_;          ///< base distances at which snapInPull_ was as strong
+    double deepest_ = 0.0;                  ///< base distance [m]
+    Vector2 place_ = Vector2::Zero();       ///< of the base [m]
+    Vector2 tip_ = Vector2::Zero();         ///< of the tip [m]
     Vector2 touched_ = Vector2::Zero();     ///< the base's place when the tip touched [m]
     Vector2 tipTouched_ = Vector2::Zero();  ///< and the tip's [m]
     double areaVariance_ = 0.0;             ///< [J^2]

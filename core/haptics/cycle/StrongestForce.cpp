@@ -1,5 +1,6 @@
 #include "core/haptics/cycle/StrongestForce.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace asperity {
@@ -23,6 +24,26 @@ bool StrongestForce::take(const std::array<HalfForce, 2>& halves, double force,
     strongestForce_ = isStrongest ? force : strongestForce_;
     reading_ = meanOf(measured_);
     return isStrongest;
+}
+
+void StrongestPlaces::take(double force, double sigma, double place) noexcept {
+    // Of the strongest of many, which noise made so, and of a single one.
+    constexpr double kWeaker = 3.0;
+    constexpr double kStronger = 5.0;
+    if (!started_ || force > first_ + kStronger * sigma) {
+        started_ = true;
+        first_ = strongest_ = force;
+        lowest_ = highest_ = place;
+    }
+    strongest_ = std::max(strongest_, force);
+    if (force >= strongest_ - kWeaker * sigma) {
+        lowest_ = std::min(lowest_, place);
+        highest_ = std::max(highest_, place);
+    }
+}
+
+double StrongestPlaces::sigmaOf(double place) const noexcept {
+    return std::max(place - lowest_, highest_ - place) / std::sqrt(3.0);
 }
 
 }  // namespace asperity

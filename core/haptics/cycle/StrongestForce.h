@@ -45,4 +45,24 @@ private:
     std::optional<Reading> reading_;
 };
 
+/// Where a force was as strong as its strongest within its noise: on a plateau, as soft samples
+/// have, noise alone picks the tick of the strongest force, and with it the place. O(1),
+/// allocation-free.
+class StrongestPlaces {
+public:
+    /// Takes the next tick. @param force [N] @param sigma its standard deviation [N]
+    /// @param place of the tick along an axis [m]
+    void take(double force, double sigma, double place) noexcept;
+    /// Returns the standard deviation of one of these places, as the place where the force became
+    /// as strong, or left off: that of a uniform distribution up to the farthest of them [m].
+    [[nodiscard]] double sigmaOf(double place) const noexcept;
+
+private:
+    bool started_ = false;
+    double first_ = 0.0;      ///< force at the first of them [N]
+    double strongest_ = 0.0;  ///< [N]
+    double lowest_ = 0.0;     ///< of the places [m]
+    double highest_ = 0.0;    ///< of the places [m]
+};
+
 }  // namespace asperity

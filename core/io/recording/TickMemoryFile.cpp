@@ -108,7 +108,7 @@ void listMemory(Memory& memory, const Cell& cell) {
     listCouplingMemory(memory, later);
     listGuideMemory(memory, later);
     listGovernorMemory(memory, later);
-    later({"may_lack_neck"}, memory.model.mayLackNeck);
+    later({"may_lack_point"}, memory.model.mayLackPoint);
     later({"unsolved_s"}, memory.unsolved);
     later({"asperity_flags"}, memory.asperity.flags);
     later({"asperity_hold_for"}, memory.asperity.holdFor);

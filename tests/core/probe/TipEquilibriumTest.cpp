@@ -113,14 +113,14 @@ TEST(TipEquilibrium, AHillIsMetWithItsEffectiveRadius) {
 }
 
 /// Whether a tip may lack a neck that it may have lacked before, with its base at this height [m].
-bool mayStillLackNeck(const Scene& scene, double height) {
+bool mayStillLackPoint(const Scene& scene, double height) {
     EquilibriumMemory memory;
-    memory.mayLackNeck = true;
+    memory.mayLackPoint = true;
     const BaseMotion base{.position = {64.0_nm, 64.0_nm, height}};
     const TipState state = tipEquilibrium(scene.surface, scene.belief, base, memory);
     EXPECT_FALSE(mayMissPoints(state.proof));
-    EXPECT_EQ(memory.mayLackNeck, state.mayLackNeck);
-    return state.mayLackNeck;
+    EXPECT_EQ(memory.mayLackPoint, state.mayLackPoint);
+    return state.mayLackPoint;
 }
 
 TEST(TipEquilibrium, ADoubtAboutMissedContactsLastsUntilTheTipIsFree) {
@@ -128,16 +128,16 @@ TEST(TipEquilibrium, ADoubtAboutMissedContactsLastsUntilTheTipIsFree) {
     const double compliance = scene.belief.cantilever.compliance()(2, 2);
     // As far as so many necks hold it together.
     const double held = -scene.belief.contact.pullOffApproach(kMaxContactPoints * compliance);
-    EXPECT_TRUE(mayStillLackNeck(scene, -2.0_nm));
-    EXPECT_TRUE(mayStillLackNeck(scene, 0.9 * held));
-    EXPECT_FALSE(mayStillLackNeck(scene, 1.1 * held));
+    EXPECT_TRUE(mayStillLackPoint(scene, -2.0_nm));
+    EXPECT_TRUE(mayStillLackPoint(scene, 0.9 * held));
+    EXPECT_FALSE(mayStillLackPoint(scene, 1.1 * held));
 }
 
 TEST(TipEquilibrium, WhereNothingAdheresThereIsNoDoubtAboutMissedContacts) {
     SceneDescription description = test::plainScene();
     description.sample.material.workOfAdhesion = 0.0;
     description.truth.material.workOfAdhesion = 0.0;
-    EXPECT_FALSE(mayStillLackNeck(buildScene(description, test::flatMap()), -2.0_nm));
+    EXPECT_FALSE(mayStillLackPoint(buildScene(description, test::flatMap()), -2.0_nm));
 }
 
 /// Ground whose curvature changes within a contact, as that of a grainy film.

@@ -138,15 +138,15 @@ TEST(CantileverSketch, TheArrowOfAPullKeepsItsHeadOnALowCard) {
                          cantileverShape(kLever, {0.0, 0.0, force}, kLever.geometry().length));
         const QImage image = sketch.grab().toImage();
         const QColor red(theme::colors().force);
-        int widest = 0;
+        int most = 0;
         for (int y = 0; y < image.height(); ++y) {
             int width = 0;
             for (int x = 0; x < image.width(); ++x) {
                 width += image.pixelColor(x, y) == red ? 1 : 0;
             }
-            widest = std::max(widest, width);
+            most = std::max(most, width);
         }
-        return widest;
+        return most;
     };
     EXPECT_GE(widest(-14e-9), 5) << "of the head";
     EXPECT_NEAR(widest(-14e-9), widest(14e-9), 1);

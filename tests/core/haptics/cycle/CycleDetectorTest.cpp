@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <vector>
 #include <limits>
 
 namespace asperity {
@@ -278,6 +279,40 @@ TEST(CycleDetector, AreasAreSaidToBeAsSureAsTicksAndNoiseMakeThem) {
     noisy.oneCycle();
     EXPECT_NEAR(noisy.cycle().adhesionWork, SpringContact::kWork, 4.0 * noisy.cycle().areaSigma);
     EXPECT_LT(noisy.cycle().areaSigma, 0.1 * SpringContact::kWork);
+}
+
+/// Cycles of as many seeds of noise.
+std::vector<ContactCycle> noisyCycles(double attraction) {
+    constexpr int kRuns = 60;
+    std::vector<ContactCycle> cycles;
+    for (int i = 0; i < kRuns; ++i) {
+        SpringContact run(SpringContact::kSigma);
+        run.attraction = attraction;
+        run.rest(5000 * i);  // draws other noise
+        run.oneCycle();
+        cycles.push_back(run.cycle());
+    }
+    return cycles;
+}
+
+TEST(CycleDetector, HysteresisScattersAsItsDeviationSays) {
+    double squares = 0.0;
+    double stated = 0.0;
+    const std::vector<ContactCycle> cycles = noisyCycles(0.0);
+    for (const ContactCycle& cycle : cycles) {
+        squares += std::pow(cycle.hysteresis - SpringContact::kWork, 2);
+        stated += std::pow(cycle.areaSigma, 2);
+    }
+    EXPECT_LT(std::sqrt(squares / stated), 1.25);
+    EXPECT_GT(std::sqrt(squares / stated), 0.75);
+}
+
+/// A pull that is as strong all the way from snap-in to contact.
+TEST(CycleDetector, ThePlaceOfASnapInOnAPlateauIsAsUncertainAsThePlateauIsLong) {
+    for (const ContactCycle& cycle : noisyCycles(2e-9)) {
+        EXPECT_NEAR(cycle.snapInBaseDistance.value, 1e-9, 1.96 * cycle.snapInBaseDistance.sigma);
+        EXPECT_LT(cycle.snapInBaseDistance.sigma, 1e-9);
+    }
 }
 
 TEST(CycleDetector, EachApproachInFreeAirBeginsACycle) {

@@ -21,7 +21,7 @@ TickMemory someMemory() {
     memory.model.pointCount = 2;
     memory.model.deflection = {1e-9 / 3.0, -2e-9, 3e-9};
     memory.model.tip = {1e-7 / 3.0, -2e-8, 3e-9};
-    memory.model.mayLackNeck = true;
+    memory.model.mayLackPoint = true;
     memory.compensation = {1e-9 / 7.0, 0.0, -2e-9};
     memory.control = PositionControl::Tip;
     memory.base = {0.1, 0.2, 0.3};
@@ -82,7 +82,7 @@ TEST(TickMemoryFile, ReadsBackToTheSameBits) {
     }
     EXPECT_EQ(read.model.deflection, written.model.deflection);
     EXPECT_EQ(read.model.tip, written.model.tip);
-    EXPECT_EQ(read.model.mayLackNeck, written.model.mayLackNeck);
+    EXPECT_EQ(read.model.mayLackPoint, written.model.mayLackPoint);
     EXPECT_EQ(read.compensation, written.compensation);
     EXPECT_EQ(read.control, written.control);
     EXPECT_EQ(read.base, written.base);
@@ -140,7 +140,7 @@ TEST(TickMemoryFile, ReadsAMemoryWithoutInnovations) {
 }
 
 TEST(TickMemoryFile, AMemoryOfBeforeLacksNoNeck) {
-    EXPECT_FALSE(readWithout("may_lack_neck").model.mayLackNeck);
+    EXPECT_FALSE(readWithout("may_lack_point").model.mayLackPoint);
 }
 
 TEST(TickMemoryFile, ReadsAMemoryWithoutThePlaceOfTheTip) {
