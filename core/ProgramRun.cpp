@@ -73,9 +73,14 @@ struct Start {
 };
 
 /// Ends this process with the one that started it, however that ends: the kernel does, for as long
-/// as the thread lives that started it, which waits. Where that is gone already, returns false.
+/// as the thread lives that started it, which waits. Where that is gone already, returns false with
+/// `errno` ESRCH.
 bool endWith(pid_t starter) {
-    return prctl(PR_SET_PDEATHSIG, SIGKILL) == 0 && getppid() == starter;
+    if (prctl(PR_SET_PDEATHSIG, SIGKILL) != 0) {
+        return false;
+    }
+    errno = ESRCH;
+    return getppid() == starter;
 }
 
 /// All signals at their defaults, none blocked. They are blocked until then: a handler would run in
@@ -91,7 +96,9 @@ void resetSignals() {
     sigprocmask(SIG_SETMASK, &none, nullptr);
 }
 
-/// Standard streams and the place for a failure alone stay open.
+/// Standard streams and the place for a failure alone stay open. Streams 0 to 2 are open in this
+/// process before (openClosedStandardStreams()), so that none of these files has such a number and
+/// is overwritten by another one.
 bool moveStreams(const Start& start) {
     constexpr int kFailure = STDERR_FILENO + 1;
     if (dup2(start.input, STDIN_FILENO) < 0 || dup2(start.output, STDOUT_FILENO) < 0 ||

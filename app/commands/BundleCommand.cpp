@@ -75,11 +75,13 @@ void bundle(const BundleOptions& options) {
     requireOutside(options.run, options.out);
     requireFree(options.out, options.force);
     const RunPlace input(options.run);
-    const std::filesystem::path run = checkedRun(options, input.folder(), scratch.path());
-    const std::filesystem::path picture = scratch.path() / "picture.png";
-    draw(run, picture);
-    ProgressLine line("packing");
-    writeBundle(run, picture, options.out, &line);
+    input.read([&] {
+        const std::filesystem::path run = checkedRun(options, input.folder(), scratch.path());
+        const std::filesystem::path picture = scratch.path() / "picture.png";
+        draw(run, picture);
+        ProgressLine line("packing");
+        writeBundle(run, picture, options.out, &line);
+    });
     std::cout << printable(options.out) << ": " << std::filesystem::file_size(options.out)
               << " bytes; it opens and replays on any machine\n";
 }

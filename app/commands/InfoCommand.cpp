@@ -22,6 +22,7 @@
 #include <nlohmann/json.hpp>
 #include <span>
 #include <sstream>
+#include <string_view>
 #include <utility>
 
 namespace asperity {
@@ -88,14 +89,14 @@ PixelFacts pixelFacts(const ScanFile& file, const ScanChannel& channel) {
 }
 
 /// NaN, of a channel without a valid pixel, becomes null.
-nlohmann::json channelJson(const ScanFile& file, const ScanChannel& channel) {
-    const PixelFacts facts = pixelFacts(file, channel);
+nlohmann::json channelJson(const HeightMapFile& file, const ScanChannel& channel,
+                           const PixelFacts& facts) {
     const HeightStatistics& statistics = facts.statistics;
     return {{"name", channel.name},
             {"unit", channel.unit},
             {"direction", channel.direction},
             {"is_height", channel.isHeight()},
-            {"is_default", isDefault(file.contents(), channel)},
+            {"is_default", isDefault(file, channel)},
             {"columns", channel.map.columns},
             {"rows", channel.map.rows},
             {"size_known", channel.hasSize()},
@@ -134,21 +135,37 @@ std::vector<std::string> notesOf(const Report& shown) {
     return notes;
 }
 
+/// Prints a JSON text two levels deep.
+void printIndented(std::string_view text) {
+    while (!text.empty()) {
+        const std::size_t end = std::min(text.find('\n'), text.size() - 1) + 1;
+        std::cout << "    " << text.substr(0, end);
+        text.remove_prefix(end);
+    }
+}
+
+/// One channel after the other: the texts of all of them together would take several times their
+/// memory. Their pixels are read before, so that a failure prints nothing.
 void printJson(const Report& shown) {
     const HeightMapFile& file = shown.file.contents();
-    nlohmann::json channels = nlohmann::json::array();
+    std::vector<PixelFacts> facts;
     for (const ScanChannel* const channel : shown.channels) {
-        channels.push_back(channelJson(shown.file, *channel));
+        facts.push_back(pixelFacts(shown.file, *channel));
     }
     const ScanChannel& first = file.channels.at(file.defaultChannel);
     const nlohmann::json defaultName =
         isTopography(first) ? nlohmann::json(first.name) : nlohmann::json();
-    nlohmann::json report = {
+    const nlohmann::json report = {
         {"file", pathText(shown.path)},  {"format", file.format},
         {"sha256", shown.file.sha256()}, {"default_channel", defaultName},
         {"notes", notesOf(shown)},       {"provenance", provenanceJson(file.provenance)}};
-    report["channels"] = std::move(channels);
-    std::cout << jsonText(report) << '\n';
+    const std::string rest = jsonText(report);
+    std::cout << "{\n  \"channels\": [";
+    for (std::size_t i = 0; i < facts.size(); ++i) {
+        std::cout << (i == 0 ? "\n" : ",\n");
+        printIndented(jsonText(channelJson(file, *shown.channels[i], facts[i])));
+    }
+    std::cout << "\n  ]," << rest.substr(1) << '\n';
 }
 
 using Row = std::vector<std::string>;

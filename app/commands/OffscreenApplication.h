@@ -1,5 +1,7 @@
 #pragma once
 
+#include "app/program/RuntimeFolder.h"
+
 #include <memory>
 
 class QGuiApplication;
@@ -15,6 +17,7 @@ public:
     OffscreenApplication& operator=(const OffscreenApplication&) = delete;
 
 private:
+    RuntimeFolder runtime_;
     int argumentCount_;
     char* arguments_[4];
     std::unique_ptr<QGuiApplication> application_;

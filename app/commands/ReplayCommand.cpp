@@ -35,9 +35,7 @@ void tellOutcome(const RecordedRun& run) {
     std::cout << "bit-identical: " << run.samples.size() << " ticks\n";
 }
 
-void runReplay(const ReplayOptions& options) {
-    const RunPlace input(options.run);
-    const std::filesystem::path& folder = input.folder();
+void replayFolder(const std::filesystem::path& folder, const ReplayOptions& options) {
     const std::filesystem::path target = options.out;
     if (std::filesystem::exists(target) && std::filesystem::equivalent(folder, target)) {
         throw Error("--out must be another folder than the run: its logs would be overwritten");
@@ -59,6 +57,11 @@ void runReplay(const ReplayOptions& options) {
         throw Error(failureOfReplay(difference.what(), loaded, folder));
     }
     tellOutcome(run);
+}
+
+void runReplay(const ReplayOptions& options) {
+    const RunPlace input(options.run);
+    input.read([&] { replayFolder(input.folder(), options); });
 }
 
 }  // namespace

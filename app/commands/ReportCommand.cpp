@@ -118,8 +118,8 @@ std::string noteOn(const ReportedRun& run) {
 }
 
 /// Reads, replays and draws a run, and writes its page.
-Written writeRun(const Task& task, const std::filesystem::path& folder, Progress* progress) {
-    const RunPlace input(task.folder);
+Written writeRun(const Task& task, const RunPlace& input, const std::filesystem::path& folder,
+                 Progress* progress) {
     const RecordedRun recorded = readSomeTicks(input.folder());
     ProgressPart loading(progress, 0.0, 0.4);
     const LoadedScene loaded = loadScene(input.folder() / run_files::kScene, {}, &loading);
@@ -199,7 +199,8 @@ std::vector<Written> writeAll(const std::vector<Task>& tasks, const std::filesys
     for (const Task& task : tasks) {
         const auto done = static_cast<double>(written.size());
         ProgressPart part(&line, done / count, (done + 1.0) / count);
-        written.push_back(writeRun(task, folder, &part));
+        const RunPlace input(task.folder);
+        written.push_back(input.read([&] { return writeRun(task, input, folder, &part); }));
         runs.push_back(written.back().run);
     }
     if (tasks.size() > 1) {

@@ -27,7 +27,7 @@ ExportInput::ExportInput(const std::filesystem::path& input, Progress* progress)
         return;
     }
     const RunPlace place(input);
-    RunWithScene read = readRunWithScene(place.folder(), progress);
+    RunWithScene read = place.read([&] { return readRunWithScene(place.folder(), progress); });
     loaded_ = std::make_unique<const LoadedScene>(std::move(read.loaded));
     note_ = sentenceOf(read.run.state);
     run_.emplace(loaded_->scene, std::move(read.run.inputs));

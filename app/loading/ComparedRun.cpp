@@ -30,7 +30,7 @@ ComparedRun readComparedRun(const std::filesystem::path& input, Progress* progre
     const RunPlace place(input);
     ProgressPart loading(progress, 0.0, kLoaded);
     ProgressPart running(progress, kLoaded, 1.0);
-    RunWithScene read = readRunWithScene(place.folder(), &loading);
+    RunWithScene read = place.read([&] { return readRunWithScene(place.folder(), &loading); });
     RunPlayback playback(read.loaded.scene, std::move(read.run.inputs));
     return {.note = sentenceOf(read.run.state),
             .conditions = conditionsOf(read.loaded),

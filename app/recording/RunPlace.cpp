@@ -2,13 +2,26 @@
 
 #include "app/recording/Bundle.h"
 #include "app/runs/RunFolder.h"
-#include "core/Error.h"
+#include "core/PrintableText.h"
 
 #include <algorithm>
+#include <string>
 
 namespace asperity {
 
-RunPlace::RunPlace(const std::filesystem::path& input) : folder_(input) {
+namespace {
+
+std::string replacedAll(std::string text, const std::string& part, const std::string& by) {
+    for (std::size_t at = text.find(part); at != std::string::npos;
+         at = text.find(part, at + by.size())) {
+        text.replace(at, part.size(), by);
+    }
+    return text;
+}
+
+}  // namespace
+
+RunPlace::RunPlace(const std::filesystem::path& input) : input_(input), folder_(input) {
     std::error_code unknown;
     if (std::filesystem::is_regular_file(input, unknown)) {
         unpacked_.emplace();
@@ -17,6 +30,20 @@ RunPlace::RunPlace(const std::filesystem::path& input) : folder_(input) {
     } else if (!std::filesystem::is_directory(input, unknown)) {
         throw InputError(input.string(), "", "expected the folder of a run, or a bundle");
     }
+}
+
+void RunPlace::throwAgain(const FileError& refusal) const {
+    const std::string text = refusal.what();
+    const std::string folder = printable(folder_.string());
+    if (!isBundle() || text.find(folder) == std::string::npos) {
+        throw;
+    }
+    const std::string bundle = printable(input_.string());
+    const std::string named =
+        replacedAll(replacedAll(text, folder + "/", bundle + ", "), folder, bundle);
+    constexpr std::string_view kAfterFile = ": ";
+    const std::size_t end = named.find(kAfterFile);
+    throw InputError(named.substr(0, end), "", named.substr(end + kAfterFile.size()));
 }
 
 std::filesystem::path runOf(const std::filesystem::path& file) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/Error.h"
 #include "core/PrivateFolder.h"
 
 #include <filesystem>
@@ -18,7 +19,22 @@ public:
     /// Whether its files are in a bundle, and the folder goes with this.
     [[nodiscard]] bool isBundle() const { return unpacked_.has_value(); }
 
+    /// Runs what reads the run's files. A refusal of one that is in a bundle names the bundle and
+    /// that part of it, not the folder that goes. @return what `work` returns @throw as `work`
+    template <class Work>
+    auto read(const Work& work) const {
+        try {
+            return work();
+        } catch (const FileError& refusal) {
+            throwAgain(refusal);
+        }
+    }
+
 private:
+    /// @throw what is caught, or the same by the bundle's name
+    [[noreturn]] void throwAgain(const FileError& refusal) const;
+
+    std::filesystem::path input_;
     std::optional<PrivateFolder> unpacked_;
     std::filesystem::path folder_;
 };

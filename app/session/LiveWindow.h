@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/program/RuntimeFolder.h"
 #include "app/session/Session.h"
 #include "ui/window/MainWindow.h"
 #include "ui/window/WindowMemory.h"
@@ -40,6 +41,7 @@ private:
     };
 
     Display display_;
+    RuntimeFolder runtime_;
     int argumentCount_ = 1;
     char* arguments_[2];
     Application application_;

@@ -7,7 +7,6 @@ namespace asperity {
 
 TextQuota TextQuota::ofEach(std::size_t images) {
     constexpr TextQuota kOne;
-    constexpr std::size_t kFullShares = 8;
     const std::size_t shares = std::max(images, kFullShares);
     return {.count = kOne.count * kFullShares / shares, .bytes = kOne.bytes * kFullShares / shares};
 }
@@ -26,8 +25,18 @@ void BoundedTexts::add(std::string name, std::string text) {
 }
 
 void BoundedTexts::set(std::string name, std::string text) {
-    remove(name);
-    add(std::move(name), std::move(text));
+    const auto old = texts_.find(name);
+    if (old == texts_.end()) {
+        add(std::move(name), std::move(text));
+        return;
+    }
+    const std::size_t others = bytes_ - old->second.size();
+    if (text.size() > quota_.bytes - others) {
+        isCut_ = true;
+        return;
+    }
+    bytes_ = others + text.size();
+    old->second = std::move(text);
 }
 
 void BoundedTexts::remove(const std::string& name) {

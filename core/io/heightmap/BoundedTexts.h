@@ -12,8 +12,10 @@ struct TextQuota {
     std::size_t count = std::size_t{1} << 14U;
     std::size_t bytes = std::size_t{1} << 20U;  ///< of names and texts
 
-    /// Returns that of each image of a file with so many, which together carry at most 8 times
-    /// what one may.
+    /// How many times what one image may carry all images of a file may carry together: 512 of
+    /// them 1000 texts of 40 kB each.
+    static constexpr std::size_t kFullShares = 32;
+    /// Returns that of each image of a file with so many, which share kFullShares quotas.
     [[nodiscard]] static TextQuota ofEach(std::size_t images);
 };
 
@@ -31,7 +33,7 @@ public:
 
     /// Adds a text; of several with the same name the first one counts.
     void add(std::string name, std::string text);
-    /// Adds a text; of several with the same name the last one counts.
+    /// Adds a text; of several with the same name the last one that is not left out counts.
     void set(std::string name, std::string text);
     void remove(const std::string& name);
     /// Adds all of these.

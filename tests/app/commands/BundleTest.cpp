@@ -1,3 +1,6 @@
+#include "core/io/FileBytes.h"
+#include "core/io/FileHash.h"
+#include "core/io/zip/ZipArchive.h"
 #include "tests/app/ProgramRun.h"
 #include "tests/support/ScratchFolder.h"
 #include "tests/support/ShippedScene.h"
@@ -43,11 +46,32 @@ protected:
     static std::string altered(const char* entry, const std::string& content) {
         const std::string copy = in("altered.zip");
         fs::copy_file(in("run.zip"), copy, fs::copy_options::overwrite_existing);
-        zip_t* const archive = zip_open(copy.c_str(), 0, nullptr);
+        put(copy, entry, content);
+        return copy;
+    }
+
+    /// The same, listed with its new hash.
+    static std::string alteredAndListed(const char* entry, const std::string& content) {
+        const std::string copy = altered(entry, content);
+        const FileBytes bytes(copy);
+        const ZipArchive archive(bytes);
+        auto list = nlohmann::json::parse(archive.decoded(*archive.find("bundle.json"), 1U << 20U));
+        for (auto& file : list["files"]) {
+            if (file["name"] == entry) {
+                file["bytes"] = content.size();
+                file["sha256"] = sha256Of(MemoryBytes(content, entry));
+            }
+        }
+        put(copy, "bundle.json", list.dump());
+        return copy;
+    }
+
+    /// Replaces a file of an archive, or adds one.
+    static void put(const std::string& zip, const char* entry, const std::string& content) {
+        zip_t* const archive = zip_open(zip.c_str(), 0, nullptr);
         zip_source_t* const source = zip_source_buffer(archive, content.data(), content.size(), 0);
         EXPECT_GE(zip_file_add(archive, entry, source, ZIP_FL_OVERWRITE), 0);
         EXPECT_EQ(zip_close(archive), 0);
-        return copy;
     }
 
     static std::unique_ptr<test::ScratchFolder> scratch;
@@ -179,6 +203,25 @@ TEST_F(Bundle, SaysWhichFileIsDamaged) {
     const auto noBundle = run("replay " + in("run/scene.toml") + replay);
     EXPECT_EQ(noBundle.exitCode, 3);
     EXPECT_THAT(noBundle.output, Not(HasSubstr("bit-identical")));
+}
+
+// They named a file of a folder that was gone by then.
+TEST_F(Bundle, RefusalsNameItAndThePart) {
+    const auto expectNamed = [](const std::string& command, const std::string& named) {
+        const auto refused = run(command);
+        EXPECT_EQ(refused.exitCode, 3) << command;
+        EXPECT_THAT(refused.output, HasSubstr("asperity: " + named + ": ")) << command;
+        EXPECT_THAT(refused.output, Not(HasSubstr(".asperity-"))) << command;
+    };
+    const std::string copy = alteredAndListed("scene.toml", "broken");
+    for (const std::string& command :
+         {"replay " + copy + " --out " + in("refused"), "report " + copy + " --out " + in("page"),
+          "bundle " + copy + " " + in("refused.zip"),
+          "render " + copy + " --out " + in("refused.png")}) {
+        expectNamed(command, copy + ", scene.toml");
+    }
+    expectNamed("report " + alteredAndListed("summary.json", "[1]") + " --out " + in("page"),
+                copy + ", summary.json");
 }
 
 }  // namespace

@@ -394,5 +394,22 @@ TEST_F(Report, IsHtmlForAnotherReader) {
     EXPECT_EQ(read.exitCode, 0) << read.output;
 }
 
+/// Qt made a folder there where a desktop session names none.
+TEST_F(Report, LeavesNoFolderInThatOfTemporaryFiles) {
+    const std::filesystem::path temporary = scratch.path() / "tmp";
+    std::filesystem::create_directory(temporary);
+    const std::string environment = "env -u XDG_RUNTIME_DIR TMPDIR=" + temporary.string();
+    const std::filesystem::path broken = copyOf(far());
+    std::ofstream(broken / "scene.toml") << "broken";
+    EXPECT_EQ(test::runProgram("report " + far().string() + " --out " + out.string(), environment)
+                  .exitCode,
+              0);
+    EXPECT_EQ(test::runProgram("report " + broken.string() + " --force --out " + out.string(),
+                               environment)
+                  .exitCode,
+              3);
+    EXPECT_TRUE(std::filesystem::is_empty(temporary));
+}
+
 }  // namespace
 }  // namespace asperity

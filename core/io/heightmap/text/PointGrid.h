@@ -16,6 +16,7 @@ struct TextPoints {
     [[nodiscard]] double at(std::size_t point, std::size_t axis) const {
         return numbers[3 * point + axis];
     }
+    /// Removes the first point, of which there must be one.
     void removeFirst() { numbers.erase(numbers.begin(), numbers.begin() + 3); }
 };
 

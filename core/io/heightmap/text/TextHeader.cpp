@@ -205,27 +205,43 @@ private:
             header_.noData = *number;
         } else {
             header_.texts.set(key, value);
-            grid_[key] = *number;
         }
         if (!header_.noData) {
             header_.noData = kEsriNoData;
         }
-        header_.isMatrix = true;
+        header_.isMatrix = isEsri_ = true;
         return true;
     }
 
     [[nodiscard]] std::optional<double> gridNumber(const std::string& key) const {
-        const auto found = grid_.find(key);
-        return found == grid_.end() ? std::nullopt : std::optional(found->second);
+        const auto found = header_.texts.all().find(key);
+        return found == header_.texts.all().end() ? std::nullopt : parseNumber(found->second);
+    }
+
+    /// Returns the keys that give the sides of a cell.
+    static std::string sideKeys(bool hasX, bool hasY) {
+        if (hasX == hasY) {
+            return hasX ? "dx, dy" : "cellsize";
+        }
+        return hasX ? "dx, cellsize" : "cellsize, dy";
     }
 
     /// Takes size and corner of an ESRI grid. They have no unit: meters, where a scan may be as
     /// large as that.
     void takeGrid() {
         constexpr double kMaxScan = 1e-3;  // [m]
-        const double cell = gridNumber("cellsize").value_or(0.0);
-        const double cellX = gridNumber("dx").value_or(cell);
-        const double cellY = gridNumber("dy").value_or(cell);
+        if (!isEsri_) {
+            return;
+        }
+        const std::optional<double> cell = gridNumber("cellsize");
+        const std::optional<double> dx = gridNumber("dx");
+        const std::optional<double> dy = gridNumber("dy");
+        if (!cell && dx.has_value() != dy.has_value()) {
+            header_.notes.emplace_back(dx ? "it gives dx without dy; its size is not known"
+                                          : "it gives dy without dx; its size is not known");
+        }
+        const double cellX = dx.value_or(cell.value_or(0.0));
+        const double cellY = dy.value_or(cell.value_or(0.0));
         const double sizeX = cellX * static_cast<double>(header_.columns);
         const double sizeY = cellY * static_cast<double>(header_.rows);
         if (!(sizeX > 0.0 && sizeY > 0.0)) {
@@ -246,8 +262,9 @@ private:
         header_.originX = corner('x', cellX);
         header_.originY = corner('y', cellY);
         header_.lateralUnit = "m";
-        header_.sizeSource = "cellsize";
-        header_.notes.emplace_back("cellsize and corner have no unit; meters are assumed");
+        header_.sizeSource = sideKeys(dx.has_value(), dy.has_value());
+        header_.notes.push_back(header_.sizeSource +
+                                " and corner have no unit; meters are assumed");
     }
 
     /// "h=305 w=75", and after it "pixel size=3.7e-007 m" and others.
@@ -319,9 +336,9 @@ private:
     TextLines& lines_;
     TextHeader header_;
     std::vector<TextComment> comments_;
-    std::map<std::string, double> grid_;    ///< of an ESRI grid, by their keys
     std::vector<TextComment> assignments_;  ///< comments of the form "key = value"; lower-case keys
     bool isWsxmMatrix_ = false;
+    bool isEsri_ = false;
 };
 
 }  // namespace

@@ -53,6 +53,18 @@ TEST(BoundedTexts, CountsWhatIsRemovedNoMore) {
     EXPECT_FALSE(texts.isCut());
 }
 
+TEST(BoundedTexts, KeepTheOldTextWhereTheNewOneIsTooLong) {
+    BoundedTexts texts(kTwoOfTen);
+    texts.set("a", "1234");
+    texts.set("b", "1234");
+    texts.set("a", "12345");
+    EXPECT_EQ(texts.all(), (Texts{{"a", "1234"}, {"b", "1234"}}));
+    EXPECT_TRUE(texts.isCut());
+    texts.set("a", "1");
+    texts.set("b", "1234567");
+    EXPECT_EQ(texts.all(), (Texts{{"a", "1"}, {"b", "1234567"}}));
+}
+
 TEST(BoundedTexts, AreCutWhereThoseAreThatWereAdded) {
     BoundedTexts cut(kTwoOfTen);
     cut.add("long", "1234567");
@@ -64,13 +76,21 @@ TEST(BoundedTexts, AreCutWhereThoseAreThatWereAdded) {
 /// However many images a file has, their texts together are bounded.
 TEST(BoundedTexts, ShareAQuotaAmongManyImages) {
     constexpr TextQuota kOne;
-    for (const std::size_t images : {0U, 1U, 8U, 9U, 128U, 1024U}) {
+    constexpr std::size_t kShares = TextQuota::kFullShares;
+    for (const std::size_t images : {0U, 1U, 32U, 33U, 128U, 1024U}) {
         const TextQuota each = TextQuota::ofEach(images);
         EXPECT_LE(each.count, kOne.count);
-        EXPECT_LE(each.count * images, 8 * kOne.count);
-        EXPECT_LE(each.bytes * images, 8 * kOne.bytes);
-        EXPECT_GE(each.count, images > 8 ? 8 * kOne.count / (images + 1) : kOne.count);
+        EXPECT_LE(each.count * images, kShares * kOne.count);
+        EXPECT_LE(each.bytes * images, kShares * kOne.bytes);
+        EXPECT_GE(each.count, images > kShares ? kShares * kOne.count / (images + 1) : kOne.count);
     }
+}
+
+/// A stack of images of an instrument that writes many texts with each.
+TEST(BoundedTexts, OfAnInstrumentFitInEachOf512Images) {
+    const TextQuota each = TextQuota::ofEach(512);
+    EXPECT_GE(each.count, 1000U);
+    EXPECT_GE(each.bytes, 40'000U);
 }
 
 }  // namespace asperity::test

@@ -78,6 +78,17 @@ TEST(JpkArchiveReader, ADamagedImageIsNamedWithItsArchive) {
                 StartsWith("scan.zip: data-image.force: "));
 }
 
+/// Less than a megabyte of an archive took as much memory as its image pretends to have.
+TEST(JpkArchiveReader, AnImageOfFarMoreBytesThanItIsPackedInIsNotUnpacked) {
+    std::string image("II*\0", 4);
+    image.resize(std::size_t{150} << 20U, '\0');
+    const std::string bytes =
+        zipFile({{"header.properties", ""}, {"data-image.force", std::move(image)}});
+    EXPECT_THAT(refusalOfJpkArchive(bytes),
+                AllOf(StartsWith("scan.zip: data-image.force: it holds 157286400 bytes"),
+                      HasSubstr("at most 134217728 are expected")));
+}
+
 TEST(JpkArchiveReader, AnotherZipFileIsNone) {
     for (const char* entry : {"header.properties", "segments/a"}) {
         EXPECT_THAT(refusalOfJpkArchive(zipFile({{entry, ""}})),

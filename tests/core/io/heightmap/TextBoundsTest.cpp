@@ -265,7 +265,7 @@ TEST(TextBounds, LeaveValuesBehindManyTextsReadable) {
 }
 
 TEST(TextBounds, KeepTheTextsOfAnInstrument) {
-    const HeightMapFile file = readHeightMapBytes(gwyWithTexts(16, 1000), "scan");
+    const HeightMapFile file = readHeightMapBytes(gwyWithTexts(512, 1000), "scan");
     EXPECT_THAT(file.notes, testing::Not(Contains(HasSubstr(kNote))));
     for (const ScanChannel& channel : file.channels) {
         EXPECT_EQ(channel.metadata.size(), 1000U);

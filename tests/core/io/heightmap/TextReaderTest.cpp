@@ -298,6 +298,17 @@ TEST(TextReader, EsriGridsGiveSizeAndCornerInMeters) {
     EXPECT_DOUBLE_EQ(center.map.pitchY, 2e-9);
     EXPECT_DOUBLE_EQ(center.originX, 3e-6 - 2e-9);
     EXPECT_DOUBLE_EQ(center.originY, -1e-6 - 1e-9);
+    EXPECT_THAT(center.notes, testing::Contains(HasSubstr("dx, dy and corner have no unit")));
+}
+
+TEST(TextReader, EsriGridsNameTheSideOfACellThatIsMissing) {
+    const auto notesOf = [](const std::string& side) {
+        const ScanChannel channel = textChannel("ncols 4\nnrows 2\n" + side + "1 2 3 4\n5 6 7 8\n");
+        EXPECT_FALSE(channel.hasSize());
+        return channel.notes;
+    };
+    EXPECT_THAT(notesOf("dx 4e-9\n"), testing::Contains(HasSubstr("dx without dy")));
+    EXPECT_THAT(notesOf("dy 4e-9\n"), testing::Contains(HasSubstr("dy without dx")));
 }
 
 TEST(TextReader, MinusNineThousandMeansNoDataWhereNothingIsLower) {
