@@ -6,8 +6,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <vector>
 #include <limits>
+#include <vector>
 
 namespace asperity {
 namespace {
