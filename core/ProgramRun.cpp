@@ -59,8 +59,8 @@ std::vector<char*> pointersTo(std::vector<std::string>& texts) {
     return pointers;
 }
 
-/// What a new process needs to become the program. It allocates nothing: it may share the memory
-/// of this one until then.
+/// Everything that a new process needs to become the program. It must not allocate: until then it
+/// may share the memory of this process.
 struct Start {
     const char* program;
     char* const* words;

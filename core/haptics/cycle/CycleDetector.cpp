@@ -20,8 +20,8 @@ bool slides(const BaseMotion& base) noexcept {
     return std::hypot(base.velocity.x(), base.velocity.y()) > std::abs(base.velocity.z());
 }
 
-/// Standard deviation of a trend that has not begun anew a moment ago [N]: after a jump a single
-/// tick says so little that any force would be like the strongest.
+/// Returns the standard deviation of a trend, but not more than that of a settled one [N]: just
+/// after a jump it rests on one tick, and any force would seem as strong as the strongest.
 double settledSigma(const ForceTrend& trend, const ForceDistancePoint& point) noexcept {
     constexpr double kSettled = 0.42;  // of a tick's, see ForceTrend
     return std::min(trend.sigma(), kSettled * point.sigma);

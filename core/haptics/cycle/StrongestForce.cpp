@@ -27,7 +27,8 @@ bool StrongestForce::take(const std::array<HalfForce, 2>& halves, double force,
 }
 
 void StrongestPlaces::take(double force, double sigma, double place) noexcept {
-    // Of the strongest of many, which noise made so, and of a single one.
+    // In standard deviations: how far below the strongest a force counts as equal, and how far
+    // above the first one it shows that the place is another.
     constexpr double kWeaker = 3.0;
     constexpr double kStronger = 5.0;
     if (!started_ || force > first_ + kStronger * sigma) {

@@ -6,21 +6,21 @@
 
 namespace asperity {
 
-/// How many texts an image may carry.
+/// Limits of the texts that one image may carry.
 struct TextQuota {
     /// Files of instruments have up to 1000 an image.
     std::size_t count = std::size_t{1} << 14U;
     std::size_t bytes = std::size_t{1} << 20U;  ///< of names and texts
 
-    /// How many times what one image may carry all images of a file may carry together: 512 of
-    /// them 1000 texts of 40 kB each.
+    /// All images of a file together may carry this many quotas: enough for 512 images with 1000
+    /// texts, 40 kB, each.
     static constexpr std::size_t kFullShares = 32;
-    /// Returns that of each image of a file with so many, which share kFullShares quotas.
+    /// Returns the quota of each image where a file has so many of them.
     [[nodiscard]] static TextQuota ofEach(std::size_t images);
 };
 
-/// Of a header in which the scale and other values are looked for, which an image does not carry as
-/// a whole.
+/// Limits of a header's texts while a reader looks for scale and other values in them. No image
+/// carries so many.
 inline constexpr TextQuota kHeaderQuota{.count = std::size_t{1} << 18U,
                                         .bytes = std::size_t{1} << 22U};
 
