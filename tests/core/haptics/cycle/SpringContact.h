@@ -47,8 +47,9 @@ public:
     double attraction = 0.0;               ///< of the free tip within 1 nm [N]
     long modelLag = 0;  ///< ticks by which the model comes off later; < 0: before any pull
     bool solved = true;
-    double step = kStep;  ///< of the base a tick [m]
-    int touches = 0;      ///< cycles that came into contact
+    double step = kStep;        ///< of the base a tick [m]
+    double contact = kContact;  ///< stiffness of the sample [N/m]
+    int touches = 0;            ///< cycles that came into contact
 
     [[nodiscard]] const ContactCycle& cycle() const { return detector.cycle(); }
 
@@ -60,7 +61,7 @@ private:
         out.model.tip.z() = base_ + force / kLever;
         out.model.contact.indentation = -out.model.tip.z();
         out.model.contact.branch = modelBonded(force) ? ContactBranch::Bonded : ContactBranch::Far;
-        out.model.contact.stiffness = bonded_ ? kContact : 0.0;
+        out.model.contact.stiffness = bonded_ ? contact : 0.0;
         out.model.contact.status =
             solved ? ContactStatus::Solved : ContactStatus::ApproachOutOfRange;
         out.estimate.force.z() = force + noise_ * random_.normal();
@@ -74,9 +75,10 @@ private:
     }
 
     double trueForce() {
-        bonded_ = bonded_ ? -kTogether * base_ >= -kPull : base_ <= 0.0;
+        const double force = -kLever * contact / (kLever + contact) * base_;
+        bonded_ = bonded_ ? force >= -kPull : base_ <= 0.0;
         if (bonded_) {
-            return -kTogether * base_;
+            return force;
         }
         return base_ < 1e-9 ? -attraction : 0.0;
     }
