@@ -29,7 +29,7 @@ ExportInput::ExportInput(const std::filesystem::path& input, Progress* progress)
     const RunPlace place(input);
     RunWithScene read = place.read([&] { return readRunWithScene(place.folder(), progress); });
     loaded_ = std::make_unique<const LoadedScene>(std::move(read.loaded));
-    note_ = sentenceOf(read.run.state);
+    note_ = std::move(read.note);
     run_.emplace(loaded_->scene, std::move(read.run.inputs));
 }
 

@@ -32,7 +32,7 @@ ComparedRun readComparedRun(const std::filesystem::path& input, Progress* progre
     ProgressPart running(progress, kLoaded, 1.0);
     RunWithScene read = place.read([&] { return readRunWithScene(place.folder(), &loading); });
     RunPlayback playback(read.loaded.scene, std::move(read.run.inputs));
-    return {.note = sentenceOf(read.run.state),
+    return {.note = std::move(read.note),
             .conditions = conditionsOf(read.loaded),
             .trace = surveyOf(playback, &running).trace};
 }

@@ -12,7 +12,11 @@ RunWithScene readRunWithScene(const std::filesystem::path& folder, Progress* pro
     RunOnDisk run = readRunInputs(folder);
     LoadedScene loaded = loadScene(folder / run_files::kScene, {}, progress);
     requireSameScan(loaded, folder);
-    return {.loaded = std::move(loaded), .run = std::move(run)};
+    std::string note = sentenceOf(run.state);
+    if (const std::string correction = correctionOfScan(loaded, folder); !correction.empty()) {
+        note += (note.empty() ? "" : "; ") + correction;
+    }
+    return {.loaded = std::move(loaded), .run = std::move(run), .note = std::move(note)};
 }
 
 }  // namespace asperity

@@ -4,6 +4,7 @@
 #include "app/recording/RunInputs.h"
 
 #include <filesystem>
+#include <string>
 
 namespace asperity {
 
@@ -11,6 +12,7 @@ namespace asperity {
 struct RunWithScene {
     LoadedScene loaded;
     RunOnDisk run;
+    std::string note;  ///< on a run that is cut off, or may not be what was recorded; empty: none
 };
 
 /// @throw InputError where one of them cannot be read, or the scan has changed since; Canceled

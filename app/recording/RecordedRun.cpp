@@ -56,7 +56,11 @@ std::optional<Vector2> recordedSize(const std::filesystem::path& folder) {
     };
     const std::optional<double> x = length("size_x_m");
     const std::optional<double> y = length("size_y_m");
-    return x && y ? std::optional(Vector2(*x, *y)) : std::nullopt;
+    if (x && y) {
+        return Vector2(*x, *y);
+    }
+    const std::optional<RecordingManifest> manifest = readManifest(folder);  // it was cut off
+    return manifest ? manifest->size : std::nullopt;
 }
 
 RunState stateOf(const std::filesystem::path& folder) {

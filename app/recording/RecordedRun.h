@@ -41,8 +41,9 @@ struct RecordedRun {
 /// The hash of the scan's file that a run was made on; empty: a shape. @throw InputError where
 /// there is no run
 [[nodiscard]] std::string recordedHash(const std::filesystem::path& folder);
-/// The size that the scan was read with when the run was made [m]; none: the run does not say.
-/// One that was cut off does not. @throw InputError where its summary is no text of ours
+/// The size that the scan was read with when the run was made [m]; none: the run does not say, as
+/// one of an earlier version that was cut off.
+/// @throw InputError where its summary or its manifest is no text of ours
 [[nodiscard]] std::optional<Vector2> recordedSize(const std::filesystem::path& folder);
 /// What its first tick starts from: a recording may begin in the middle of a run. @throw InputError
 [[nodiscard]] TickMemory startMemory(const std::filesystem::path& folder);

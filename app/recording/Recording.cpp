@@ -12,6 +12,15 @@
 
 namespace asperity {
 
+namespace {
+
+RecordingManifest manifestOf(const LoadedScene& loaded) {
+    const BSplineSurface& surface = loaded.scene.surface;
+    return {.sha256 = loaded.sha256, .size = Vector2(surface.sizeX(), surface.sizeY())};
+}
+
+}  // namespace
+
 // The manifest comes last: where it is, all is there that a replay takes.
 Recording::Recording(const RecordingPlace& place, const LoadedScene& loaded,
                      const TickMemory& memory, double delay)
@@ -23,7 +32,7 @@ Recording::Recording(const RecordingPlace& place, const LoadedScene& loaded,
     writeTickMemory(folder() / run_files::kMemory, memory);
     writeScene(loaded.scene.settings);
     flush();
-    writeManifest(folder(), {.sha256 = loaded.sha256});
+    writeManifest(folder(), manifestOf(loaded));
     if (place.replace) {
         sync();  // the earlier run goes: a power cut must not take both
     }
@@ -75,7 +84,9 @@ void Recording::finish() {
     writeTextFile(folder() / run_files::kSummary, runSummary(loaded_, events_.events()));
     syncToDisk(folder() / run_files::kSummary);
     sync();
-    writeManifest(folder(), {.sha256 = loaded_.sha256, .complete = true});
+    RecordingManifest manifest = manifestOf(loaded_);
+    manifest.complete = true;
+    writeManifest(folder(), manifest);
     if (format_ == RunFormat::Hdf5 && ticks() > 0) {
         packRun(folder());
     }

@@ -15,14 +15,26 @@ namespace {
 constexpr const char* kRecordingFormat = "asperity recording";
 constexpr int kRecordingVersion = 1;
 
+std::optional<Vector2> sizeIn(const nlohmann::json& input) {
+    if (!input.contains("size_x_m")) {
+        return std::nullopt;
+    }
+    return Vector2(input.at("size_x_m").get<double>(), input.at("size_y_m").get<double>());
+}
+
 }  // namespace
 
 void writeManifest(const std::filesystem::path& folder, const RecordingManifest& manifest) {
+    nlohmann::ordered_json input{{"sha256", manifest.sha256}};
+    if (manifest.size) {
+        input["size_x_m"] = manifest.size->x();
+        input["size_y_m"] = manifest.size->y();
+    }
     const nlohmann::ordered_json json{
         {"format", kRecordingFormat},
         {"format_version", kRecordingVersion},
         {"versions", {{"asperity", kVersion}, {"compiler", __VERSION__}}},
-        {"input", {{"sha256", manifest.sha256}}},
+        {"input", input},
         {"complete", manifest.complete},
         {"recovered", manifest.recovered}};
     constexpr int kIndent = 2;
@@ -42,6 +54,7 @@ std::optional<RecordingManifest> readManifest(const std::filesystem::path& folde
         if (json.at("format") == kRecordingFormat &&
             json.at("format_version") == kRecordingVersion) {
             return RecordingManifest{.sha256 = json.at("input").at("sha256").get<std::string>(),
+                                     .size = sizeIn(json.at("input")),
                                      .complete = json.at("complete").get<bool>(),
                                      .recovered = json.at("recovered").get<bool>()};
         }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/Vector.h"
+
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -8,7 +10,9 @@ namespace asperity {
 
 /// recording.json: what must be known of a recording that was cut off before it had a summary.
 struct RecordingManifest {
-    std::string sha256;      ///< of the scan's file; empty without one
+    std::string sha256;  ///< of the scan's file; empty without one
+    /// That the scan, or the part of it, was read with [m]; none: one of an earlier version.
+    std::optional<Vector2> size = std::nullopt;
     bool complete = false;   ///< false: it goes on, or it was cut off
     bool recovered = false;  ///< it was cut off, and ends at the last tick that was whole
 };

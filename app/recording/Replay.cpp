@@ -102,15 +102,15 @@ bool isSameSize(const Vector2& one, const Vector2& other) {
     return ((one - other).cwiseAbs().array() <= kRounding * one.cwiseAbs().array()).all();
 }
 
-/// Returns whether a correction of a reader may have changed the size that a scan is read with.
-bool isCorrected(const LoadedScene& loaded) {
+/// Returns the size of the whole scan where a correction of a reader may have changed it [m].
+std::optional<Vector2> correctedSize(const LoadedScene& loaded) {
     constexpr std::string_view kCorrected = "NanoScope";
     const SampleDescription& sample = loaded.scene.description.sample;
     if (loaded.format.find(kCorrected) == std::string::npos || sample.scale.hasSize()) {
-        return false;
+        return std::nullopt;
     }
     const Vector2 size = scanSizeOf(sample);
-    return !isSameSize(size, {size.x(), size.x()});
+    return isSameSize(size, {size.x(), size.x()}) ? std::nullopt : std::optional(size);
 }
 
 /// Returns why a scan is read with another size than before, for the end of a sentence; empty: it
@@ -119,20 +119,7 @@ std::string causeOfSize(const LoadedScene& loaded) {
     if (loaded.scene.description.sample.scale.hasSize()) {
         return ", by the size in scene.toml";
     }
-    return isCorrected(loaded) ? ", after a correction of the reader" : "";
-}
-
-/// Returns the correction that may be why a run does not replay, where the run does not say with
-/// which size its scan was read; empty: none is known.
-std::string knownCorrection(const LoadedScene& loaded, const std::filesystem::path& folder) {
-    if (recordedSize(folder) || !isCorrected(loaded)) {
-        return {};
-    }
-    const SampleDescription& sample = loaded.scene.description.sample;
-    return sample.file +
-           ": the size along y of NanoScope scans that are not square has been corrected; the scan "
-           "is now read as " +
-           sizeText(scanSizeOf(sample)) + ", and a run recorded before that does not replay";
+    return correctedSize(loaded) ? ", after a correction of the reader" : "";
 }
 
 }  // namespace
@@ -153,10 +140,23 @@ void requireSameScan(const LoadedScene& loaded, const std::filesystem::path& fol
     }
 }
 
+std::string correctionOfScan(const LoadedScene& loaded, const std::filesystem::path& folder) {
+    if (recordedSize(folder)) {
+        return {};
+    }
+    const std::optional<Vector2> size = correctedSize(loaded);
+    return size ? "the size along y of NanoScope scans that are not square has been corrected; the "
+                  "scan is now read as " +
+                      sizeText(*size) + ", and a run recorded before that does not replay"
+                : std::string();
+}
+
 std::string failureOfReplay(const std::string& difference, const LoadedScene& loaded,
                             const std::filesystem::path& folder) {
-    const std::string correction = knownCorrection(loaded, folder);
-    return correction.empty() ? difference : correction + " (" + difference + ")";
+    const std::string correction = correctionOfScan(loaded, folder);
+    return correction.empty()
+               ? difference
+               : loaded.scene.description.sample.file + ": " + correction + " (" + difference + ")";
 }
 
 void replayTicks(const Scene& scene, const RecordedRun& run, const TickSink& sink) {

@@ -22,6 +22,12 @@ void requireSameSettings(const Scene& scene, const TickInput& first, double shor
 /// @param folder of the run @throw InputError
 void requireSameScan(const LoadedScene& loaded, const std::filesystem::path& folder);
 
+/// Returns the correction of a reader that may be why a run does not replay, a clause, where the
+/// run does not say with which size its scan was read; empty: none is known.
+/// @throw InputError where the scan cannot be read any more
+[[nodiscard]] std::string correctionOfScan(const LoadedScene& loaded,
+                                           const std::filesystem::path& folder);
+
 /// Returns why a run does not replay: the correction of a reader, where that may be why and the run
 /// does not say with which size its scan was read; and the difference.
 /// @param difference of requireSameLog() or differenceOnReplay()

@@ -32,15 +32,15 @@ RunPlace::RunPlace(const std::filesystem::path& input) : input_(input), folder_(
     }
 }
 
-void RunPlace::throwAgain(const FileError& refusal) const {
+void throwAsPartOf(const std::filesystem::path& bundle, const std::filesystem::path& folder,
+                   const FileError& refusal) {
     const std::string text = refusal.what();
-    const std::string folder = printable(folder_.string());
-    if (!isBundle() || text.find(folder) == std::string::npos) {
+    const std::string place = printable(folder.string());
+    if (text.find(place) == std::string::npos) {
         throw;
     }
-    const std::string bundle = printable(input_.string());
-    const std::string named =
-        replacedAll(replacedAll(text, folder + "/", bundle + ", "), folder, bundle);
+    const std::string name = printable(bundle.string());
+    const std::string named = replacedAll(replacedAll(text, place + "/", name + ", "), place, name);
     constexpr std::string_view kAfterFile = ": ";
     const std::size_t end = named.find(kAfterFile);
     throw InputError(named.substr(0, end), "", named.substr(end + kAfterFile.size()));

@@ -8,6 +8,11 @@
 
 namespace asperity {
 
+/// Throws a refusal again by the name that the user gave: where it names a folder that a bundle was
+/// unpacked into, the bundle and that part of it. Within a handler alone.
+[[noreturn]] void throwAsPartOf(const std::filesystem::path& bundle,
+                                const std::filesystem::path& folder, const FileError& refusal);
+
 /// A run as a user names it: its folder, or a bundle, which is unpacked for as long as this lives.
 class RunPlace {
 public:
@@ -26,14 +31,14 @@ public:
         try {
             return work();
         } catch (const FileError& refusal) {
-            throwAgain(refusal);
+            if (!isBundle()) {
+                throw;
+            }
+            throwAsPartOf(input_, folder_, refusal);
         }
     }
 
 private:
-    /// @throw what is caught, or the same by the bundle's name
-    [[noreturn]] void throwAgain(const FileError& refusal) const;
-
     std::filesystem::path input_;
     std::optional<PrivateFolder> unpacked_;
     std::filesystem::path folder_;

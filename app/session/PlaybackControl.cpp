@@ -34,8 +34,10 @@ LoadedScene read(LookedAtRun& run, Progress& progress) {
     ProgressPart unpacking(&progress, 0.0, kUnpacked);
     ProgressPart loading(&progress, kUnpacked, kLoaded);
     ProgressPart running(&progress, kLoaded, 1.0);
-    RunWithScene read = readRunWithScene(stayingRun(run.input, &unpacking), &loading);
-    run.note = sentenceOf(read.run.state);
+    const std::filesystem::path folder = stayingRun(run.input, &unpacking);
+    RunWithScene read =
+        readStaying(run.input, folder, [&] { return readRunWithScene(folder, &loading); });
+    run.note = std::move(read.note);
     run.conditions = conditionsOf(read.loaded);
     run.playback.emplace(read.loaded.scene, std::move(read.run.inputs));
     run.survey = surveyOf(*run.playback, &running);

@@ -21,13 +21,15 @@ namespace asperity {
 
 namespace {
 
-/// What is loaded of a file: of a bundle its scene.
-std::filesystem::path sceneIn(const std::filesystem::path& input, Progress& progress) {
+/// Loads a file; of a bundle its scene. @param read (scene) -> LoadedScene
+template <class Read>
+LoadedScene loadedOf(const std::filesystem::path& input, Progress& progress, const Read& read) {
     if (!isBundle(input)) {
-        return input;
+        return read(input);
     }
     ProgressPart unpacking(&progress, 0.0, 0.3);
-    return stayingRun(input, &unpacking) / run_files::kScene;
+    const std::filesystem::path folder = stayingRun(input, &unpacking);
+    return readStaying(input, folder, [&] { return read(folder / run_files::kScene); });
 }
 
 }  // namespace
@@ -68,9 +70,10 @@ void SceneControl::open(const std::filesystem::path& input, const SceneOverrides
           {.name = {},
            .load =
                [input, overrides, kept, fit = fit_](Progress& progress) {
-                   const std::filesystem::path scene = sceneIn(input, progress);
-                   *kept = windowSectionOf(scene);
-                   return loadScene(scene, overrides, &progress, fit);
+                   return loadedOf(input, progress, [&](const std::filesystem::path& scene) {
+                       *kept = windowSectionOf(scene);
+                       return loadScene(scene, overrides, &progress, fit);
+                   });
                },
            .place = [kept] { return tipPlaceIn(*kept); },
            .opened =

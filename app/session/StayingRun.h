@@ -1,6 +1,8 @@
 #pragma once
 
+#include "app/recording/RunPlace.h"
 #include "core/Progress.h"
+#include "core/io/heightmap/MissingScale.h"
 
 #include <filesystem>
 
@@ -11,5 +13,23 @@ namespace asperity {
 /// @throw InputError where it is neither; Error; Canceled
 [[nodiscard]] std::filesystem::path stayingRun(const std::filesystem::path& input,
                                                Progress* progress = nullptr);
+
+/// Runs what reads files in the folder of stayingRun(). A refusal of one that is in a bundle names
+/// the bundle and that part of it; that a scale is missing is passed on as it is, for the window
+/// asks for it. @return what `work` returns @throw as `work`
+template <class Work>
+auto readStaying(const std::filesystem::path& input, const std::filesystem::path& folder,
+                 const Work& work) {
+    try {
+        return work();
+    } catch (const MissingScale&) {
+        throw;
+    } catch (const FileError& refusal) {
+        if (folder == input) {
+            throw;
+        }
+        throwAsPartOf(input, folder, refusal);
+    }
+}
 
 }  // namespace asperity

@@ -54,6 +54,15 @@ std::string ByteReader::takeName(std::string_view what) {
                            : std::string(window(span.place, span.count).substr(0, span.count));
 }
 
+void ByteReader::copy(std::span<char> bytes, std::string_view what) {
+    const ByteSpan span = take(bytes.size(), what);
+    if (bytes.size() > kWindowBytes) {
+        source_->read(span.place, bytes);
+        return;
+    }
+    std::ranges::copy(window(span.place, span.count).substr(0, bytes.size()), bytes.begin());
+}
+
 void ByteReader::fail(std::string_view message) const {
     throw InputError(source_->name(), "byte " + std::to_string(place_), std::string(message));
 }

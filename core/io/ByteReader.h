@@ -7,6 +7,7 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -88,6 +89,9 @@ public:
         const ByteSpan span = take(sizeof(Number), what);
         return littleEndian<Number>(window(span.place, sizeof(Number)).data());
     }
+
+    /// Copies the next bytes. @throw InputError when fewer are left
+    void copy(std::span<char> bytes, std::string_view what);
 
     [[noreturn]] void fail(std::string_view message) const;
 

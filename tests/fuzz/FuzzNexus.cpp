@@ -5,19 +5,36 @@
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
-// A NeXus scan in what the program that reads HDF5 hands over: whole channels, or an InputError.
+// A NeXus scan in what the program that reads HDF5 hands over: whole channels, or an InputError. It
+// is asked several times, and a damaged file may lead it astray: what it hands over later may be
+// another content, that behind the mark.
+
+namespace {
+
+std::shared_ptr<const asperity::ByteSource> owned(std::string_view content) {
+    return std::make_shared<asperity::OwnedBytes>(std::string(content), "content");
+}
+
+}  // namespace
 
 // NOLINTNEXTLINE(readability-identifier-naming): the name that libFuzzer calls
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-    const auto bytes = std::make_shared<asperity::OwnedBytes>(
-        std::string(reinterpret_cast<const char*>(data), size), "content");
-    const auto read = [&bytes](const std::vector<std::string>&) {
-        return asperity::Hdf5Content(bytes, "fuzz");
+    constexpr std::string_view kMark = "<<later>>";
+    const std::string_view whole(reinterpret_cast<const char*>(data), size);
+    const std::size_t mark = whole.find(kMark);
+    const auto first = owned(whole.substr(0, mark));
+    const auto later =
+        mark == std::string_view::npos ? first : owned(whole.substr(mark + kMark.size()));
+    bool isFirst = true;
+    const auto read = [&](const std::vector<std::string>&) {
+        return asperity::Hdf5Content(std::exchange(isFirst, false) ? first : later, "fuzz");
     };
     try {
-        asperity::requireWhole(asperity::readNexus("fuzz", read), *bytes);
+        asperity::requireWhole(asperity::readNexus("fuzz", read), *first);
     } catch (const asperity::InputError&) {
         return 0;
     }

@@ -135,16 +135,34 @@ void cut(std::string& words) {
     }
 }
 
+void cut(std::vector<std::string>& notes) {
+    for (std::string& note : notes) {
+        cut(note);
+    }
+}
+
+void cut(std::vector<Provenance>& entries) {
+    for (Provenance& entry : entries) {
+        cut(entry.value);
+        cut(entry.source);
+    }
+}
+
 void cutLongWords(StoredChannel& stored) {
     ScanChannel& channel = stored.channel;
     cut(channel.name);
     cut(channel.unit);
     cut(channel.lateralUnit);
-    std::ranges::for_each(channel.notes, cut);
-    for (Provenance& entry : channel.provenance) {
-        cut(entry.value);
-        cut(entry.source);
+    cut(channel.notes);
+    cut(channel.provenance);
+}
+
+void cutLongWords(StoredScan& scan) {
+    for (StoredChannel& stored : scan.channels) {
+        cutLongWords(stored);
     }
+    cut(scan.notes);
+    cut(scan.provenance);
 }
 
 /// Gives each channel the texts that all share.
@@ -168,7 +186,7 @@ HeightMapContents contentsOf(std::string format, StoredScan scan, const GivenSca
                              const std::string& file) {
     HeightMapContents contents;
     contents.file.format = std::move(format);
-    std::ranges::for_each(scan.channels, cutLongWords);
+    cutLongWords(scan);
     shareTexts(scan);
     std::ranges::for_each(scan.channels, noteMask);
     contents.file.defaultChannel = defaultOf(scan);

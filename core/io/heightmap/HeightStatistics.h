@@ -18,8 +18,8 @@ struct HeightStatistics {
 /// Takes the values of one row after the other; what is not finite holds no data.
 using TakeRow = std::function<void(std::span<const double>)>;
 
-/// @param giveRows gives all rows, each time it is called: twice, for the mean and then for what
-///        is left of it, so that no more than a row need be in memory
+/// @param giveRows gives all rows; it is called once, because reading a row may mean decoding the
+///        whole image
 [[nodiscard]] HeightStatistics
 heightStatistics(const std::function<void(const TakeRow&)>& giveRows);
 

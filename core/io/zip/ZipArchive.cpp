@@ -2,6 +2,7 @@
 
 #include "core/Error.h"
 #include "core/io/MemoryLimit.h"
+#include "core/io/zip/ZipDirectory.h"
 
 #include <algorithm>
 #include <exception>
@@ -21,6 +22,23 @@ constexpr std::uint64_t kMaxExpansion = 1032;
 bool isStored(const zip_stat_t& status) {
     return status.comp_method == ZIP_CM_STORE && status.encryption_method == ZIP_EM_NONE &&
            status.comp_size == status.size && status.size > 0;
+}
+
+/// Each takes some 350 bytes of memory. An archive of curves has more of them only where it is
+/// large: the entries of a map hold hundreds of bytes each.
+constexpr std::uint64_t kAlwaysAllowedEntries = 600'000;
+constexpr std::uint64_t kMinBytesOfEntry = 160;
+
+/// Refuses an archive whose list of entries takes far more memory than the file.
+const ByteSource& withFewEntries(const ByteSource& bytes) {
+    const std::uint64_t most = std::max(kAlwaysAllowedEntries, bytes.size() / kMinBytesOfEntry);
+    const std::uint64_t count = zipEntryCount(bytes);
+    if (count > most) {
+        throw InputError(bytes.name(), "directory of the zip archive",
+                         "it lists " + std::to_string(count) + " files; at most " +
+                             std::to_string(most) + " are expected in an archive of this size");
+    }
+    return bytes;
 }
 
 std::string entryName(const std::string& file, const std::string& entry) {
@@ -205,7 +223,7 @@ std::string_view ZipEntry::baseName() const {
 }
 
 ZipArchive::ZipArchive(const ByteSource& bytes)
-    : opened_(std::make_shared<Opened>(bytes)), entries_(opened_->list()) {}
+    : opened_(std::make_shared<Opened>(withFewEntries(bytes))), entries_(opened_->list()) {}
 
 const ZipEntry* ZipArchive::find(std::string_view name) const {
     const auto found = std::ranges::find(entries_, name, &ZipEntry::name);

@@ -31,7 +31,8 @@ using ByteSink = std::function<void(std::span<const char>)>;
 class ZipArchive {
 public:
     /// @param bytes must outlive the archive and the sources that it gives
-    /// @throw InputError when it is no archive or its directory is damaged
+    /// @throw InputError when it is no archive, its directory is damaged, or lists far more entries
+    ///        than an archive of this size has
     explicit ZipArchive(const ByteSource& bytes);
 
     [[nodiscard]] const std::vector<ZipEntry>& entries() const { return entries_; }

@@ -3,6 +3,7 @@
 #include "core/io/ByteReader.h"
 
 #include <algorithm>
+#include <array>
 
 namespace asperity {
 
@@ -76,6 +77,34 @@ std::optional<std::string> zipDirectory(const ByteSource& bytes) {
         return std::nullopt;
     }
     return bytesOf(bytes, *span);
+}
+
+std::uint64_t zipEntryCount(const ByteSource& bytes) {
+    constexpr std::string_view kEntryMark = "PK\1\2";
+    constexpr std::size_t kNameLength = 28;
+    constexpr std::size_t kExtraLength = 30;
+    constexpr std::size_t kCommentLength = 32;
+    const std::optional<ByteSpan> span = directorySpan(bytes);
+    if (!span || !lies(*span, bytes)) {
+        return 0;
+    }
+    ByteReader reader(bytes, *span);
+    std::array<char, 46> entry{};
+    for (std::uint64_t count = 0;; ++count) {
+        if (reader.remaining() < entry.size()) {
+            return count;
+        }
+        reader.copy(entry, "an entry");
+        std::uint64_t rest = 0;
+        for (const std::size_t length : {kNameLength, kExtraLength, kCommentLength}) {
+            rest += littleEndian<std::uint16_t>(entry.data() + length);
+        }
+        if (std::string_view(entry.data(), kEntryMark.size()) != kEntryMark ||
+            rest > reader.remaining()) {
+            return count;
+        }
+        (void)reader.take(rest, "an entry");
+    }
 }
 
 }  // namespace asperity

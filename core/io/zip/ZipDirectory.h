@@ -2,6 +2,7 @@
 
 #include "core/io/ByteSource.h"
 
+#include <cstdint>
 #include <optional>
 #include <string>
 
@@ -14,5 +15,8 @@ namespace asperity {
 /// what the archive is, and a hundred times faster than to open one of many entries. Empty when it
 /// is damaged. Source: PKWARE, APPNOTE.TXT 6.3.9, sections 4.3.12 to 4.3.16.
 [[nodiscard]] std::optional<std::string> zipDirectory(const ByteSource& bytes);
+
+/// Returns how many entries the directory of a zip archive lists, up to the first that is damaged.
+[[nodiscard]] std::uint64_t zipEntryCount(const ByteSource& bytes);
 
 }  // namespace asperity

@@ -99,6 +99,16 @@ TEST_F(CutOff, IsEndedAtTheLastTickThatAllTablesHold) {
     EXPECT_TRUE(recoverRecordings(folder.path()).empty()) << "once";
 }
 
+/// A reader may be corrected between recording and replay.
+TEST_F(CutOff, SaysWithWhichSizeItsScanWasRead) {
+    cutOff(3);
+    const BSplineSurface& surface = loaded.scene.surface;
+    const Vector2 size(surface.sizeX(), surface.sizeY());
+    EXPECT_EQ(recordedSize(run), size);
+    ASSERT_EQ(recoverRecordings(folder.path()).size(), 1U);
+    EXPECT_EQ(recordedSize(run), size);
+}
+
 TEST_F(CutOff, BeforeItsFirstTickItIsARecordingOfNothing) {
     cutOff(0);
     EXPECT_NE(replayed("0").find("before its first tick"), std::string::npos);

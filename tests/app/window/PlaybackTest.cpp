@@ -6,6 +6,7 @@
 #include "core/io/tables/CsvTable.h"
 #include "tests/app/ProgramRun.h"
 #include "tests/app/window/WindowFixture.h"
+#include "tests/core/io/heightmap/SyntheticScans.h"
 #include "tests/support/ShippedScene.h"
 #include "ui/measure/ReadingGrid.h"
 #include "ui/panels/OverviewPanel.h"
@@ -263,6 +264,70 @@ TEST_F(Playback, AScanOfAnotherSizeThanRecordedIsNamed) {
         << text.toStdString();
     EXPECT_FALSE(text.contains("tick")) << text.toStdString();
     EXPECT_EQ(session.playback().shown(), nullptr);
+}
+
+/// A recording of an earlier version that was cut off does not say with which size its scan was
+/// read.
+TEST_F(Playback, ACutOffRunOnAScanWhoseSizeWasCorrectedSaysSo) {
+    const std::vector<std::int32_t> counts(std::size_t{24} * 16, 5);
+    const auto scan =
+        folder.write("scan.spm", nanoscopeFile({.samples = "24",
+                                                .lines = "16",
+                                                .dataLength = "768",
+                                                .scanGrid = "\\Aspect Ratio: 3:2\r\n"},
+                                               counts));
+    const std::filesystem::path run = folder.file("run");
+    const ProgramRun made = runProgram("explore --no-pictures " + scan.string() +
+                                       " --duration 0.1 --out " + run.string());
+    ASSERT_EQ(made.exitCode, 0) << made.output;
+    const auto summary = nlohmann::json::parse(contentOf(run / run_files::kSummary));
+    std::filesystem::remove(run / run_files::kSummary);
+    nlohmann::json manifest{{"format", "asperity recording"},
+                            {"format_version", 1},
+                            {"input", {{"sha256", summary["input"]["sha256"]}}},
+                            {"complete", false},
+                            {"recovered", false}};
+    std::ofstream(run / run_files::kManifest) << manifest;
+    session.playback().look(run);
+    ASSERT_TRUE(eventually([this] { return session.playback().tick() == 0U; }, 60000));
+    const std::string note = session.playback().shown()->note;
+    EXPECT_NE(note.find("the recording was cut off"), std::string::npos) << note;
+    EXPECT_NE(note.find("has been corrected; the scan is now read as 30 nm x 13.3 nm"),
+              std::string::npos)
+        << note;
+    EXPECT_TRUE(told().find("has been corrected") != std::string::npos) << told();
+    // One that says it is judged by that.
+    manifest["input"]["size_x_m"] = summary["input"]["size_x_m"];
+    manifest["input"]["size_y_m"] = summary["input"]["size_x_m"];
+    std::ofstream(run / run_files::kManifest) << manifest;
+    session.playback().look(run);
+    ASSERT_TRUE(eventually([this] { return window.findChild<QMessageBox*>() != nullptr; }, 60000));
+    EXPECT_TRUE(window.findChild<QMessageBox*>()->text().contains(
+        "it was read as 30 nm x 30 nm when the run was recorded, and is now read as 30 nm x "
+        "13.3 nm, after a correction of the reader"))
+        << window.findChild<QMessageBox*>()->text().toStdString();
+}
+
+/// Not by the folder that it was unpacked into.
+TEST_F(Playback, ADamagedBundleIsNamedAsItWasOpened) {
+    lookAtBundle();
+    const std::filesystem::path scan =
+        session.playback().shown()->loaded->scene.description.sample.file;
+    const std::filesystem::path kept = scan.parent_path().parent_path();
+    click("backToLive");
+    std::filesystem::resize_file(kept / run_files::kInput, 3000);
+    session.playback().look(folder.file("run.zip"));
+    ASSERT_TRUE(eventually([this] { return window.findChild<QMessageBox*>() != nullptr; }, 60000));
+    QString text = window.findChild<QMessageBox*>()->text();
+    EXPECT_TRUE(text.contains("run.zip, tick_input.csv: ")) << text.toStdString();
+    EXPECT_FALSE(text.contains("/bundles/")) << text.toStdString();
+    delete window.findChild<QMessageBox*>();
+    std::ofstream(kept / run_files::kScene) << "[sample\n";
+    session.scenes().open(folder.file("run.zip"));
+    ASSERT_TRUE(eventually([this] { return window.findChild<QMessageBox*>() != nullptr; }, 60000));
+    text = window.findChild<QMessageBox*>()->text();
+    EXPECT_TRUE(text.contains("run.zip, scene.toml: ")) << text.toStdString();
+    EXPECT_FALSE(text.contains("/bundles/")) << text.toStdString();
 }
 
 TEST_F(Playback, ASecondRunIsOverlaidWithTheDifference) {

@@ -1,4 +1,5 @@
 #include "core/Error.h"
+#include "core/io/MemoryLimit.h"
 #include "core/io/heightmap/HeightMapFormat.h"
 #include "core/io/heightmap/exr/ExrHeader.h"
 #include "core/io/heightmap/exr/ExrImage.h"
@@ -25,8 +26,12 @@ struct ExrBatch {
     std::uint64_t bytes = 0;  ///< of all samples
 };
 
-/// A batch has no more unless it is of one channel [bytes].
-constexpr std::uint64_t kMaxBatch = std::uint64_t{1} << 26U;
+/// Returns how many bytes a batch has at most unless it is of one channel: all that an image of
+/// usual size has, so that its pixels are decoded once.
+std::uint64_t mostOfBatch() {
+    constexpr std::uint64_t kPart = 4;  // of the memory: the heights need some, too
+    return memoryForInput() / kPart;
+}
 
 class ExrReader {
 public:
@@ -98,11 +103,11 @@ private:
     /// To decode one channel costs as much as to decode all.
     [[nodiscard]] ReadRow rows(const ExrChannel& channel) {
         SampleLayout layout{.size = header_.size, .type = channel.type, .order = kExrNative};
-        if (!batch_ || batch_->bytes + layout.bytes() > kMaxBatch) {
+        if (!batch_ || batch_->bytes + layout.bytes() > mostOfBatch_) {
             batch_ = std::make_shared<ExrBatch>();
             samples_ = std::make_shared<DecodedSamples>(
                 [bytes = &bytes_, batch = batch_] { return decodeExr(*bytes, batch->channels); },
-                layout.bytes() > kMaxBatch ? nullptr : latest_);
+                layout.bytes() > mostOfBatch_ ? nullptr : latest_);
         }
         layout.place = batch_->bytes;
         batch_->channels.push_back(channel);
@@ -113,6 +118,7 @@ private:
     const ByteSource& bytes_;
     ExrHeader header_;
     std::vector<ExrChannel> channels_;
+    std::uint64_t mostOfBatch_ = mostOfBatch();
     std::shared_ptr<LatestSamples> latest_;    ///< null: there is one channel
     std::shared_ptr<ExrBatch> batch_;          ///< that the next channel belongs to if it fits
     std::shared_ptr<DecodedSamples> samples_;  ///< of that batch

@@ -20,8 +20,7 @@ constexpr std::string_view kCurves = "segments/";
 constexpr std::string_view kProperties = "header.properties";
 /// Ten channels of 4096 x 4096 pixels; a map of curves has a few hundred a side.
 constexpr std::uint64_t kMaxImage = std::uint64_t{1} << 30U;
-/// Counts of heights shrink to a third at best; flat channels more, but they are small.
-constexpr std::uint64_t kMaxImageExpansion = 8;
+/// Ten channels of 1,600 x 1,600 pixels.
 constexpr std::uint64_t kAlwaysAllowedImage = std::uint64_t{1} << 27U;
 
 bool isImage(const ZipEntry& entry) { return entry.baseName().starts_with(kImage); }
@@ -31,10 +30,9 @@ bool belongsToCurves(const ZipEntry& entry) {
 }
 
 /// Returns the most bytes that an image may have: behind its pixels a small archive can hold zeros
-/// that take a thousand times its size of memory.
-std::uint64_t mostBytesOf(const ZipEntry& image, const ByteSource& archive) {
-    const std::uint64_t packed = std::min(image.packed, archive.size());
-    return std::clamp(packed * kMaxImageExpansion, kAlwaysAllowedImage, kMaxImage);
+/// that take a thousand times its size of memory. The curves of a map are larger than its image.
+std::uint64_t mostBytesOf(const ByteSource& archive) {
+    return std::clamp(archive.size() + archive.size() / 2, kAlwaysAllowedImage, kMaxImage);
 }
 
 StoredScan readJpkArchive(const ByteSource& bytes) {
@@ -45,8 +43,7 @@ StoredScan readJpkArchive(const ByteSource& bytes) {
                          "this JPK archive holds force curves alone and no image; the archive of "
                          "a map (.jpk-force-map, .jpk-qi-data) holds one");
     }
-    const std::shared_ptr<const ByteSource> content =
-        archive.source(*image, mostBytesOf(*image, bytes));
+    const std::shared_ptr<const ByteSource> content = archive.source(*image, mostBytesOf(bytes));
     if (!isJpkImage(*content)) {
         throw InputError(content->name(), "", "expected a JPK image; the archive is damaged");
     }

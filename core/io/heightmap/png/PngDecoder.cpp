@@ -1,6 +1,7 @@
 #include "core/io/heightmap/png/PngDecoder.h"
 
 #include "core/Error.h"
+#include "core/io/ByteReader.h"
 
 #include <csetjmp>
 #include <exception>
@@ -13,21 +14,19 @@ namespace {
 
 /// What the PNG library reads from, and what went wrong on the way.
 struct PngSource {
-    const ByteSource& bytes;
-    std::uint64_t place = 0;
+    ByteReader reader;
     std::string message;         ///< the library's own
     std::exception_ptr failure;  ///< of reading the bytes
 
     /// Keeps an exception: none may pass through the library, which is written in C.
     bool read(png_bytep target, std::size_t count) {
         try {
-            bytes.read(place, {reinterpret_cast<char*>(target), count});
+            reader.copy({reinterpret_cast<char*>(target), count}, "a chunk");
+            return true;
         } catch (...) {
             failure = std::current_exception();
             return false;
         }
-        place += count;
-        return true;
     }
 };
 
@@ -98,13 +97,13 @@ std::string decodePng(const ByteSource& bytes, const PngHeader& header) {
     for (std::size_t row = 0; row < rows.size(); ++row) {
         rows[row] = reinterpret_cast<png_bytep>(samples.data() + row * rowBytes);
     }
-    PngSource source{.bytes = bytes};
+    PngSource source{.reader = ByteReader(bytes)};
     PngInput file(source);
     if (!file.readImage(rows.data(), rowBytes)) {
         if (source.failure) {
             std::rethrow_exception(source.failure);
         }
-        throw InputError(bytes.name(), "byte " + std::to_string(source.place),
+        throw InputError(bytes.name(), "byte " + std::to_string(source.reader.place()),
                          "the PNG library cannot decode it: " + source.message);
     }
     return samples;

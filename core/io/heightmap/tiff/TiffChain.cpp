@@ -15,6 +15,8 @@ namespace {
 /// Stacks have some hundred.
 constexpr std::size_t kMaxDirectories = 1024;
 constexpr std::uint64_t kMaxFields = 65535;
+/// A thousand images have some ten each, the images of instruments some hundred.
+constexpr std::uint64_t kMaxFieldsInAll = std::uint64_t{1} << 18U;
 
 /// How a TIFF file writes its offsets.
 struct ChainHeader {
@@ -105,6 +107,11 @@ private:
             fail(name, "it has " + std::to_string(count) + " fields; expected 1 to " +
                            std::to_string(kMaxFields));
         }
+        fields_ += count;
+        if (fields_ > kMaxFieldsInAll) {
+            fail(name, "expected at most " + std::to_string(kMaxFieldsInAll) +
+                           " fields in all directories; the file is damaged");
+        }
         return count;
     }
 
@@ -167,7 +174,8 @@ private:
     const ByteSource& bytes_;
     ChainHeader header_;
     std::uint64_t next_;
-    std::uint64_t left_;  ///< bytes of the file that no directory has spent yet
+    std::uint64_t left_;        ///< bytes of the file that no directory has spent yet
+    std::uint64_t fields_ = 0;  ///< of the directories until now
     std::set<std::uint64_t> visited_;
 };
 

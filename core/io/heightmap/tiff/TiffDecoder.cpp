@@ -1,6 +1,7 @@
 #include "core/io/heightmap/tiff/TiffDecoder.h"
 
 #include "core/Error.h"
+#include "core/io/heightmap/tiff/TiffValue.h"
 
 #include <algorithm>
 #include <array>
@@ -14,9 +15,29 @@ namespace asperity {
 
 namespace {
 
+/// Returns the file's header with this directory as the first one.
+std::string headerFor(const TiffDirectory& directory) {
+    constexpr std::size_t kVersionPlace = 2;
+    constexpr std::size_t kVersionBytes = 2;
+    constexpr std::uint16_t kBigVersion = 43;
+    std::string header = directory.bytes().start(kVersionPlace + kVersionBytes);
+    const bool isBig = orderedNumber<std::uint16_t>(header.data() + kVersionPlace,
+                                                    directory.order()) == kBigVersion;
+    const std::size_t offsetBytes = isBig ? 8 : 4;
+    header = directory.bytes().start(header.size() + (isBig ? 4 : 0));
+    for (std::size_t i = 0; i < offsetBytes; ++i) {
+        const std::size_t digit = directory.order() == ByteOrder::Little ? i : offsetBytes - 1 - i;
+        header += static_cast<char>((directory.place() >> (8 * digit)) & 0xffU);
+    }
+    return header;
+}
+
 /// What the TIFF library reads from, and what went wrong on the way. Nothing of it is global.
 struct TiffSource {
     const ByteSource& bytes;
+    /// In place of the file's own. To go to a directory in the middle, the library would walk
+    /// through all of those before it.
+    std::string header;
     std::uint64_t place = 0;
     std::string message;         ///< the library's first one
     std::exception_ptr failure;  ///< of reading the bytes
@@ -31,6 +52,9 @@ tmsize_t readBytes(thandle_t handle, void* target, tmsize_t count) {
     const std::uint64_t taken = std::min<std::uint64_t>(left, static_cast<std::uint64_t>(count));
     try {
         source.bytes.read(source.place, {static_cast<char*>(target), taken});
+        if (source.place < source.header.size()) {
+            source.header.copy(static_cast<char*>(target), taken, source.place);
+        }
     } catch (...) {
         source.failure = std::current_exception();
         return -1;
@@ -97,9 +121,9 @@ public:
     Decoder(const TiffDirectory& directory, const TiffImage& image)
         : directory_(directory)
         , image_(image)
-        , source_{.bytes = directory.bytes()}
+        , source_{.bytes = directory.bytes(), .header = headerFor(directory)}
         , tiff_(open(source_, image.blockBytes())) {
-        if (!tiff_ || TIFFSetSubDirectory(tiff_.get(), directory.place()) != 1) {
+        if (!tiff_) {
             fail();
         }
         requireSameImage();

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <vector>
 
 namespace asperity::test {
 
@@ -39,6 +40,29 @@ TEST(HeightStatistics, AreTheSameInRowsAndInOnePiece) {
     EXPECT_EQ(rows.highest, whole.highest);
     EXPECT_EQ(rows.mean, whole.mean);
     EXPECT_EQ(rows.rms, whole.rms);
+}
+
+/// Each pass over the rows may decode the whole image again.
+TEST(HeightStatistics, AskForTheRowsOnce) {
+    int passes = 0;
+    const std::vector<double> row = {1e-6, 3e-6};
+    const HeightStatistics statistics = heightStatistics([&](const TakeRow& take) {
+        ++passes;
+        for (int i = 0; i < 1000; ++i) {  // more than are summed up at a time
+            take(row);
+        }
+    });
+    EXPECT_EQ(passes, 1);
+    EXPECT_NEAR(statistics.rms, 1e-6, 1e-20);
+}
+
+/// A common height far above the roughness must not swallow it.
+TEST(HeightStatistics, KeepASmallRoughnessOnALargeHeight) {
+    HeightMap map = bumpyMap(1000, 1);
+    for (std::size_t i = 0; i < map.heights.size(); ++i) {
+        map.heights[i] = 1.0 + (i % 2 == 0 ? 1e-12 : -1e-12);
+    }
+    EXPECT_NEAR(statisticsOf(map).rms, 1e-12, 1e-15);
 }
 
 }  // namespace asperity::test

@@ -62,6 +62,18 @@ TEST(JpkArchiveReader, TheImageMayBeStoredOrCompressed) {
     }
 }
 
+/// The image's name is told with the scan's numbers.
+TEST(JpkArchiveReader, AVeryLongNameOfTheImageIsCut) {
+    ASPERITY_NEEDS_SHARED_DATA();
+    const std::string image = readFileBytes(sharedData("afm/jpk/map25x25_data-image.force.jpk"));
+    const HeightMapFile file = readHeightMapBytes(
+        zipFile({{"header.properties", ""}, {"data-image." + std::string(60'000, 'x'), image}}),
+        "map.jpk-force-map");
+    for (const Provenance& entry : file.provenance) {
+        EXPECT_LE(entry.value.size(), 4096U) << entry.what;
+    }
+}
+
 TEST(JpkArchiveReader, ForceCurvesAloneAreRefusedInWords) {
     EXPECT_THAT(refusalOfJpkArchive(zipFile({{"header.properties", "type=force"},
                                              {"segments/0/segment-header.properties", ""},
@@ -87,6 +99,18 @@ TEST(JpkArchiveReader, AnImageOfFarMoreBytesThanItIsPackedInIsNotUnpacked) {
     EXPECT_THAT(refusalOfJpkArchive(bytes),
                 AllOf(StartsWith("scan.zip: data-image.force: it holds 157286400 bytes"),
                       HasSubstr("at most 134217728 are expected")));
+}
+
+/// It took eight times the archive's size.
+TEST(JpkArchiveReader, AnImageMayBeHalfAsLargeAgainAsALargeArchive) {
+    constexpr std::size_t kArchive = std::size_t{100} << 20U;
+    std::string image("II*\0", 4);
+    image.resize(std::size_t{160} << 20U, '\0');
+    const std::string bytes = zipFile({{"header.properties", ""},
+                                       {"data-image.force", std::move(image)},
+                                       {"segments/0", std::string(kArchive, 'x'), false}});
+    EXPECT_THAT(refusalOfJpkArchive(bytes),
+                AllOf(HasSubstr("it holds 167772160 bytes; at most 157"), HasSubstr("expected")));
 }
 
 TEST(JpkArchiveReader, AnotherZipFileIsNone) {

@@ -336,6 +336,16 @@ TEST(TiffReader, FarTooManyStripsAreRefusedBeforeTheyAreRead) {
     EXPECT_THAT(refusalOfTiff(image), HasSubstr("at most 1048576 numbers"));
 }
 
+/// Each takes 12 bytes of the file, but 24 of memory; in an archive the file's may be packed.
+TEST(TiffReader, FarTooManyFieldsInAllAreRefused) {
+    TiffTestImage image;
+    for (std::uint16_t tag = 1000; tag < 61000; ++tag) {
+        image.extra.push_back(tiffInteger(tag, 1));
+    }
+    EXPECT_THAT(refusalOfTiff(tiffFile({image, image, image, image, image})),
+                HasSubstr("directory 5: expected at most 262144 fields in all directories"));
+}
+
 TEST(TiffReader, WholeImagesOfATruncatedFileOpenWithANote) {
     const std::string bytes = tiffFile({{}, {}});
     const HeightMapFile cut =

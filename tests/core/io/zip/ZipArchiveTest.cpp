@@ -1,6 +1,7 @@
 #include "core/io/zip/ZipArchive.h"
 
 #include "core/Error.h"
+#include "core/io/ByteReader.h"
 #include "core/io/zip/ZipDirectory.h"
 #include "tests/core/io/heightmap/ZipFiles.h"
 #include "tests/support/Refusal.h"
@@ -184,6 +185,37 @@ TEST(ZipArchive, AFileThatBecomesShorterIsNamedAsSuch) {
     const ZipArchive archive(source);
     EXPECT_THAT(refusalOf([&] { (void)archive.decoded(archive.entries()[0], 1U << 22U); }),
                 HasSubstr("the file became shorter"));
+}
+
+/// A directory of `count` entries alone, each of 47 bytes.
+std::string directoryOnly(std::uint32_t count) {
+    const std::string entry = "PK\1\2" + std::string(24, '\0') + '\1' + std::string(17, '\0') + "a";
+    std::string bytes = "PK\3\4";
+    for (std::uint32_t i = 0; i < count; ++i) {
+        bytes += entry;
+    }
+    bytes += "PK\5\6" + std::string(8, '\0');
+    appendLittleEndian(bytes, count * static_cast<std::uint32_t>(entry.size()));
+    appendLittleEndian(bytes, std::uint32_t{4});
+    return bytes + std::string(2, '\0');
+}
+
+/// 47 bytes of the file took 350 of memory.
+TEST(ZipArchive, RefusesMoreEntriesThanAnArchiveOfItsSizeHas) {
+    const std::string bytes = directoryOnly(600'001);
+    const MemoryBytes source(bytes, "many.zip");
+    EXPECT_EQ(zipEntryCount(source), 600'001U);
+    EXPECT_THAT(refusalOf([&] { (void)ZipArchive(source); }),
+                HasSubstr("many.zip: directory of the zip archive: it lists 600001 files; at most "
+                          "600000 are expected"));
+}
+
+TEST(ZipDirectory, EntriesAreCountedUpToTheFirstThatIsDamaged) {
+    std::string bytes = smallArchive();
+    EXPECT_EQ(zipEntryCount(MemoryBytes(bytes, "a.zip")), 3U);
+    bytes[bytes.rfind("PK\1\2")] = 'x';
+    EXPECT_EQ(zipEntryCount(MemoryBytes(bytes, "a.zip")), 2U);
+    EXPECT_EQ(zipEntryCount(MemoryBytes("PK\5\6", "a.zip")), 0U);
 }
 
 TEST(ZipDirectory, HoldsTheNamesOfTheEntries) {
