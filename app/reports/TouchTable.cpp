@@ -77,8 +77,9 @@ void writeTouches(const std::filesystem::path& file, const std::vector<Touch>& t
                   {"touches of the tip, SI units; x and y from the scan's lower left corner; an "
                    "empty cell: no such value beyond the noise",
                    "sigma: standard deviation by noise; model_sigma: by what model and calibration "
-                   "leave open, empty as long as the touch goes on, with "
-                   "several contacts at once, or where a part has no state of the model"},
+                   "leave open, empty as long as the touch goes on, with several contacts at once, "
+                   "where a part has no state of the model or its law has no such value there; "
+                   "without terms left out where a model was not judged"},
                   columns());
     for (std::size_t i = 0; i < touches.size(); ++i) {
         const Touch& touch = touches[i];

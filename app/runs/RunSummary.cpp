@@ -162,6 +162,13 @@ OrderedJson dominantJson(const Budget& budget) {
     return dominant ? OrderedJson(keyOf(*dominant)) : OrderedJson(nullptr);
 }
 
+/// Joins what there is to say of a reading; empty: nothing.
+std::string noteOn(const CycleBudget& one, double tolerance) {
+    const std::string unknown = unknownText(one.budget, one.name);
+    const std::string resolution = resolutionText(one.budget, one.name, tolerance);
+    return unknown + (unknown.empty() || resolution.empty() ? "" : "; ") + resolution;
+}
+
 /// A deviation that is not known is null.
 OrderedJson budgetJson(const CycleBudget& one, double tolerance) {
     const Budget& budget = one.budget;
@@ -174,10 +181,10 @@ OrderedJson budgetJson(const CycleBudget& one, double tolerance) {
             {"shift", budget.shift},
             {"noise_sigma", budget.noise},
             {"model_sigma", budget.model()},
-            {kLeftOut, budget.leftOut},
+            {kLeftOut, budget.isLeftOutKnown() ? OrderedJson(budget.leftOut) : nullptr},
             {"dominant", dominantJson(budget)},
             {"shares", shares},
-            {"note", resolutionText(budget, one.name, tolerance)}};
+            {"note", noteOn(one, tolerance)}};
 }
 
 /// By the keys of the readings; null where the scene has them off.

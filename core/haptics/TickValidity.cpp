@@ -24,10 +24,17 @@ bool isFarFromSnapIn(const ContactModel& law, const ContactState& contact, doubl
            std::abs(compliance * contact.force) < kHardlyBent * gap;
 }
 
-/// Whether a separate tip is about to snap in on a lever as soft as this one.
-bool snapsSoon(const Scene& scene, const TipState& model) {
+/// Whether the base leaves the sample at its closest point.
+bool isWithdrawn(const TickOutput& out) {
+    return out.base.velocity.dot(out.model.closest.normal) > 0.0;
+}
+
+/// Whether a separate tip that does not leave the sample is about to snap in on a lever as soft as
+/// this one.
+bool snapsSoon(const Scene& scene, const TickOutput& out) {
+    const TipState& model = out.model;
     const ContactState& contact = model.contact;
-    if (contact.branch != ContactBranch::Far) {
+    if (contact.branch != ContactBranch::Far || isWithdrawn(out)) {
         return false;
     }
     const double compliance =
@@ -49,7 +56,7 @@ ValidityFlags tickValidity(const Scene& scene, const TickOutput& out,
         tipValidity(scene, scene.belief, scene.description.sample.material, out.model, memory);
     flags.set(Validity::ModelContradicted, verdict.modelContradicted);
     flags.set(Validity::EstimateInconsistent, verdict.estimateInconsistent);
-    flags.set(Validity::SnapInAhead, snapsSoon(scene, out.model));
+    flags.set(Validity::SnapInAhead, snapsSoon(scene, out));
     flags.set(Validity::Implausible, out.estimate.plausibility.excessFriction);
     // At rest friction has no direction, and that the geometry is singular tells nothing.
     flags.set(Validity::SingularGeometry, out.estimate.kind == DecouplingCase::NearSingular &&

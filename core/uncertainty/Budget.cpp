@@ -15,13 +15,15 @@ double Budget::model() const noexcept { return std::hypot(inputs(), leftOut); }
 
 bool Budget::isModelKnown() const noexcept { return std::isfinite(model()); }
 
+bool Budget::isLeftOutKnown() const noexcept { return isLeftOutJudged && std::isfinite(leftOut); }
+
 double Budget::modelAboutValue() const noexcept { return std::hypot(model(), shift); }
 
 double Budget::total() const noexcept { return std::hypot(noise, model()); }
 
 std::optional<UncertaintyInput> Budget::dominant() const noexcept {
     const auto largest = std::ranges::max_element(shares);
-    return isModelKnown() && *largest > 0.0
+    return std::isfinite(inputs()) && *largest > 0.0
                ? std::optional(static_cast<UncertaintyInput>(largest - shares.begin()))
                : std::nullopt;
 }
@@ -32,7 +34,7 @@ bool Budget::isMostLeftOut() const noexcept {
 
 std::vector<UncertaintyInput> Budget::mainInputs() const {
     constexpr double kMain = 0.9;
-    if (!isModelKnown()) {
+    if (!std::isfinite(this->inputs())) {
         return {};
     }
     std::vector<UncertaintyInput> inputs(kValues<UncertaintyInput>.begin(),
@@ -56,6 +58,9 @@ double Budget::resolutionShare() const noexcept {
 }
 
 Budget Budget::of(double reading, double deviation) const noexcept {
+    if (!std::isfinite(value) || (value == 0.0 && reading != 0.0)) {
+        return budgetByNoise(reading, deviation, UnknownShares::NoLandmark);
+    }
     Budget budget = *this;
     const double scale = value != 0.0 ? std::abs(reading / value) : 0.0;
     budget.value = reading;
@@ -69,10 +74,17 @@ Budget Budget::of(double reading, double deviation) const noexcept {
     return budget;
 }
 
-Budget budgetByNoise(double value, double noise) noexcept {
-    Budget budget{.value = value, .noise = noise};
+Budget Budget::withoutShares(UnknownShares why) const noexcept {
+    Budget budget = *this;
     budget.shares.fill(std::numeric_limits<double>::quiet_NaN());
+    budget.unknown = why;
+    budget.shift = 0.0;
+    budget.hidden = 0.0;
     return budget;
+}
+
+Budget budgetByNoise(double value, double noise, UnknownShares why) noexcept {
+    return Budget{.value = value, .noise = noise, .isLeftOutJudged = false}.withoutShares(why);
 }
 
 }  // namespace asperity

@@ -1,12 +1,32 @@
 #pragma once
 
+#include "core/EnumTable.h"
 #include "core/scene/Uncertainty.h"
 
 #include <array>
+#include <cstdint>
 #include <optional>
 #include <vector>
 
 namespace asperity {
+
+/// Why the shares of the inputs in a result are not known.
+enum class UnknownShares : std::uint8_t {
+    None,             ///< they are known
+    SeveralContacts,  ///< the law is of one
+    MissingTicks,     ///< part of the reading has no state of the model
+    NoLandmark,       ///< the law at the place has nothing like the reading
+    NotComputed,      ///< nobody has asked for them
+};
+
+template <>
+inline constexpr auto kEnumTable<UnknownShares> = std::to_array<EnumRow<UnknownShares>>(
+    {{UnknownShares::None, "none", "known"},
+     {UnknownShares::SeveralContacts, "several_contacts", "several contacts at once"},
+     {UnknownShares::MissingTicks, "missing_ticks", "ticks without a state of the model"},
+     {UnknownShares::NoLandmark, "no_landmark", "the law has none at this place"},
+     {UnknownShares::NotComputed, "not_computed", "not computed"}});
+static_assert(isComplete<UnknownShares>());
 
 /// A result with what is open in it. All in the unit of the result; deviations are standard ones.
 struct Budget {
@@ -19,8 +39,11 @@ struct Budget {
     /// it is no deviation: an interval by its square would hold the truth too often.
     double shift = 0.0;
     /// What terms that the model leaves out, or its law has no room for, change the result by, at
-    /// most on the sampled runs of SceneNeeds, >= 0. It counts as a standard deviation.
+    /// most on the sampled runs of SceneNeeds, >= 0. It counts as a standard deviation. NaN: not
+    /// known.
     double leftOut = 0.0;
+    bool isLeftOutJudged = true;  ///< false: no runs were sampled; `leftOut` is 0 for want of them
+    UnknownShares unknown = UnknownShares::None;  ///< why `shares` are NaN
     /// Largest change of the result by roughness that smoothing or pixels may have removed and that
     /// the noise of the heights hides, >= 0. Not part of any deviation: it need not be there.
     double hidden = 0.0;
@@ -32,8 +55,10 @@ struct Budget {
     [[nodiscard]] double inputs() const noexcept;
     /// What model and calibration leave open: the inputs, and terms left out.
     [[nodiscard]] double model() const noexcept;
-    /// Whether that is known.
+    /// Whether that is known, but for terms left out that were not judged.
     [[nodiscard]] bool isModelKnown() const noexcept;
+    /// Returns whether it is known what terms left out do.
+    [[nodiscard]] bool isLeftOutKnown() const noexcept;
     /// The same about the value as it is, for where one number must do: the shift counts as one
     /// more deviation.
     [[nodiscard]] double modelAboutValue() const noexcept;
@@ -47,11 +72,15 @@ struct Budget {
     [[nodiscard]] std::vector<UncertaintyInput> mainInputs() const;
     /// What smoothing and pixels move the result by, relative to its value.
     [[nodiscard]] double resolutionShare() const noexcept;
-    /// The same relative shares of another reading of the result. @param deviation by noise
+    /// The same relative shares of another reading of the result; where it is 0, or there is none,
+    /// no share of a reading that is not is known. @param deviation by noise
     [[nodiscard]] Budget of(double reading, double deviation) const noexcept;
+    /// The same without what the inputs move it by; terms left out stay. @param why not None
+    [[nodiscard]] Budget withoutShares(UnknownShares why) const noexcept;
 };
 
 /// A reading of which no more is known than its noise. @param noise standard deviation
-[[nodiscard]] Budget budgetByNoise(double value, double noise) noexcept;
+/// @param why not None
+[[nodiscard]] Budget budgetByNoise(double value, double noise, UnknownShares why) noexcept;
 
 }  // namespace asperity

@@ -38,6 +38,10 @@ BudgetBuilder::BudgetBuilder(const Uncertainty& given, LandmarkLaw law,
     const Landmarks& values = shown ? *shown : middle_;
     for (std::size_t i = 0; i < kLandmarkCount; ++i) {
         budgets_[i].value = values[i];
+        // Moves of a landmark that the law does not have would be 0, and are not.
+        if (given_.enabled && std::isfinite(values[i]) && !std::isfinite(middle_[i])) {
+            budgets_[i] = budgets_[i].withoutShares(UnknownShares::NoLandmark);
+        }
     }
 }
 

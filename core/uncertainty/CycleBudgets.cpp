@@ -38,17 +38,22 @@ Budget withInstrument(Budget budget, const Budget& force) {
     return budget;
 }
 
-/// Whether a cycle is that of one contact, as the budgets are, and none of it is missing.
-bool isOfOneContact(const ContactCycle& cycle) { return cycle.contacts <= 1 && !cycle.interrupted; }
+/// The budgets are of one contact, of which nothing is missing.
+UnknownShares unknownIn(const ContactCycle& cycle) {
+    if (cycle.contacts > 1) {
+        return UnknownShares::SeveralContacts;
+    }
+    return cycle.interrupted ? UnknownShares::MissingTicks : UnknownShares::None;
+}
 
 Budget budgetOf(const CycleReading& row, const Reading& reading, const PlaceBudgets& budgets,
-                bool isKnown) {
+                UnknownShares unknown) {
     const Budget& ofPlace = budgetOf(budgets, row.landmark);
-    const bool hasLandmark = std::isfinite(ofPlace.value);  // the law at the place has it, too
-    if (!hasLandmark || (!isKnown && row.landmark != Landmark::NormalForce)) {
-        return budgetByNoise(reading.value, reading.sigma);
-    }
+    const bool isOfLever = row.landmark == Landmark::NormalForce;
     const Budget budget = ofPlace.of(reading.value, reading.sigma);
+    if (unknown != UnknownShares::None && !isOfLever) {
+        return budget.withoutShares(unknown);
+    }
     return row.isOfSignals ? withInstrument(budget, budgetOf(budgets, Landmark::NormalForce))
                            : budget;
 }
@@ -63,7 +68,7 @@ std::vector<CycleBudget> cycleBudgets(const PlaceBudgets& budgets, const Contact
         const std::optional<Reading> reading = row.of(cycle);
         if (reading && (pushes || std::isfinite(budgetOf(budgets, row.landmark).value))) {
             list.push_back({row.key, row.name, row.unit(),
-                            budgetOf(row, *reading, budgets, isOfOneContact(cycle))});
+                            budgetOf(row, *reading, budgets, unknownIn(cycle))});
         }
     }
     return list;

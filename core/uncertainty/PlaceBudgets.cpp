@@ -90,13 +90,15 @@ bool isPosition(JudgedQuantity quantity) noexcept {
            quantity == JudgedQuantity::PullOffPosition;
 }
 
-PlaceBudgets withLeftOut(PlaceBudgets budgets, const QuantityErrors& errors) {
+/// @param errors none: not judged
+PlaceBudgets withLeftOut(PlaceBudgets budgets, const std::optional<QuantityErrors>& errors) {
     const double travel = budgetOf(budgets, Landmark::ContactTravel).value;
     for (const LandmarkRow& row : kEnumTable<Landmark>) {
         Budget& budget = budgets[static_cast<std::size_t>(row.value)];
         if (row.judged && std::isfinite(budget.value)) {
             const double whole = isPosition(*row.judged) ? travel : budget.value;
-            budget.leftOut = std::abs(whole) * errors[*row.judged];
+            budget.leftOut = errors ? std::abs(whole) * (*errors)[*row.judged] : 0.0;
+            budget.isLeftOutJudged = errors.has_value();
         }
     }
     return budgets;
@@ -107,7 +109,7 @@ PlaceBudgets ofSeveralContacts(PlaceBudgets budgets) {
     for (const LandmarkRow& row : kEnumTable<Landmark>) {
         Budget& budget = budgets[static_cast<std::size_t>(row.value)];
         if (row.value != Landmark::NormalForce) {
-            budget = budgetByNoise(budget.value, 0.0);
+            budget = budget.withoutShares(UnknownShares::SeveralContacts);
         }
     }
     return budgets;
@@ -132,7 +134,7 @@ PlaceBudgets budgetsAt(const Scene& scene, const TipState& state, double force) 
     }
     builder.takeInstrument();
     if (state.points > 1) {
-        return ofSeveralContacts(builder.budgets());
+        return withLeftOut(ofSeveralContacts(builder.budgets()), scene.leftOut);
     }
     builder.takeMaterial(hasCohesiveRange(scene.belief.contact));
     builder.takeNormal();
@@ -142,7 +144,7 @@ PlaceBudgets budgetsAt(const Scene& scene, const TipState& state, double force) 
         }
         HeightShares(scene, scan, places.touched, builder).take();
     }
-    return scene.leftOut ? withLeftOut(builder.budgets(), *scene.leftOut) : builder.budgets();
+    return withLeftOut(builder.budgets(), scene.leftOut);
 }
 
 PlaceBudgets budgetsAt(const Scene& scene, const Vector2& place, double force) {

@@ -23,8 +23,9 @@ using PlaceBudgets = std::array<Budget, kLandmarkCount>;
 /// Computes by what each input of [uncertainty] moves the landmarks of the believed contact at one
 /// place, from the contact law alone: no cycle is repeated. Noise is 0: it is of a reading. All
 /// shares are 0 where the scene has `enabled = false`, and but for those of the setpoint's force
-/// not known where the tip has several contacts: the law is of one. Some 40 evaluations of the law,
-/// of fold, equilibrium and area each.
+/// not known where the tip has several contacts: the law is of one. Nor are they where the scene
+/// shows a landmark that the law without the imaging tip does not have. Some 40 evaluations of the
+/// law, of fold, equilibrium and area each.
 /// @param state of the believed tip at the place
 /// @param force along the normal at the setpoint [N]; not above 0: there is none
 /// Source: docs/uncertainty.md.

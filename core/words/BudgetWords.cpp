@@ -39,8 +39,22 @@ std::string shiftText(const Budget& budget, double factor) {
 /// Where it raises the deviation of the model by more than a twentieth.
 std::string leftOutText(const Budget& budget, double factor) {
     constexpr double kSeen = 0.32;  // of the inputs' deviation
-    return budget.leftOut > kSeen * budget.inputs() ? partText(budget.leftOut, factor, kLeftOut)
-                                                    : std::string();
+    const double inputs = std::isfinite(budget.inputs()) ? budget.inputs() : 0.0;
+    return budget.leftOut > kSeen * inputs ? partText(budget.leftOut, factor, kLeftOut)
+                                           : std::string();
+}
+
+/// What is not known where the shares are not.
+const char* unknownParts(const Budget& budget) {
+    return budget.isLeftOutKnown() ? "calibration, tip and material" : "model and calibration";
+}
+
+/// A part that is not known must not look like one that is 0.
+std::string unknownPartText(const Budget& budget) {
+    if (budget.unknown == UnknownShares::None) {
+        return budget.isLeftOutKnown() ? std::string() : " ± ? (" + std::string(kLeftOut) + ")";
+    }
+    return " ± ? (" + std::string(unknownParts(budget)) + ": " + nameOf(budget.unknown) + ")";
 }
 
 std::string inputList(const Budget& budget) {
@@ -62,15 +76,29 @@ std::string budgetText(const Budget& budget, const char* unit) {
     const SiScale scale = siScaleFor(budget.value, unit);
     return formatSi(budget.value, unit) + partText(budget.noise, scale.factor, "noise") +
            partText(budget.inputs(), scale.factor, inputList(budget)) +
-           leftOutText(budget, scale.factor) + shiftText(budget, scale.factor);
+           leftOutText(budget, scale.factor) + unknownPartText(budget) +
+           shiftText(budget, scale.factor);
 }
 
 std::string mostBy(const Budget& budget) {
     if (budget.isMostLeftOut()) {
         return kLeftOut;
     }
+    if (budget.unknown != UnknownShares::None) {
+        return "not known";
+    }
     const std::optional<UncertaintyInput> dominant = budget.dominant();
     return dominant ? nameOf(*dominant) : "–";
+}
+
+std::string unknownText(const Budget& budget, const char* name) {
+    if (budget.unknown != UnknownShares::None) {
+        return formatted("what %s leave open in the %s is not known: %s", unknownParts(budget),
+                         name, nameOf(budget.unknown));
+    }
+    return budget.isLeftOutKnown()
+               ? std::string()
+               : formatted("what the terms left out change in the %s is not known", name);
 }
 
 std::string resolutionText(const Budget& budget, const char* name, double tolerance) {

@@ -7,14 +7,20 @@
 namespace asperity {
 
 /// A result with what is open in it, by prefix, and the inputs that make up most of the second
-/// deviation: "16.9 nN ± 0.2 (noise) ± 4 (heights, smoothing, k)". A part that is 0 or not known is
-/// left out. What matters beside them follows: " ± 3 (terms left out)" of the model, and a shift,
-/// ", too high by 2 (imaging tip)".
+/// deviation: "16.9 nN ± 0.2 (noise) ± 4 (heights, smoothing, k)". A part that is 0 is
+/// left out. What matters beside them follows: " ± 3 (terms left out)" of the model, a part that is
+/// not known, " ± ? (model and calibration: several contacts at once)", and a shift, ", too high by
+/// 2 (imaging tip)".
 /// @param unit SI
 [[nodiscard]] std::string budgetText(const Budget& budget, const char* unit);
 
-/// What leaves most of a result open, for people; "–": nothing, or it is not known.
+/// What leaves most of a result open, for people, or that it is not known; "–": nothing.
 [[nodiscard]] std::string mostBy(const Budget& budget);
+
+/// Returns a note on what is not known of a result, and why: "what model and calibration leave open
+/// in the pull-off force is not known: several contacts at once". Empty where all is known.
+/// @param name of the result
+[[nodiscard]] std::string unknownText(const Budget& budget, const char* name);
 
 /// Returns a note on the larger of two effects, where it exceeds the tolerance: that of smoothing
 /// and pixels ("smoothing and pixels move the pull-off force by 31 %, more than the tolerance of 5

@@ -136,6 +136,33 @@ TEST_F(Pictures, DentIsBlueAndNeckIsOrange) {
     EXPECT_GT(neckImage.count(isOrange), 10 * std::max(1, dentImage.count(isOrange)));
 }
 
+/// A tip as deep in rubber as the picture is wide: the block in front of it hid all of the contact.
+DeformationView deepHole() {
+    DeformationView view = test::hertzDent();
+    SurfacePatch& patch = view.patch;
+    const Vector3 middle = 0.5 * (patch.rest.front() + patch.rest.back());
+    const double width = patch.rest.back().x() - patch.rest.front().x();
+    for (std::size_t i = 0; i < patch.rest.size(); ++i) {
+        const double away = (patch.rest[i] - middle).head<2>().norm() / (0.2 * width);
+        patch.points[i].z() = patch.rest[i].z() - width * std::exp(-away * away);
+    }
+    patch.normals.assign(patch.rest.size(), Vector3::UnitZ());
+    view.contactPoint = middle - Vector3(0.0, 0.0, width);
+    view.tipRadius = 0.15 * width;
+    view.contactRadius = 0.1 * width;
+    view.tipCenter = view.contactPoint + Vector3(0.0, 0.0, view.tipRadius);
+    return view;
+}
+
+TEST_F(Pictures, ABlockThatHidesTheContactIsCut) {
+    ASPERITY_NEEDS_DISPLAY();
+    const DeformationView deep = deepHole();
+    const Image image = drawn([&](const std::filesystem::path& path) {
+        writeDeformationPicture(path, std::array{deep}, kSize);
+    });
+    EXPECT_GT(image.count(isBlue), 4000) << "the bottom of the hole is seen";
+}
+
 TEST_F(Pictures, TwoViewsStandSideBySide) {
     ASPERITY_NEEDS_DISPLAY();
     DeformationView dent = test::hertzDent();

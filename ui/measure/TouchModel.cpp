@@ -127,14 +127,15 @@ QVariant sorted(const Touch& touch, int row, int column) {
     return value ? QVariant(*value) : QVariant();
 }
 
-/// With what is open in the value: the noise alone where no more is known.
+/// With what is open in the value, and that it is not known where that is so.
 QString toolTip(const Touch& touch, int column) {
     QString text = TouchModel::tr(textsOf(column).meaning);
     const CycleReading* const shown = readingIn(column);
     const std::optional<Reading> reading = shown != nullptr ? shown->of(touch.cycle) : std::nullopt;
     if (reading) {
         const Budget budget = budgetNamed(touch.budgets, shown->key)
-                                  .value_or(budgetByNoise(reading->value, reading->sigma));
+                                  .value_or(budgetByNoise(reading->value, reading->sigma,
+                                                          UnknownShares::NotComputed));
         text += QLatin1Char('\n') + QString::fromStdString(budgetText(budget, shown->unit()));
     }
     return text;

@@ -34,8 +34,9 @@ const char* siUnitOf(CycleTable::Column column) {
 
 /// Of which no more is known than the noise.
 QString withNoise(const std::optional<Reading>& reading, const char* unit) {
-    return reading ? QString::fromStdString(
-                         budgetText(budgetByNoise(reading->value, reading->sigma), unit))
+    return reading ? QString::fromStdString(budgetText(
+                         budgetByNoise(reading->value, reading->sigma, UnknownShares::NotComputed),
+                         unit))
                    : kNothing;
 }
 
@@ -144,14 +145,12 @@ QString CycleTable::details(int row) const {
             : tr(" (strongest pull so far: %1)").arg(withNoise(cycle.pullOff, "N"));
     return tr("%1\nPull-off force: %2\nWork of adhesion: %3\nHysteresis: %4\nContact stiffness: "
               "%5\nMaximum force: %6\nMaximum indentation: %7")
-               .arg(shown.material, reading("pull_off_force_n", cycle.pullOffForce(), "N") + pull,
-                    reading("adhesion_work_j", cycle.workOfAdhesion(), "J"),
-                    hysteresisOf(cycle) ? reading("hysteresis_j", hysteresisOf(cycle), "J")
-                                        : kNothing,
-                    reading("contact_stiffness_n_m", cycle.stiffness, "N/m"),
-                    reading("max_force_n", cycle.maxForce, "N"),
-                    reading("max_indentation_m", cycle.maxIndentation, "m")) +
-           (cycle.contacts > 1 ? tr("\nSeveral contacts at once: noise alone") : QString());
+        .arg(shown.material, reading("pull_off_force_n", cycle.pullOffForce(), "N") + pull,
+             reading("adhesion_work_j", cycle.workOfAdhesion(), "J"),
+             hysteresisOf(cycle) ? reading("hysteresis_j", hysteresisOf(cycle), "J") : kNothing,
+             reading("contact_stiffness_n_m", cycle.stiffness, "N/m"),
+             reading("max_force_n", cycle.maxForce, "N"),
+             reading("max_indentation_m", cycle.maxIndentation, "m"));
 }
 
 ShownNumbers CycleTable::numbers() const {

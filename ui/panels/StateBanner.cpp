@@ -2,6 +2,7 @@
 
 #include "core/haptics/mapping/WorkspaceMapping.h"
 #include "core/scene/FlagOrder.h"
+#include "core/scene/Scene.h"
 #include "core/words/ModelWords.h"
 #include "ui/CoreWords.h"
 #include "ui/Theme.h"
@@ -99,6 +100,11 @@ void StateBanner::setRecorded(const std::optional<double>& time) {
 }
 
 void StateBanner::clear() {
+    scene_ = nullptr;
+    rewind();
+}
+
+void StateBanner::rewind() {
     latest_ = {};
     hasRun_ = false;
     shown_.clear();
@@ -132,6 +138,19 @@ QStringList StateBanner::stateWords() const {
     return words << wordsOf(output.region());
 }
 
+StateBanner::Caution StateBanner::cautionOf(Validity flag) const {
+    const ValidityTraits& traits = traitsOf(flag);
+    Caution caution{coreWords(traits.brief), coreWords(traits.words), traits.severity};
+    const TickOutput& output = latest_.sample.output;
+    if (flag == Validity::LawOutOfRange && scene_ != nullptr && output.flags.has(flag)) {
+        const ContactState& contact = output.model.contact;
+        const LawError error = lawError(contactModelAt(*scene_, output.model), contact);
+        caution.brief = error.isSignSure ? caution.brief : tr("sign of force not sure");
+        caution.words += QStringLiteral(": ") + coreWords(lawErrorText(error, contact.force));
+    }
+    return caution;
+}
+
 std::vector<StateBanner::Caution> StateBanner::cautions() const {
     std::vector<Caution> found;
     if (energyGiven_) {
@@ -142,8 +161,7 @@ std::vector<StateBanner::Caution> StateBanner::cautions() const {
     }
     for (const Validity one : kFlagsByEffect) {
         if (shown_.isShown(indexOf(one), latest_.sample)) {
-            const ValidityTraits& flag = traitsOf(one);
-            found.push_back({coreWords(flag.brief), coreWords(flag.words), flag.severity});
+            found.push_back(cautionOf(one));
         }
     }
     if (!notHolding_.isEmpty()) {

@@ -114,6 +114,7 @@ DeformationScene::DeformationScene(OffscreenPicture& picture, const DeformationV
 
     contact_ = stretch_.point(contactOn(view.patch, view.contactPoint, outward_));
 
+    findContactLine();
     addSample(source->GetOutput());
     addTip();
     addContactCircle();
@@ -131,20 +132,93 @@ void DeformationScene::addSample(vtkPolyData* surface) {
     const GridSize size{data_.patch.columns, data_.patch.rows};
     const vtkSmartPointer<vtkPolyData> shown = stretch_.apply(surface);
     bottom_ = shown->GetBounds()[4] - kPatchDepth * width_;
-    solid_->AddActor(coloredSurface(shown, colors_));
-    solid_->AddActor(blockWalls(shown, size, bottom_));
+    if (isContactHidden()) {
+        const Vector3 eye = eyeFor(outward_);
+        cut_ = {contact_, Vector3(eye.x(), eye.y(), 0.0).normalized()};
+        addCutFace(shown);
+    }
+    const auto left = [this](vtkPolyData* data) {
+        return cut_ ? behind(data, *cut_) : vtkSmartPointer<vtkPolyData>(data);
+    };
+    solid_->AddActor(coloredSurface(left(shown), colors_));
+    solid_->AddActor(wallSurface(left(blockSides(shown, size, bottom_))));
     if (!parts_.grid) {
         return;
     }
     const vtkSmartPointer<vtkActor> grid =
-        lines(drapedGrid(shown, size, kGridLines), kLightPalette.ink, 0.7);
+        lines(left(drapedGrid(shown, size, kGridLines)), kLightPalette.ink, 0.7);
     grid->GetProperty()->SetOpacity(0.35);
     solid_->AddActor(grid);
 }
 
-/// From the apex, in the world: no wider than the patch, and no higher than the picture has room.
+void DeformationScene::addCutFace(vtkPolyData* surface) {
+    const vtkSmartPointer<vtkPolyData> edge = cutLine(surface, *cut_);
+    solid_->AddActor(wallSurface(cutFace(edge, *cut_, bottom_)));
+    solid_->AddActor(lines(edge, kLightPalette.ink, 1.2));
+    const Vector3 right = Vector3::UnitZ().cross(cut_->toFront);
+    double first = 0.0;
+    double last = 0.0;
+    for (vtkIdType i = 0; i < edge->GetNumberOfPoints(); ++i) {
+        const double along = right.dot(Vector3(edge->GetPoint(i)) - cut_->origin);
+        first = std::min(first, along);
+        last = std::max(last, along);
+    }
+    const Vector3 middle(cut_->origin.x(), cut_->origin.y(), bottom_);
+    cutLeft_ = middle + first * right;
+    cutRight_ = middle + last * right;
+}
+
+void DeformationScene::findContactLine() {
+    if (!(data_.contactRadius > 0.0)) {
+        return;
+    }
+    contactLine_ = contactCircle(data_.patch, {data_.contactPoint, outward_, data_.contactRadius});
+    for (std::vector<Vector3>& piece : contactLine_) {
+        std::ranges::transform(piece, piece.begin(),
+                               [this](const Vector3& point) { return stretch_.point(point); });
+    }
+}
+
+bool DeformationScene::isHidden(const RestingPatch& sample, const Vector3& point) const {
+    constexpr int kSteps = 100;
+    const Vector3 eye = eyeFor(outward_);
+    const Vector3 way = eye / std::hypot(eye.x(), eye.y());  // over a level way of 1
+    for (int i = 1; i <= kSteps; ++i) {
+        const Vector3 seen = point + (i * width_ / kSteps) * way;
+        const Vector3 above = sample.at(data_.patch.points, seen.x(), seen.y());
+        if (stretch_.point(above).z() > seen.z() + kSeenDisplacement * width_) {
+            return true;
+        }
+    }
+    return false;
+}
+
+bool DeformationScene::isContactHidden() const {
+    constexpr double kMuch = 0.25;  // of the contact's edge
+    const RestingPatch sample(data_.patch);
+    const Vector3 rest = sample.closest(data_.contactPoint, outward_);
+    if (outward_.dot(data_.contactPoint - rest) >= 0.0) {
+        return false;  // a neck stands out of the sample
+    }
+    long points = 0;
+    long hidden = 0;
+    for (const std::vector<Vector3>& piece : contactLine_) {
+        points += static_cast<long>(piece.size());
+        hidden += std::ranges::count_if(
+            piece, [&](const Vector3& point) { return isHidden(sample, point); });
+    }
+    return points > 0 ? static_cast<double>(hidden) > kMuch * static_cast<double>(points)
+                      : isHidden(sample, contact_);
+}
+
+/// From the apex, in the world: no wider than the patch, and no higher than the picture has room,
+/// but out of the hole that it makes.
 double DeformationScene::shownTipHeight() const {
-    const double highest = kTipHeight * width_ / stretch_.factor();
+    constexpr double kOutOfHole = 0.1;  // of the patch's width
+    const double apex = data_.tipCenter.z() - data_.tipRadius;
+    const double deep = RestingPatch(data_.patch).closest(data_.contactPoint, outward_).z() - apex;
+    const double highest = std::max(kTipHeight * width_ / stretch_.factor(),
+                                    deep + (kOutOfHole * width_ / stretch_.factor()));
     const double wide = kTipRadius * width_;
     const double radius = data_.tipRadius;
     if (data_.paraboloidReach > 0.0) {
@@ -179,14 +253,7 @@ void DeformationScene::addTip() {
 }
 
 void DeformationScene::addContactCircle() {
-    if (!(data_.contactRadius > 0.0)) {
-        return;
-    }
-    for (std::vector<Vector3> piece :
-         contactCircle(data_.patch, {data_.contactPoint, outward_, data_.contactRadius})) {
-        for (Vector3& point : piece) {
-            point = stretch_.point(point);
-        }
+    for (const std::vector<Vector3>& piece : contactLine_) {
         const vtkSmartPointer<vtkPolyData> line = polyline(piece);
         solid_->AddActor(lines(line, palette::kContact, 2.2));
         const vtkSmartPointer<vtkActor> hidden = lines(line, palette::kContact, 2.2);
@@ -220,11 +287,15 @@ void DeformationScene::addScaleBars() {
     const double gap = 0.05 * width_;
     const Vector3 eye = eyeFor(outward_);
     const Vector3 right = Vector3(-eye.y(), eye.x(), 0.0).normalized();
+    if (cut_) {
+        addHorizontalBar(cutLeft_ + gap * cut_->toFront, right);
+        addVerticalBar(cutRight_, right);
+        return;
+    }
     const double frontX = eye.x() < 0.0 ? low.x() : high.x();
     const double frontY = eye.y() < 0.0 ? low.y() : high.y();
 
     // Along the lower edge that faces the eye most, from its left end.
-    horizontalBar_ = niceBelow(0.3 * width_);
     const bool alongX = std::abs(right.x()) >= std::abs(right.y());
     const Vector3 along = alongX ? Vector3(std::copysign(1.0, right.x()), 0.0, 0.0)
                                  : Vector3(0.0, std::copysign(1.0, right.y()), 0.0);
@@ -232,18 +303,26 @@ void DeformationScene::addScaleBars() {
                                    : Vector3(std::copysign(gap, eye.x()), 0.0, 0.0);
     const Vector3 leftEnd = alongX ? Vector3(right.x() > 0.0 ? low.x() : high.x(), frontY, bottom_)
                                    : Vector3(frontX, right.y() > 0.0 ? low.y() : high.y(), bottom_);
-    const Vector3 start = leftEnd + outside;
+    addHorizontalBar(leftEnd + outside, along);
+
+    // Beside the rightmost lower corner.
+    addVerticalBar(Vector3(right.x() > 0.0 ? high.x() : low.x(),
+                           right.y() > 0.0 ? high.y() : low.y(), bottom_),
+                   right);
+}
+
+void DeformationScene::addHorizontalBar(const Vector3& start, const Vector3& along) {
+    horizontalBar_ = niceBelow(0.3 * width_);
     const Vector3 end = start + horizontalBar_ * along;
     horizontalBarAt_ = 0.5 * (start + end);
     solid_->AddActor(lines(polyline({start, end}), kLightPalette.ink, 3.0));
+}
 
-    // Beside the rightmost lower corner.
+void DeformationScene::addVerticalBar(const Vector3& corner, const Vector3& right) {
     verticalBar_ = niceBelow(0.2 * width_ / stretch_.factor());
-    const Vector3 corner(right.x() > 0.0 ? high.x() : low.x(), right.y() > 0.0 ? high.y() : low.y(),
-                         bottom_);
     const Vector3 rise = stretch_.factor() * verticalBar_ * Vector3::UnitZ();
-    constexpr double kLabelRoom = 1.8;  // gaps: half of the label lies on the block's side
-    const Vector3 closest = corner + kLabelRoom * gap * right;
+    constexpr double kLabelRoom = 0.09;  // of the width: half of the label lies on the block's side
+    const Vector3 closest = corner + kLabelRoom * width_ * right;
     const Vector3 top = closest + rise;
     verticalBarAt_ = top;
     solid_->AddActor(lines(polyline({closest, top}), kLightPalette.ink, 3.0));

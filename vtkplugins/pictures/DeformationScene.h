@@ -1,6 +1,7 @@
 #pragma once
 
 #include "vtkplugins/pictures/ColorBar.h"
+#include "vtkplugins/pictures/CutBlock.h"
 #include "vtkplugins/pictures/DeformationPicture.h"
 #include "vtkplugins/pictures/OffscreenPicture.h"
 #include "vtkplugins/pictures/PictureParts.h"
@@ -8,9 +9,14 @@
 
 #include <vtkSmartPointer.h>
 
+#include <optional>
+#include <vector>
+
 class vtkPolyData;
 
 namespace asperity {
+
+class RestingPatch;
 
 /// The 3-D part of one panel of the deformation picture, and what its labels need to know.
 class DeformationScene {
@@ -28,6 +34,13 @@ public:
 
 private:
     void addSample(vtkPolyData* surface);
+    void addCutFace(vtkPolyData* surface);
+    void findContactLine();
+    void addHorizontalBar(const Vector3& start, const Vector3& along);
+    void addVerticalBar(const Vector3& corner, const Vector3& right);
+    /// Whether the sample hides much of a contact that is pressed into it from the eye.
+    [[nodiscard]] bool isContactHidden() const;
+    [[nodiscard]] bool isHidden(const RestingPatch& sample, const Vector3& point) const;
     void addTip();
     [[nodiscard]] double shownTipHeight() const;
     void addContactCircle();
@@ -44,11 +57,15 @@ private:
     double low_ = 0.0;  ///< displacements shown [m]
     double high_ = 0.0;
     Stretch stretch_{1.0};
-    Vector3 outward_ = Vector3::UnitZ();  ///< unit, from the contact to the tip's center
-    Vector3 contact_ = Vector3::Zero();   ///< its middle, on the surface as it is drawn
-    double width_ = 0.0;                  ///< of the patch [m]
-    double bottom_ = 0.0;                 ///< of the drawn block, world z [m]
-    double horizontalBar_ = 0.0;          ///< lengths that the scale bars stand for [m]
+    Vector3 outward_ = Vector3::UnitZ();             ///< unit, from the contact to the tip's center
+    Vector3 contact_ = Vector3::Zero();              ///< its middle, on the surface as it is drawn
+    std::vector<std::vector<Vector3>> contactLine_;  ///< its edge, as it is drawn
+    std::optional<CutPlane> cut_;                    ///< that opens the block; none: it is whole
+    Vector3 cutLeft_ = Vector3::Zero();              ///< ends of the opened face, at its bottom
+    Vector3 cutRight_ = Vector3::Zero();
+    double width_ = 0.0;          ///< of the patch [m]
+    double bottom_ = 0.0;         ///< of the drawn block, world z [m]
+    double horizontalBar_ = 0.0;  ///< lengths that the scale bars stand for [m]
     double verticalBar_ = 0.0;
     Vector3 horizontalBarAt_ = Vector3::Zero();  ///< where their labels belong
     Vector3 verticalBarAt_ = Vector3::Zero();

@@ -142,8 +142,11 @@ vtkSmartPointer<vtkPolyData> blockSides(vtkPolyData* surface, GridSize size, dou
 }
 
 vtkSmartPointer<vtkActor> blockWalls(vtkPolyData* surface, GridSize size, double bottom) {
-    vtkSmartPointer<vtkActor> actor =
-        plainSurface(blockSides(surface, size, bottom), kLightPalette.side);
+    return wallSurface(blockSides(surface, size, bottom));
+}
+
+vtkSmartPointer<vtkActor> wallSurface(vtkPolyData* data) {
+    vtkSmartPointer<vtkActor> actor = plainSurface(data, kLightPalette.side);
     actor->GetProperty()->SetAmbient(kWallMatt.ambient);
     actor->GetProperty()->SetDiffuse(kWallMatt.diffuse);
     return actor;

@@ -48,6 +48,8 @@ struct BlockWalls {
 /// What they are made of: pairs of points, one of the surface and one below it.
 [[nodiscard]] vtkSmartPointer<vtkPolyData> blockSides(vtkPolyData* surface, GridSize size,
                                                       double bottom, const BlockWalls& walls = {});
+/// The same as walls look: matt, of the color of a block's sides.
+[[nodiscard]] vtkSmartPointer<vtkActor> wallSurface(vtkPolyData* data);
 /// Lines of one color that win against the surface they lie on; width in pixels of the picture.
 [[nodiscard]] vtkSmartPointer<vtkActor> lines(vtkPolyData* data, const Color& color, double width);
 /// The same; width in pixels as they are drawn.

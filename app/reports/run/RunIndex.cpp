@@ -104,7 +104,8 @@ ReportPage indexPage(const std::string& name, const std::vector<IndexedRun>& run
         "Pull-off force and work of adhesion: of one touch, of several touches their mean, with "
         "the "
         "standard deviation of one touch by noise (of several: by scatter), model and calibration "
-        "together. Validity: whether the contact model holds, by the share of ticks; –: no such "
+        "together; where it says noise, by noise or scatter alone: more is not known. Validity: "
+        "whether the contact model holds, by the share of ticks; –: no such "
         "value.");
     return page;
 }

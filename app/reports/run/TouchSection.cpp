@@ -180,6 +180,14 @@ PageTable adhesionTable(const std::vector<BudgetedTouch>& touches) {
     return table;
 }
 
+bool isLeftOutKnown(const std::vector<BudgetedTouch>& touches) {
+    return std::ranges::all_of(touches, [](const BudgetedTouch& touch) {
+        return std::ranges::all_of(touch.budgets, [](const CycleBudget& one) {
+            return one.budget.unknown != UnknownShares::None || one.budget.isLeftOutKnown();
+        });
+    });
+}
+
 std::string meanSentence(const std::vector<BudgetedTouch>& touches) {
     std::string sentence;
     const auto add = [&](const char* name, const std::optional<TouchMean>& mean, const char* unit) {
@@ -241,8 +249,11 @@ void addTouches(PageContent& page, const std::vector<BudgetedTouch>& touches) {
         "retract curve and zero force, where it pulls; hysteresis: area between approach and "
         "retract. ± is one standard deviation, by noise, model and calibration together; where it "
         "says noise it is that of the signals alone, and what model and calibration leave open is "
-        "not known: several contacts at once, or a part without a state of the model. – means: no "
-        "such value beyond the noise.");
+        "not known: several contacts at once, a part without a state of the model, or a law that "
+        "has no such value there. – means: no such value beyond the noise." +
+        std::string(isLeftOutKnown(touches) ? ""
+                                            : " What the terms left out change is not known, and "
+                                              "not in ±."));
 }
 
 }  // namespace asperity

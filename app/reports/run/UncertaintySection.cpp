@@ -32,6 +32,11 @@ void addUncertainty(PageContent& page, const Scene& scene,
             }
         }
     }
+    const bool isAllKnown = std::ranges::all_of(touches, [](const BudgetedTouch& touch) {
+        return std::ranges::all_of(touch.budgets, [](const CycleBudget& one) {
+            return unknownText(one.budget, one.name).empty();
+        });
+    });
     page.addHeading("Uncertainty");
     page.addTable(table);
     page.addParagraph(
@@ -40,7 +45,10 @@ void addUncertainty(PageContent& page, const Scene& scene,
         "radius leave open, by the scene's section [uncertainty]; in brackets the "
         "inputs that make up most of it. A third, where it matters, is what the "
         "terms do that the model leaves out. All are one standard deviation, about the "
-        "value less what it is said to be too high by.");
+        "value less what it is said to be too high by." +
+        std::string(isAllKnown ? ""
+                               : " A ? is a deviation that is not known, for the reason beside it; "
+                                 "what is stated is then not the whole."));
     for (const std::string& remark : remarks) {
         page.addParagraph(capitalized(remark + "."));
     }

@@ -5,6 +5,7 @@
 #include "core/FormattedText.h"
 #include "core/SiFormat.h"
 #include "core/scene/FlagOrder.h"
+#include "core/words/ModelWords.h"
 
 #include <array>
 #include <optional>
@@ -21,7 +22,7 @@ constexpr std::array kMeanings{"announces what comes; the result holds",
                                "the result holds, less exactly", "the result does not hold in full",
                                "no result to rely on"};
 
-PageTable flagTable(const RunEvents& events) {
+PageTable flagTable(const RunEvents& events, const LawRangeTally& lawRange) {
     PageTable table{.columns = {{"What"}, {"Meaning"}, {"Ticks", true}, {"Share", true}},
                     .rows = {}};
     for (const Validity flag : kFlagsByEffect) {
@@ -33,8 +34,10 @@ PageTable flagTable(const RunEvents& events) {
         const char* const noise = traits.basis == FlagBasis::Signals
                                       ? " (from noisy signals: a few ticks say little)"
                                       : "";
+        const std::string error =
+            flag == Validity::LawOutOfRange ? ": " + lawErrorText(lawRange) : std::string();
         table.rows.push_back(
-            {{capitalized(traits.words) + " [" + traits.key + "]"},
+            {{capitalized(traits.words) + error + " [" + traits.key + "]"},
              {kMeanings.at(static_cast<std::size_t>(traits.severity)) + std::string(noise)},
              {std::to_string(ticks)},
              {shareText(ticks, events.ticks)}});
@@ -76,7 +79,7 @@ PageTable faultTable(const std::map<Fault, long>& faults, long ticks) {
 
 }  // namespace
 
-void addValidity(PageContent& page, const RunHistory& history) {
+void addValidity(PageContent& page, const RunHistory& history, const LawRangeTally& lawRange) {
     const RunEvents& events = history.events();
     const RunVerdict verdict = verdictOn(history);
     page.addHeading("Validity");
@@ -84,7 +87,7 @@ void addValidity(PageContent& page, const RunHistory& history) {
     if (!history.faults().empty()) {
         page.addTable(faultTable(history.faults(), events.ticks));
     }
-    PageTable flags = flagTable(events);
+    PageTable flags = flagTable(events, lawRange);
     if (flags.rows.empty()) {
         page.addParagraph("No tick has a validity flag.");
     } else {

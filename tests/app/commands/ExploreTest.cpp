@@ -300,7 +300,15 @@ TEST(ExploreUncertainty, IsNotStatedOfSeveralContacts) {
     EXPECT_NE(run.output.find("up to 2 contacts at once"), std::string::npos) << run.output;
     const nlohmann::json cycle = summaryOf(scratch.file("out"))["cycles"].at(0);
     EXPECT_EQ(cycle["contacts"], 2);
-    EXPECT_TRUE(cycle["uncertainty"]["pull_off_force_n"]["model_sigma"].is_null());
+    const nlohmann::json& pullOff = cycle["uncertainty"]["pull_off_force_n"];
+    EXPECT_TRUE(pullOff["model_sigma"].is_null());
+    EXPECT_NE(pullOff["note"].get<std::string>().find("in the pull-off force is not known: several "
+                                                      "contacts at once"),
+              std::string::npos)
+        << pullOff["note"];
+    const std::string text = pullOff["text"];
+    EXPECT_NE(text.find("± ? ("), std::string::npos) << text;
+    EXPECT_NE(run.output.find("pull-off force " + text), std::string::npos) << run.output;
     EXPECT_GT(cycle["uncertainty"]["max_force_n"]["model_sigma"], 0.0);
 }
 

@@ -381,5 +381,17 @@ TEST(HapticTick, WarnsOfSnapInJustBeforeIt) {
     EXPECT_FALSE(flagsAt(-0.1_nm).has(Validity::SnapInAhead)) << "it has snapped in";
 }
 
+/// Behind the pull-off a withdrawn tip is as near to the sample as one that comes.
+TEST(HapticTick, WarnsOfNoSnapInWhileTheTipIsWithdrawn) {
+    const Scene scene = buildScene(test::plainScene(), test::flatMap());
+    const double ahead = 0.9_nm - scene.belief.contact.jumpInApproach(1.0 / 14.0);
+    for (const double step : {-0.01_nm, 0.0, 0.01_nm}) {
+        TickMemory memory;
+        (void)tick(scene, inputAt({64.0_nm, 64.0_nm, ahead}), memory);
+        const TickOutput out = tick(scene, inputAt({64.0_nm, 64.0_nm, ahead + step}), memory);
+        EXPECT_EQ(out.flags.has(Validity::SnapInAhead), !(step > 0.0)) << step;
+    }
+}
+
 }  // namespace
 }  // namespace asperity

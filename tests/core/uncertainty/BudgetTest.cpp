@@ -44,12 +44,23 @@ TEST(Budget, CountsTermsThatAreLeftOut) {
 }
 
 TEST(Budget, SaysWhereNoMoreIsKnownThanTheNoise) {
-    const Budget budget = budgetByNoise(10.0, 1.2);
+    const Budget budget = budgetByNoise(10.0, 1.2, UnknownShares::SeveralContacts);
     EXPECT_FALSE(budget.isModelKnown());
+    EXPECT_FALSE(budget.isLeftOutKnown());
+    EXPECT_EQ(budget.of(5.0, 1.0).unknown, UnknownShares::SeveralContacts);
     EXPECT_TRUE(someBudget().isModelKnown());
     EXPECT_FALSE(budget.of(5.0, 1.0).isModelKnown());
     EXPECT_FALSE(budget.dominant());
     EXPECT_TRUE(budget.mainInputs().empty());
+}
+
+/// JKR snaps in at a distance of 0: a share of that, 0, was stated of a distance of 9 nm.
+TEST(Budget, KnowsNoShareOfAReadingThatTheLawDoesNotHave) {
+    Budget none = someBudget();
+    none.value = 0.0;
+    EXPECT_EQ(none.of(9e-9, 1e-9).unknown, UnknownShares::NoLandmark);
+    EXPECT_FALSE(none.of(9e-9, 1e-9).isModelKnown());
+    EXPECT_TRUE(none.of(0.0, 1e-9).isModelKnown());
 }
 
 TEST(Budget, KeepsRelativeSharesForAnotherReading) {

@@ -205,6 +205,7 @@ TEST(PlaceBudgets, WithoutALandmarkLeaveAReadingItsNoise) {
     EXPECT_EQ(read->value, 5e-9);
     EXPECT_EQ(read->noise, 0.1e-9);
     EXPECT_FALSE(read->isModelKnown());
+    EXPECT_EQ(read->unknown, UnknownShares::NoLandmark);
     cycle.maxForce = {0.05e-9, 0.1e-9};
     EXPECT_FALSE(budgetNamed(cycleBudgets(budgets, cycle), "pull_off_force_n")) << "of noise alone";
 }
@@ -214,6 +215,8 @@ TEST(PlaceBudgets, HoldTheErrorOfTheModel) {
     SceneDescription description = test::plainScene();
     Scene scene = buildScene(description, test::flatMap());
     const PlaceBudgets before = budgetsAt(scene, kMiddle, 2e-9);
+    EXPECT_FALSE(budgetOf(before, Landmark::AdhesionForce).isLeftOutKnown()) << "not judged yet";
+    EXPECT_TRUE(budgetOf(before, Landmark::NormalForce).isLeftOutKnown());
     scene.leftOut.emplace();
     (*scene.leftOut)[JudgedQuantity::PullOffForce] = 1.16;
     (*scene.leftOut)[JudgedQuantity::SnapInPosition] = 0.02;
@@ -230,15 +233,21 @@ TEST(PlaceBudgets, HoldTheErrorOfTheModel) {
     EXPECT_FALSE(scene.leftOut) << "of another model";
 }
 
-/// The law is of one contact: of several only the force that the lever holds is known.
+/// The law is of one contact: of several only the force that the lever holds is known, and what
+/// terms left out do.
 TEST(PlaceBudgets, AreNotKnownOfSeveralContacts) {
-    const Scene scene = buildScene(softScene(), test::flatMap());
+    Scene scene = buildScene(softScene(), test::flatMap());
+    scene.leftOut.emplace();
+    (*scene.leftOut)[JudgedQuantity::PullOffForce] = 27.0;
     const BaseMotion tip{.position = Vector3(kMiddle.x(), kMiddle.y(), 0.0)};
     TipState state = heldTip(scene.believedSurface(), scene.belief, tip, {});
     state.points = 2;
     const PlaceBudgets budgets = budgetsAt(scene, state, 2e-9);
     EXPECT_FALSE(budgetOf(budgets, Landmark::AdhesionForce).isModelKnown());
     EXPECT_FALSE(budgetOf(budgets, Landmark::Indentation).isModelKnown());
+    const Budget& adhesion = budgetOf(budgets, Landmark::AdhesionForce);
+    EXPECT_EQ(adhesion.unknown, UnknownShares::SeveralContacts);
+    EXPECT_NEAR(adhesion.leftOut, 27.0 * adhesion.value, 1e-9 * adhesion.value);
     EXPECT_NEAR(relative(budgets, Landmark::NormalForce, UncertaintyInput::Stiffness), 0.1, 5e-3);
 
     const PlaceBudgets ofOne = budgetsAt(scene, kMiddle, 2e-9);
@@ -248,14 +257,19 @@ TEST(PlaceBudgets, AreNotKnownOfSeveralContacts) {
     const auto knows = [&](const char* key) {
         return budgetNamed(cycleBudgets(ofOne, cycle), key).value().isModelKnown();
     };
+    const auto unknown = [&] {
+        return budgetNamed(cycleBudgets(ofOne, cycle), "pull_off_force_n").value().unknown;
+    };
     cycle.contacts = 1;
     EXPECT_TRUE(knows("pull_off_force_n"));
     cycle.contacts = 2;
     EXPECT_FALSE(knows("pull_off_force_n"));
+    EXPECT_EQ(unknown(), UnknownShares::SeveralContacts);
     EXPECT_TRUE(knows("max_force_n"));
     cycle.contacts = 1;
     cycle.interrupted = true;
     EXPECT_FALSE(knows("pull_off_force_n"));
+    EXPECT_EQ(unknown(), UnknownShares::MissingTicks);
 }
 
 /// A blunt tip above the foot of a bump touches the bump: at its apex it would be deep in it.

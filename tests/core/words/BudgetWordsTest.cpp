@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 namespace asperity {
 namespace {
 
@@ -45,9 +47,38 @@ TEST(BudgetWords, StateWhatTermsDoThatAreLeftOut) {
     EXPECT_EQ(mostBy(budget), "heights");
 }
 
-TEST(BudgetWords, StateTheNoiseAloneWhereNoMoreIsKnown) {
-    EXPECT_EQ(budgetText(budgetByNoise(5e-9, 0.2e-9), "N"), "5 nN ± 0.2 (noise)");
-    EXPECT_EQ(mostBy(budgetByNoise(5e-9, 0.2e-9)), "–");
+/// Rubber under a blunt tip: noise alone stood there like the whole, 2.17 nN ± 0.019.
+TEST(BudgetWords, SayThatAPartIsNotKnown) {
+    const Budget byNoise = budgetByNoise(2.17e-9, 0.019e-9, UnknownShares::SeveralContacts);
+    EXPECT_EQ(budgetText(byNoise, "N"),
+              "2.17 nN ± 0.019 (noise) ± ? (model and calibration: several contacts at once)");
+    EXPECT_EQ(mostBy(byNoise), "not known");
+    EXPECT_EQ(unknownText(byNoise, "pull-off force"),
+              "what model and calibration leave open in the pull-off force is not known: several "
+              "contacts at once");
+    EXPECT_EQ(unknownText(pullOff(), "pull-off force"), "");
+}
+
+TEST(BudgetWords, StateTermsLeftOutWhereTheInputsAreNotKnown) {
+    Budget budget = pullOff();
+    budget.leftOut = 52e-9;
+    budget = budget.withoutShares(UnknownShares::MissingTicks);
+    EXPECT_EQ(budgetText(budget, "N"),
+              "16.9 nN ± 0.2 (noise) ± 50 (terms left out) ± ? (calibration, tip and material: "
+              "ticks without a state of the model)");
+}
+
+TEST(BudgetWords, SayThatTermsLeftOutWereNotJudged) {
+    Budget budget = pullOff();
+    budget.isLeftOutJudged = false;
+    EXPECT_EQ(budgetText(budget, "N"),
+              "16.9 nN ± 0.2 (noise) ± 4 (heights, smoothing) ± ? (terms left out)");
+    EXPECT_EQ(unknownText(budget, "work"),
+              "what the terms left out change in the work is not known");
+    budget.isLeftOutJudged = true;
+    budget.leftOut = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_EQ(budgetText(budget, "N"),
+              "16.9 nN ± 0.2 (noise) ± 4 (heights, smoothing) ± ? (terms left out)");
 }
 
 TEST(BudgetWords, NameSmoothingThatMattersMoreThanTheTolerance) {
