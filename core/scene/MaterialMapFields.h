@@ -33,7 +33,8 @@ std::vector<SceneField> materialMapFields(SceneGroup group, Place /*place*/) {
                               [](SceneDescription& scene, const SceneValue& value) {
                                   auto& present = Place{}(scene).maps.*map;
                                   present = mapOf(std::get<std::string>(value), present);
-                              }};
+                              },
+                          .ownForm = true};
     };
     return {
         row.template operator()<&MaterialSources::youngsModulus>("youngs_modulus_map",

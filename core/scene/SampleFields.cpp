@@ -23,7 +23,7 @@ using scene_field::kDegree;
 using scene_field::kMicro;
 using scene_field::kNano;
 
-constexpr double kMaxSlope = 85.0 * kDegree;  ///< as checkShape() has it [rad]
+constexpr double kMaxSlope = 85.0 * kDegree;  ///< a picture shows no more of a plane [rad]
 
 constexpr const char* kNoShape = "none";
 
@@ -37,6 +37,12 @@ SceneField row(const char* key, const SceneWords& words, SceneInput input, const
             .input = input,
             .get = get,
             .set = set};
+}
+
+/// A row that files write in a form of its own, see core/io/scene/SampleKeys.cpp.
+SceneField inOwnForm(SceneField field) {
+    field.ownForm = true;
+    return field;
 }
 
 /// Both sides or none: a first one makes the scan square.
@@ -109,7 +115,7 @@ std::optional<PixelRectangle> cropOf(const std::string& text) {
 }
 
 SceneField cropField() {
-    SceneField field = row(
+    SceneField field = inOwnForm(row(
         "crop_px",
         {"Part", "Of the scan that is loaded: left column, top row, columns, rows; empty: all",
          "px"},
@@ -117,7 +123,7 @@ SceneField cropField() {
         [](const SceneDescription& scene) -> SceneValue { return cropText(scene.sample.crop); },
         [](SceneDescription& scene, const SceneValue& value) {
             scene.sample.crop = cropOf(std::get<std::string>(value));
-        });
+        }));
     field.refusal = [](const std::string& text) {
         return isBlank(text) || cropOf(text)
                    ? std::string()
@@ -127,8 +133,8 @@ SceneField cropField() {
 }
 
 std::vector<SceneField> scaleFields() {
-    constexpr Limits kSize{0.0, 1.0, "lie between 0 and 1"};
-    return {
+    constexpr Limits kSize{0.0, 1e3, "lie between 0 and 1e3"};
+    std::vector<SceneField> fields{
         row(
             "size_x_m", {"Width", "Of the whole scan; 0: that of the file", "µm", kMicro},
             SceneInput::Number, kSize,
@@ -148,9 +154,16 @@ std::vector<SceneField> scaleFields() {
         at(
             SceneGroup::Sample, "z_scale_m",
             {"Height of 1", "Height of a value of 1 in the file; 0: as in the file", "nm", kNano},
-            {0.0, 1.0, "lie between 0 and 1"},
+            {0.0, 1e6, "lie between 0 and 1e6"},
             [](auto& scene) -> auto& { return scene.sample.scale.heightPerValue; }),
     };
+    for (SceneField& field : fields) {
+        field.isStated = [](const SceneDescription& scene) { return scene.sample.scale.hasSize(); };
+    }
+    fields.back().isStated = [](const SceneDescription& scene) {
+        return scene.sample.scale.hasHeight();
+    };
+    return fields;
 }
 
 std::vector<SceneField> levelingFields() {
@@ -179,6 +192,7 @@ std::vector<SceneField> levelingFields() {
                 scene.sample.levelPoints = placesOf(std::get<std::string>(value));
             }),
     };
+    fields[0].ownForm = fields[1].ownForm = true;
     fields[0].refusal = [](const std::string& text) {
         return levelingSteps(text) ? std::string() : "steps of " + levelingKeys();
     };
@@ -205,7 +219,7 @@ std::optional<double> smoothingIn(std::string_view text) {
 
 /// A number, or the word by which it is left to the program.
 SceneField smoothingField() {
-    SceneField field = row(
+    SceneField field = inOwnForm(row(
         "smoothing_px",
         {"Smoothing",
          "Standard deviation of the Gaussian low-pass; 0: none; auto: chosen once, by the scan's "
@@ -216,7 +230,7 @@ SceneField smoothingField() {
         [](SceneDescription& scene, const SceneValue& value) {
             scene.sample.smoothingPixels = smoothingIn(std::get<std::string>(value));
             scene.sample.smoothingLength = 0.0;
-        });
+        }));
     field.refusal = [](const std::string& text) {
         return text == kLeftOpen || smoothingIn(text)
                    ? std::string()
@@ -228,7 +242,7 @@ SceneField smoothingField() {
 std::vector<SceneField> filterFields() {
     return {
         smoothingField(),
-        row(
+        inOwnForm(row(
             "smoothing_m",
             {"… as a length",
              "Standard deviation of the low-pass as a length, in place of pixels; "
@@ -242,11 +256,11 @@ std::vector<SceneField> filterFields() {
                 scene.sample.smoothingLength = std::get<double>(value);
                 scene.sample.smoothingPixels =
                     std::get<double>(value) > 0.0 ? std::optional(0.0) : std::nullopt;
-            }),
+            })),
         at(
             SceneGroup::Sample, "imaging_tip_radius_m",
             {"Imaging tip radius", "Of the tip that recorded the scan; 0: not known", "nm", kNano},
-            {0.0, 1.0, "be 0 or lie between 1e-12 and 1"},
+            {1e-12, 1.0, "be 0 or lie between 1e-12 and 1", true},
             [](auto& scene) -> auto& { return scene.sample.imagingTipRadius; }),
         at(
             SceneGroup::Sample, "erode",
@@ -323,15 +337,16 @@ std::vector<SceneField> shapeFields() {
             setKind(scene.sample, std::get<std::string>(value));
         });
     kind.group = kGroup;
+    kind.ownForm = true;
     kind.choices = scene_field::choicesOf<ShapeKind>(false);
     kind.choices.insert(kind.choices.begin(), {kNoShape, "none"});
     return {
         kind,
         ofShape<&ShapeDescription::radius>(
             "shape_radius_m", {"Radius", "Of the sphere or cylinder", "nm", kNano}, kLength),
-        ofShape<&ShapeDescription::slope>("shape_slope_rad",
-                                          {"Slope", "Of the plane, along x", "°", kDegree},
-                                          {-kMaxSlope, kMaxSlope, "lie between -85° and 85°"}),
+        ofShape<&ShapeDescription::slope>(
+            "shape_slope_rad", {"Slope", "Of the plane, along x", "°", kDegree},
+            {-kMaxSlope, kMaxSlope, "lie between -1.4835 and 1.4835 (85 degrees)"}),
         ofShape<&ShapeDescription::size>(
             "shape_size_m", {"Window", "Side of the square that is looked at", "nm", kNano},
             kLength),

@@ -121,19 +121,27 @@ bool isSame(const SceneField& field, const SceneDescription& a, const SceneDescr
     return number != nullptr ? isNear(*number, std::get<double>(other)) : one == other;
 }
 
-std::string whyIdle(const SceneField& field, const SceneDescription& scene) {
+std::string whyNotOfSample(const SceneField& field, const SceneDescription& scene) {
     const std::optional<ShapeDescription>& shape = scene.sample.shape;
     if (field.group == SceneGroup::Sample && shape) {
         return "The sample is an exact shape, no scan";
     }
-    if (field.group == SceneGroup::Shape && !isKey(field, "shape")) {
-        const bool isPlane = shape && shape->kind == ShapeKind::Plane;
-        if (!shape) {
-            return "The sample is a scan, no shape";
-        }
-        if (isKey(field, "shape_slope_rad") != isPlane && !isKey(field, "shape_size_m")) {
-            return isPlane ? "A plane has no radius" : "Of a plane only";
-        }
+    if (field.group != SceneGroup::Shape || isKey(field, "shape")) {
+        return {};
+    }
+    if (!shape) {
+        return "The sample is a scan, no shape";
+    }
+    const bool isPlane = shape->kind == ShapeKind::Plane;
+    if (isKey(field, "shape_slope_rad") != isPlane && !isKey(field, "shape_size_m")) {
+        return isPlane ? "A plane has no radius" : "Of a plane only";
+    }
+    return {};
+}
+
+std::string whyIdle(const SceneField& field, const SceneDescription& scene) {
+    if (std::string why = whyNotOfSample(field, scene); !why.empty()) {
+        return why;
     }
     if (field.group == SceneGroup::Material || field.group == SceneGroup::Truth) {
         const bool isTruth = field.group == SceneGroup::Truth;

@@ -39,6 +39,10 @@ void carryTruth(const SceneDescription& before, SceneDescription& scene);
 [[nodiscard]] bool isSame(const SceneField& field, const SceneDescription& a,
                           const SceneDescription& b);
 
+/// Why a key of the sample means nothing for it, be it a scan or a shape; empty: it means
+/// something.
+[[nodiscard]] std::string whyNotOfSample(const SceneField& field, const SceneDescription& scene);
+
 /// Why a key means nothing in a scene; empty: it means something.
 [[nodiscard]] std::string whyIdle(const SceneField& field, const SceneDescription& scene);
 

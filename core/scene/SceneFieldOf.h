@@ -12,9 +12,6 @@
 
 namespace asperity {
 
-/// How a panel calls what a key leaves to the program, or does not say.
-inline constexpr const char* kLeftOpen = "auto";
-
 /// The rows of a scene's fields from the place where the value stands: `place` is a lambda without
 /// captures from a scene to its member.
 namespace scene_field {
@@ -131,7 +128,14 @@ SceneField at(SceneGroup group, const char* key, const SceneWords& words, const 
             .choices = listOf<Value>(),
             .get = [](const SceneDescription& scene) { return shown(Place{}(scene)); },
             .set = [](SceneDescription& scene,
-                      const SceneValue& value) { take(Place{}(scene), value); }};
+                      const SceneValue& value) { take(Place{}(scene), value); },
+            .isStated =
+                [](const SceneDescription& scene) {
+                    if constexpr (std::is_same_v<Value, std::optional<double>>) {
+                        return Place{}(scene).has_value();
+                    }
+                    return true;
+                }};
 }
 
 }  // namespace scene_field

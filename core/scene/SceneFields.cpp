@@ -25,12 +25,13 @@ constexpr double kKilo = 1e3;
 constexpr double kGiga = 1e9;
 
 constexpr double kQuarterTurn = std::numbers::pi / 2.0;  ///< [rad]
-constexpr double kHalfTurn = std::numbers::pi;           ///< [rad]
 
-constexpr Limits kModulus{1e3, 2e12, "lie between 1e3 and 2e12"};
+// As far as the contact laws go. A rigid tip is 1e30 Pa.
+constexpr Limits kModulus{0.1, 1e30, "lie between 0.1 and 1e30"};
 constexpr Limits kPoisson{0.0, 0.5, "lie between 0 and 0.5"};
-constexpr Limits kNoise{1e-12, 1e-2, "lie between 1e-12 and 1e-2"};
-constexpr Limits kStiffness{1e-3, 1e4, "lie between 1e-3 and 1e4"};
+constexpr Limits kNoise{1e-15, 1.0, "lie between 1e-15 and 1"};
+constexpr Limits kStiffness{1e-9, 1e9, "lie between 1e-9 and 1e9"};
+constexpr Limits kPressure{0.0, 1e15, "lie between 0 and 1e15"};
 
 /// @param place of a SampleMaterial in a scene
 template <class Place>
@@ -48,7 +49,7 @@ std::vector<SceneField> materialFields(SceneGroup group, Place place) {
         at(
             group, "work_of_adhesion_j_m2",
             {"Work of adhesion", "Of tip and sample; 0: no adhesion", "mJ/m²", kMilli},
-            {0.0, 10.0, "lie between 0 and 10"},
+            {0.0, 1e3, "lie between 0 and 1e3"},
             [](auto& scene) -> auto& { return Place{}(scene).workOfAdhesion; }),
         at(
             group, "friction_coefficient",
@@ -58,16 +59,14 @@ std::vector<SceneField> materialFields(SceneGroup group, Place place) {
         at(
             group, "shear_strength_pa",
             {"Shear strength", "τ in friction = µ × normal force + τ × contact area", "MPa", 1e6},
-            {0.0, 1e12, "lie between 0 and 1e12"},
-            [](auto& scene) -> auto& { return Place{}(scene).friction.shearStrength; }),
+            kPressure, [](auto& scene) -> auto& { return Place{}(scene).friction.shearStrength; }),
         at(
             group, "hardness_pa",
             {"Hardness",
              "Mean pressure under a plastic indent of the sample; 0: not known, a twentieth of a "
              "modulus of 1 GPa or more",
              "GPa", kGiga},
-            {0.0, 2e11, "lie between 0 and 2e11"},
-            [](auto& scene) -> auto& { return Place{}(scene).hardness; }),
+            kPressure, [](auto& scene) -> auto& { return Place{}(scene).hardness; }),
         at(
             group, "yields",
             {"Yields", "Off: an elastomer or a gel, which breaks before it yields"}, {},
@@ -75,7 +74,7 @@ std::vector<SceneField> materialFields(SceneGroup group, Place place) {
         at(
             group, "film_thickness_m",
             {"Film thickness", "Of a film on a rigid base; 0: a half-space", "nm", kNano},
-            {0.0, 1e-3, "lie between 0 and 1e-3"},
+            {1e-12, 1.0, "be 0 or lie between 1e-12 and 1", true},
             [](auto& scene) -> auto& { return Place{}(scene).filmThickness; }),
     };
     std::ranges::move(materialMapFields(group, place), std::back_inserter(fields));
@@ -87,13 +86,13 @@ std::vector<SceneField> tipFields() {
     return {
         at(
             kGroup, "radius_m", {"Radius", "Of the sphere that ends the tip", "nm", kNano},
-            {1e-10, 1e-4, "lie between 1e-10 and 1e-4"},
+            {1e-12, 1.0, "lie between 1e-12 and 1"},
             [](auto& scene) -> auto& { return scene.tip.radius; }),
         at(
             kGroup, "cone_half_angle_rad",
             {"Cone half angle", "Between axis and cone that the sphere goes on as; 0: no cone", "°",
              kDegree},
-            {0.0, kMaxConeHalfAngle, "be 0 or lie between 0.01 and 1.55"},
+            {kMinConeHalfAngle, kMaxConeHalfAngle, "be 0 or lie between 0.01 and 1.55", true},
             [](auto& scene) -> auto& { return scene.tip.coneHalfAngle; }),
         at(
             kGroup, "youngs_modulus_pa", {"Young's modulus", "Of the tip", "GPa", kGiga}, kModulus,
@@ -118,7 +117,7 @@ std::vector<SceneField> truthFields() {
                 kGroup, "signal_noise_rad",
                 {"Signal noise", "Standard deviation of the detector's white noise in each signal",
                  "µrad", kMicro},
-                {0.0, 1e-2, "lie between 0 and 1e-2"},
+                {0.0, 1.0, "lie between 0 and 1"},
                 [](auto& scene) -> auto& { return scene.truth.signalNoise; }),
             at(
                 kGroup, "noise_seed", {"Noise seed", "Another seed, other random numbers"},
@@ -127,7 +126,7 @@ std::vector<SceneField> truthFields() {
             at(
                 kGroup, "temperature_k",
                 {"Temperature", "Of the lever; 0: no thermal noise, 296 in a warm room", "K"},
-                {0.0, 1e4, "lie between 0 and 1e4"},
+                {0.0, 1e5, "lie between 0 and 1e5"},
                 [](auto& scene) -> auto& { return scene.truth.temperature; })},
         std::back_inserter(fields));
     return fields;
@@ -159,7 +158,7 @@ std::vector<SceneField> physicsFields() {
         at(
             kGroup, "meniscus_range_m",
             {"Meniscus range", "Gap at which the bridge breaks, 1 to 3 nm", "nm", kNano},
-            {0.0, 1e-6, "be 0 or lie between 1e-12 and 1e-6"},
+            {1e-12, 1e-6, "be 0 or lie between 1e-12 and 1e-6", true},
             [](auto& scene) -> auto& { return scene.meniscus.range; }),
     };
 }
@@ -236,17 +235,18 @@ std::vector<SceneField> endFields() {
     };
 }
 
-/// Not in the table: how stiffness and resonance of a beam come from what it says.
+/// How stiffness and resonance of a beam come from what it says; a file states them in its place.
 SceneField withAccess(SceneField field, SceneValue (*get)(const SceneDescription&),
                       void (*set)(SceneDescription&, const SceneValue&)) {
     field.get = get;
     field.set = set;
+    field.ownForm = true;
     return field;
 }
 
 std::vector<SceneField> beamFields() {
     constexpr SceneGroup kGroup = SceneGroup::Probe;
-    constexpr Limits kLength{1e-7, 1e-2, "lie between 1e-7 and 1e-2"};
+    constexpr Limits kLength{1e-9, 1.0, "lie between 1e-9 and 1"};
     const auto lever = [](const char* key, const SceneWords& words, const Limits& limits,
                           auto place) { return at(kGroup, key, words, limits, place); };
     return {
@@ -258,7 +258,7 @@ std::vector<SceneField> beamFields() {
             [](auto& scene) -> auto& { return scene.probe.width; }),
         lever(
             "set_back_m", {"Set-back", "Free end to tip, along the beam", "µm", kMicro},
-            {0.0, 1e-2, "be 0 or more, and less than the length"},
+            {0.0, 1.0, "be 0 or more, and less than the length"},
             [](auto& scene) -> auto& { return scene.probe.setBack; }),
         withAccess(
             lever(
@@ -275,7 +275,7 @@ std::vector<SceneField> beamFields() {
             lever(
                 "resonance_hz",
                 {"Resonance", "Fundamental one, in air; the thickness follows", "kHz", kKilo},
-                {1e2, 1e8, "lie between 1e2 and 1e8"},
+                {1e-3, 1e12, "lie between 1e-3 and 1e12"},
                 [](auto& scene) -> auto& { return scene.probe.thickness; }),
             [](const SceneDescription& scene) -> SceneValue {
                 return flexuralMode(scene.probe, 1).frequency();
@@ -285,23 +285,22 @@ std::vector<SceneField> beamFields() {
             }),
         lever(
             "thickness_m",
-            {"Thickness", "Of the beam; stiffness and resonance follow", "µm", kMicro},
-            {1e-9, 1e-3, "lie between 1e-9 and 1e-3"},
+            {"Thickness", "Of the beam; stiffness and resonance follow", "µm", kMicro}, kLength,
             [](auto& scene) -> auto& { return scene.probe.thickness; }),
         lever(
             "youngs_modulus_pa", {"Young's modulus", "Of the beam", "GPa", kGiga},
-            {1e9, 2e12, "lie between 1e9 and 2e12"},
+            {1.0, 1e15, "lie between 1 and 1e15"},
             [](auto& scene) -> auto& { return scene.probe.youngsModulus; }),
         lever(
             "poisson_ratio", {"Poisson's ratio", "Of the beam, 0 to 0.5"}, kPoisson,
             [](auto& scene) -> auto& { return scene.probe.poissonRatio; }),
         lever(
             "density_kg_m3", {"Density", "Of the beam", "kg/m³"},
-            {1.0, 1e5, "lie between 1 and 1e5"},
+            {1e-3, 1e6, "lie between 1e-3 and 1e6"},
             [](auto& scene) -> auto& { return scene.probe.density; }),
         lever(
             "q_factor", {"Q factor", "Of the fundamental resonance"},
-            {1e-2, 1e7, "lie between 1e-2 and 1e7"},
+            {1e-6, 1e12, "lie between 1e-6 and 1e12"},
             [](auto& scene) -> auto& { return scene.probe.qualityFactor; }),
         lever(
             "tip_height_m", {"Tip height", "Beam axis to apex", "µm", kMicro}, kLength,
@@ -313,7 +312,7 @@ std::vector<SceneField> beamFields() {
         lever(
             "azimuth_rad",
             {"Azimuth", "Of the beam in the image; 0: it points along +x", "°", kDegree},
-            {-2.0 * kHalfTurn, 2.0 * kHalfTurn, "lie between minus and plus a full turn"},
+            {-1e3, 1e3, "lie between -1e3 and 1e3"},
             [](auto& scene) -> auto& { return scene.probe.azimuth; }),
     };
 }
@@ -326,7 +325,7 @@ std::vector<SceneField> detectorFields() {
             kGroup, "inv_ols_m_v",
             {"InvOLS", "Deflection per volt of the vertical signal, from a hard wall; 0: not known",
              "nm/V", kNano},
-            {0.0, 1e-3, "lie between 0 and 1e-3"},
+            {0.0, 1.0, "lie between 0 and 1"},
             [](auto& scene) -> auto& { return scene.detector.invOls; }),
         at(
             kGroup, "lateral_sensitivity_rad_v",
@@ -369,6 +368,13 @@ std::vector<SceneField> allFields() {
 const std::vector<SceneField>& sceneFields() {
     static const std::vector<SceneField> fields = allFields();
     return fields;
+}
+
+const SceneField& sceneField(SceneGroup group, std::string_view key) {
+    const auto isIt = [&](const SceneField& field) {
+        return field.group == group && field.key == key;
+    };
+    return *std::ranges::find_if(sceneFields(), isIt);
 }
 
 double fromUnit(double number, double unit) noexcept {

@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -40,6 +41,9 @@ inline constexpr auto kEnumTable<SceneGroup> =
                                         {SceneGroup::Approach, "approach", "Approach"},
                                         {SceneGroup::View, "view", "View"}});
 
+/// How files and panels call what a key leaves to the program.
+inline constexpr const char* kLeftOpen = "auto";
+
 /// A number [SI], a switch, or a text: that of a choice is its key.
 using SceneValue = std::variant<double, bool, std::string>;
 
@@ -69,7 +73,8 @@ struct SceneWords {
     double scale = 1.0;     ///< that unit [SI]
 };
 
-/// One key of scene files, but for those of [haptics], which listSettings() has.
+/// One key of scene files: how people see it, what it may be, and how files and panels read and
+/// write it. Those of [haptics] are in listSettings().
 struct SceneField {
     SceneGroup group = SceneGroup::Sample;
     const char* key = "";
@@ -82,10 +87,18 @@ struct SceneField {
     void (*set)(SceneDescription& scene, const SceneValue& value) = nullptr;
     /// Why a text is no value, after "it must be"; empty: it is one. Null: any text is.
     std::string (*refusal)(const std::string& text) = nullptr;
+    /// Whether a file states the value that a scene has; null: always.
+    bool (*isStated)(const SceneDescription& scene) = nullptr;
+    /// Whether a file says it in another form than get() does, such as a list or a table, or in
+    /// place of another key: readers of the section have it.
+    bool ownForm = false;
 };
 
 /// The one list of the keys of scenes that a panel shows, in its order.
 [[nodiscard]] const std::vector<SceneField>& sceneFields();
+
+/// Returns the row of a key, which must be in the list.
+[[nodiscard]] const SceneField& sceneField(SceneGroup group, std::string_view key);
 
 /// A number that a user gives in a unit [SI], rounded once: 5 nm are 5e-9 m. @param unit [SI]
 [[nodiscard]] double fromUnit(double number, double unit) noexcept;

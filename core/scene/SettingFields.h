@@ -15,9 +15,10 @@ struct Limits {
     double low = std::numeric_limits<double>::lowest();
     double high = std::numeric_limits<double>::max();  ///< infinity: it may be that, too
     const char* words = "be a finite number";          ///< after "must"
+    bool orZero = false;                               ///< 0 is allowed as well
 
     [[nodiscard]] bool hold(double value) const noexcept {
-        return value == high || isWithin(value, low, high);
+        return value == high || isWithin(value, low, high) || (orZero && value == 0.0);
     }
 };
 

@@ -4,6 +4,7 @@
 #include "core/FormattedText.h"
 #include "core/io/heightmap/PhysicalUnit.h"
 #include "core/io/heightmap/ScanFile.h"
+#include "core/scene/SceneFields.h"
 #include "core/surface/InvalidPixels.h"
 
 #include <algorithm>
@@ -28,18 +29,27 @@ constexpr double kSameSize =
 struct MapQuantityRange {
     const char* name;                ///< for people
     std::vector<std::string> units;  ///< base units; empty: any
-    double low;                      ///< in the first unit
-    double high;                     ///< likewise
-    const char* expected;
-    std::ptrdiff_t alsoNamed = 0;  ///< how many of the last units need the channel's name
+    Limits limits;                   ///< in the first unit
+    std::ptrdiff_t alsoNamed = 0;    ///< how many of the last units need the channel's name
 };
 
-const MapQuantityRange kModulus{"a modulus [Pa]", {"Pa"}, 1e3, 2e12, "1e3 to 2e12 Pa"};
-// Stiffness has the unit N/m, too.
-const MapQuantityRange kAdhesion{
-    "a work of adhesion [J/m^2]", {"J/m^2", "J/m²", "N/m"}, 0.0, 10.0, "0 to 10 J/m^2", 1};
-const MapQuantityRange kFriction{"a coefficient of friction [no unit]", {""}, 0.0, 10.0, "0 to 10"};
-const MapQuantityRange kMask{"a mask", {}, 0.0, 1e300, "0 or more"};
+/// Returns the limits of the same quantity where it is the same everywhere.
+Limits limitsOf(const char* key) { return sceneField(SceneGroup::Material, key).limits; }
+
+MapQuantityRange modulusRange() {
+    return {"a modulus [Pa]", {"Pa"}, limitsOf("youngs_modulus_pa")};
+}
+/// Stiffness has the unit N/m, too.
+MapQuantityRange adhesionRange() {
+    return {"a work of adhesion [J/m^2]",
+            {"J/m^2", "J/m²", "N/m"},
+            limitsOf("work_of_adhesion_j_m2"),
+            1};
+}
+MapQuantityRange frictionRange() {
+    return {"a coefficient of friction [no unit]", {""}, limitsOf("friction_coefficient")};
+}
+MapQuantityRange maskRange() { return {"a mask", {}, {0.0, 1e300, "be 0 or more"}}; }
 
 /// What the reading of a map reports to; either may be null.
 struct MapReading {
@@ -118,10 +128,10 @@ PixelRectangle coveredPart(const HeightMap& map, bool hasSize, const MapArea& ar
 
 void requireRange(double value, int row, int column, const MapQuantityRange& quantity,
                   const MapSource& source) {
-    if (isFiniteHeight(value) && !(value >= quantity.low && value <= quantity.high)) {
+    if (isFiniteHeight(value) && !quantity.limits.hold(value)) {
         throw InputError(
             source.file, formatted("%s, row %d, column %d", source.channel.c_str(), row, column),
-            formatted("%.6g is not %s: expected %s", value, quantity.name, quantity.expected));
+            formatted("%.6g is not %s: it must %s", value, quantity.name, quantity.limits.words));
     }
 }
 
@@ -203,7 +213,7 @@ std::shared_ptr<const PixelField> readField(std::optional<MapSource>& source,
 /// Shares of the second material; a mask that has a unit, or goes beyond 1, counts in shares of its
 /// largest value.
 HeightMap readShares(MapSource& source, const MapArea& area, MapReading reading) {
-    MapOfPart mask = readMap(source, kMask, area, reading);
+    MapOfPart mask = readMap(source, maskRange(), area, reading);
     const bool isOfShares = !mask.hasUnit && mask.highest <= 1.0;
     const double most = isOfShares || mask.highest == 0.0 ? 1.0 : mask.highest;
     for (double& value : mask.values.heights) {
@@ -237,9 +247,9 @@ MaterialMaps readMaps(MaterialSources& sources, const MapArea& area, MapReading 
         return readField(source, quantity, unit, area, {&part, reading.notes});
     };
     MaterialMaps maps;
-    maps.youngsModulus = read(sources.youngsModulus, kModulus, "Pa", first);
-    maps.workOfAdhesion = read(sources.workOfAdhesion, kAdhesion, "J/m^2", second);
-    maps.friction = read(sources.friction, kFriction, "", third);
+    maps.youngsModulus = read(sources.youngsModulus, modulusRange(), "Pa", first);
+    maps.workOfAdhesion = read(sources.workOfAdhesion, adhesionRange(), "J/m^2", second);
+    maps.friction = read(sources.friction, frictionRange(), "", third);
     return maps;
 }
 

@@ -1,10 +1,10 @@
 #include "core/io/scene/MaterialMapKeys.h"
 
 #include "core/PathText.h"
+#include "core/io/scene/SceneKeys.h"
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <iterator>
 #include <utility>
 
@@ -36,13 +36,12 @@ MapSource readSource(TomlSection& section) {
     return source;
 }
 
-double within(TomlSection& section, const char* key, double low, double high,
-              const std::string& expected) {
-    const double value = section.number(key, std::nan(""));
-    if (!(value >= low && value <= high)) {
-        section.refuse(key, expected);
+/// A number of a material that must be there.
+double required(TomlSection& numbers, const char* key) {
+    if (!numbers.has(key)) {
+        numbers.refuse(key, "a number");
     }
-    return value;
+    return readNumber(numbers, sceneField(SceneGroup::Material, key), 0.0);
 }
 
 /// A material file, or its three numbers.
@@ -54,13 +53,10 @@ MaskedMaterial readMasked(TomlSection& mask, const char* key, const MaterialRead
     if (!numbers) {
         mask.refuse(key, "a material file, or a table with the three numbers of a material");
     }
-    const MaskedMaterial material{
-        .youngsModulus =
-            within(*numbers, "youngs_modulus_pa", 1e3, 2e12, "a modulus from 1e3 to 2e12 Pa"),
-        .workOfAdhesion = within(*numbers, "work_of_adhesion_j_m2", 0.0, 10.0,
-                                 "a work of adhesion from 0 to 10 J/m^2"),
-        .frictionCoefficient = within(*numbers, "friction_coefficient", 0.0, 10.0,
-                                      "a coefficient of friction from 0 to 10")};
+    const MaskedMaterial material{.youngsModulus = required(*numbers, "youngs_modulus_pa"),
+                                  .workOfAdhesion = required(*numbers, "work_of_adhesion_j_m2"),
+                                  .frictionCoefficient =
+                                      required(*numbers, "friction_coefficient")};
     numbers->refuseUnknownKeys();
     return material;
 }

@@ -1,18 +1,14 @@
 #include "core/io/scene/SceneFile.h"
 
 #include "core/Error.h"
-#include "core/PathText.h"
-#include "core/io/scene/CropKeys.h"
 #include "core/io/scene/HapticsKeys.h"
-#include "core/io/scene/LevelingKeys.h"
 #include "core/io/scene/MarkerKeys.h"
 #include "core/io/scene/MaterialMapKeys.h"
-#include "core/io/scene/NamedChoice.h"
 #include "core/io/scene/ProbeFile.h"
+#include "core/io/scene/SampleKeys.h"
+#include "core/io/scene/SceneKeys.h"
 #include "core/io/scene/TomlFile.h"
-#include "core/io/scene/UncertaintyKeys.h"
 #include "core/scene/ModelTerm.h"
-#include "core/surface/fit/GaussianFilter.h"
 
 #include <algorithm>
 #include <fstream>
@@ -24,24 +20,19 @@ namespace asperity {
 
 namespace {
 
-SampleMaterial readMaterial(TomlSection& section, const SampleMaterial& otherwise) {
-    SampleMaterial material = otherwise;
-    material.name = section.text("name", otherwise.name);
-    material.elastic.youngsModulus =
-        section.number("youngs_modulus_pa", otherwise.elastic.youngsModulus);
-    material.elastic.poissonRatio = section.number("poisson_ratio", otherwise.elastic.poissonRatio);
-    material.workOfAdhesion = section.number("work_of_adhesion_j_m2", otherwise.workOfAdhesion);
-    material.friction.coefficient =
-        section.number("friction_coefficient", otherwise.friction.coefficient);
-    material.friction.shearStrength =
-        section.number("shear_strength_pa", otherwise.friction.shearStrength);
-    // Of another modulus, or of several, another hardness.
-    const bool another = section.has("youngs_modulus_pa") || section.has("youngs_modulus_map") ||
-                         section.has("material_mask");
-    material.hardness = section.number("hardness_pa", another ? 0.0 : otherwise.hardness);
-    material.yields = section.flag("yields", another || otherwise.yields);
-    material.filmThickness = section.number("film_thickness_m", otherwise.filmThickness);
-    return material;
+/// Returns the material that the keys of a group are about.
+SampleMaterial& materialOf(SceneDescription& scene, SceneGroup group) {
+    return group == SceneGroup::Truth ? scene.truth.material : scene.sample.material;
+}
+
+/// Over what the scene has. Of another modulus, or of several, another hardness.
+void readMaterialKeys(TomlSection& section, SceneGroup group, SceneDescription& scene) {
+    if (section.has("youngs_modulus_pa") || section.has("youngs_modulus_map") ||
+        section.has("material_mask")) {
+        materialOf(scene, group).hardness = 0.0;
+        materialOf(scene, group).yields = true;
+    }
+    readKeys(section, group, scene);
 }
 
 /// The modulus that a material of this Poisson's ratio needs to be as stiff in a contact: the same
@@ -54,168 +45,61 @@ double asStiffWith(double poissonRatio, const SampleMaterial& given) {
 }
 
 /// A material by the key `material` (a file), with single keys of the section over it.
-SampleMaterial readMaterialOf(TomlSection& section, const SampleMaterial& otherwise) {
+void readMaterialOf(TomlSection& section, SceneGroup group, SceneDescription& scene) {
+    SampleMaterial& material = materialOf(scene, group);
     const std::filesystem::path file = section.path("material");
-    SampleMaterial material =
-        readMaterial(section, file.empty() ? otherwise : readMaterialFile(file));
+    if (!file.empty()) {
+        material = readMaterialFile(file);
+    }
+    readMaterialKeys(section, group, scene);
     material.maps = readMaterialSources(section, [&material](const std::filesystem::path& masked) {
         const SampleMaterial given = readMaterialFile(masked);
         return MaskedMaterial{.youngsModulus = asStiffWith(material.elastic.poissonRatio, given),
                               .workOfAdhesion = given.workOfAdhesion,
                               .frictionCoefficient = given.friction.coefficient};
     });
-    return material;
 }
 
-/// By pixels or by length; kAutomatic leaves it to the program.
-void readSmoothing(TomlSection& section, SampleDescription& sample) {
-    if (section.has("smoothing_m")) {
-        if (section.has("smoothing_px")) {
-            section.refuse("smoothing_m", "one of smoothing_px and smoothing_m, not both");
-        }
-        sample.smoothingLength = section.number("smoothing_m", 0.0);
-        if (!(sample.smoothingLength >= 0.0 && sample.smoothingLength <= 1.0)) {
-            section.refuse("smoothing_m", "a length from 0 to 1 m");
-        }
-        sample.smoothingPixels = 0.0;
-        return;
-    }
-    if (!section.has("smoothing_px")) {
-        return;
-    }
-    const bool isText = section.isText("smoothing_px");
-    if (isText && section.text("smoothing_px", "") == kAutomatic) {
-        sample.smoothingPixels.reset();
-        return;
-    }
-    const double pixels = isText ? -1.0 : section.number("smoothing_px", 0.0);
-    if (!(pixels >= 0.0 && pixels <= kMaxSmoothing)) {
-        section.refuse("smoothing_px", "a number from 0 to 100, or \"auto\"");
-    }
-    sample.smoothingPixels = pixels;
-}
-
-/// A shape; keys that are not its own stay unread, and are refused with the unknown ones.
-ShapeDescription readShape(TomlSection& section) {
-    ShapeDescription shape;
-    shape.kind = choice(section, "shape", shape.kind);
-    if (shape.kind == ShapeKind::Plane) {
-        shape.slope = section.number("shape_slope_rad", shape.slope);
-    } else {
-        shape.radius = section.number("shape_radius_m", shape.radius);
-    }
-    shape.size = section.number("shape_size_m", shape.radius);
-    return shape;
-}
-
-/// Both sides of the scan, or none.
-void readScale(TomlSection& section, const GivenScale& otherwise, GivenScale& scale) {
-    if (section.has("size_x_m") != section.has("size_y_m")) {
-        section.refuse(section.has("size_x_m") ? "size_y_m" : "size_x_m",
-                       "both sides of the scan, size_x_m and size_y_m");
-    }
-    const auto length = [&section](const char* key, double instead) {
-        const double value = section.number(key, instead);
-        if (section.has(key) && !(value > 0.0 && std::isfinite(value))) {
-            section.refuse(key, "a length above 0");
-        }
-        return value;
-    };
-    scale.sizeX = length("size_x_m", otherwise.sizeX);
-    scale.sizeY = length("size_y_m", otherwise.sizeY);
-    scale.heightPerValue = length("z_scale_m", otherwise.heightPerValue);
-}
-
-void readMapKeys(TomlSection& section, const SampleDescription& otherwise,
-                 SampleDescription& sample) {
-    sample.file = section.path("file").string();
-    if (sample.file.empty()) {
-        section.refuse("file", "the path of a height map, or 'shape' in its place");
-    }
-    sample.channel = section.text("channel", otherwise.channel);
-    readScale(section, otherwise.scale, sample.scale);
-    sample.crop = readCrop(section);
-    readLeveling(section, sample);
-    readSmoothing(section, sample);
-    sample.imagingTipRadius = section.number("imaging_tip_radius_m", otherwise.imagingTipRadius);
-    sample.erode = section.flag("erode", otherwise.erode);
-}
-
-SampleDescription readSample(TomlSection section, const SampleDescription& otherwise) {
-    SampleDescription sample = otherwise;
-    if (!section.has("shape")) {
-        readMapKeys(section, otherwise, sample);
-    } else if (section.has("file")) {
-        section.refuse("shape", "a shape or a height map ('file'), not both");
-    } else {
-        sample.shape = readShape(section);
-    }
-    sample.material = readMaterialOf(section, otherwise.material);
+void readSample(TomlSection section, SceneDescription& scene) {
+    readSampleKeys(section, scene);
+    readMaterialOf(section, SceneGroup::Material, scene);
     section.refuseUnknownKeys();
-    return sample;
 }
 
-TipDescription readTip(TomlSection section, const TipDescription& otherwise) {
-    TipDescription tip;
-    tip.radius = section.number("radius_m", otherwise.radius);
-    tip.coneHalfAngle = section.number("cone_half_angle_rad", otherwise.coneHalfAngle);
-    tip.elastic.youngsModulus =
-        section.number("youngs_modulus_pa", otherwise.elastic.youngsModulus);
-    tip.elastic.poissonRatio = section.number("poisson_ratio", otherwise.elastic.poissonRatio);
+void readGroup(TomlSection section, SceneGroup group, SceneDescription& scene) {
+    readKeys(section, group, scene);
     section.refuseUnknownKeys();
-    return tip;
 }
 
 void readProbeSection(TomlSection section, SceneDescription& scene) {
     const std::filesystem::path file = section.path("file");
-    const ProbeDescription base =
-        file.empty() ? ProbeDescription{scene.probe, scene.detector} : readProbe(file);
-    const ProbeDescription probe = readProbeKeys(section, base);
-    scene.probe = probe.lever;
-    scene.detector = probe.detector;
-    scene.signalSigma = section.number("signal_noise_rad", scene.signalSigma);
+    if (!file.empty()) {
+        const ProbeDescription probe = readProbe(file);
+        scene.probe = probe.lever;
+        scene.detector = probe.detector;
+    }
+    readProbeKeys(section, scene);
+    readKey(section, sceneField(SceneGroup::Probe, kSignalNoise), scene);
     // Of earlier files: the estimator had a number of its own.
     double& deviation = scene.uncertainty.surfaceNormal;
     deviation = section.number("normal_deviation_rad", deviation);
     section.refuseUnknownKeys();
 }
 
-TruthDescription readTruth(TomlSection section, const SceneDescription& scene) {
-    TruthDescription truth;
-    truth.material = readMaterialOf(section, scene.sample.material);
-    truth.material.maps = trueSources(section, truth.material.maps, scene.sample.material.maps);
-    truth.stiffness = section.number("stiffness_n_m", Cantilever(scene.probe).stiffness());
-    truth.signalNoise = section.number("signal_noise_rad", scene.signalSigma);
-    truth.noiseSeed = section.count("noise_seed", truth.noiseSeed);
-    truth.temperature = section.number("temperature_k", truth.temperature);
-    section.refuseUnknownKeys();
-    return truth;
-}
-
-void readPhysics(TomlSection section, SceneDescription& scene) {
-    scene.choices.law = choiceOrNone(section, "law", scene.choices.law);
-    scene.cohesiveRange = section.number("cohesive_range_m", scene.cohesiveRange);
-    Meniscus& meniscus = scene.meniscus;
-    meniscus.surfaceTension = section.number("meniscus_tension_n_m", meniscus.surfaceTension);
-    meniscus.contactAngle = section.number("meniscus_angle_rad", meniscus.contactAngle);
-    meniscus.range = section.number("meniscus_range_m", meniscus.range);
+void readTruth(TomlSection section, SceneDescription& scene) {
+    scene.truth = {.material = scene.sample.material,
+                   .stiffness = Cantilever(scene.probe).stiffness(),
+                   .signalNoise = scene.signalSigma};
+    readMaterialOf(section, SceneGroup::Truth, scene);
+    MaterialSources& maps = scene.truth.material.maps;
+    maps = trueSources(section, maps, scene.sample.material.maps);
     section.refuseUnknownKeys();
 }
 
-void readFidelity(TomlSection section, SceneDescription& scene) {
-    scene.tolerance = section.number("tolerance", scene.tolerance);
+/// Recordings state each of the terms. One that does not state this one is older than it.
+void readFidelity(const TomlSection& section, SceneDescription& scene) {
+    readGroup(section, SceneGroup::Fidelity, scene);
     ModelChoices& model = scene.choices;
-    model.solver = choice(section, "contact_solver", model.solver);
-    model.decoupling = choice(section, "decoupling", model.decoupling);
-    model.deformation = choiceOrNone(section, "deformation", model.deformation);
-    model.closestPointSearch = choiceOrNone(section, "foot_search", model.closestPointSearch);
-    for (const ModelTermTraits& term : kEnumTable<ModelTerm>) {
-        if (term.choice != nullptr) {
-            std::optional<bool>& value = model.*term.choice;
-            value = choiceOrNone(section, term.key, value);
-        }
-    }
-    // Recordings state each of these terms. One that does not state this one is older than it.
     const auto isStated = [&model](ModelTerm term) {
         return term == ModelTerm::BodyAttraction || (model.*traitsOf(term).choice).has_value();
     };
@@ -223,26 +107,17 @@ void readFidelity(TomlSection section, SceneDescription& scene) {
         std::ranges::all_of(kSwitchedTerms, isStated)) {
         model.bodyAttraction = false;
     }
-    section.refuseUnknownKeys();
 }
 
-void readRest(const toml::table& table, const std::filesystem::path& path,
-              SceneDescription& scene) {
-    readPhysics(TomlSection(table, path, "physics"), scene);
-    readFidelity(TomlSection(table, path, "fidelity"), scene);
-    readHaptics(TomlSection(table, path, "haptics"), scene);
-    TomlSection approach(table, path, "approach");
-    scene.setpoint = approach.number("setpoint_n", scene.setpoint);
-    approach.refuseUnknownKeys();
-    TomlSection view(table, path, "view");
-    scene.zoomHalfWidth = view.number("zoom_half_width_m", scene.zoomHalfWidth);
-    view.refuseUnknownKeys();
-}
+constexpr const char* kHaptics = "haptics";
+constexpr const char* kWindow = "window";  ///< of session files, which the window reads
 
 void refuseUnknownSections(const toml::table& table, const std::filesystem::path& path) {
     TomlSection root(table, path, "");
-    for (const char* name : {"sample", "tip", "probe", "truth", "physics", "fidelity",
-                             "uncertainty", "haptics", "approach", "view", "window", kMarkers}) {
+    for (const auto& group : kEnumTable<SceneGroup>) {
+        root.allow(group.key);
+    }
+    for (const char* name : {kHaptics, kWindow, kMarkers}) {
         root.allow(name);
     }
     root.refuseUnknownKeys();
@@ -261,100 +136,23 @@ bool hasSampleSection(const std::filesystem::path& path) {
     return start.starts_with("[sample]") || start.find("\n[sample]") != std::string::npos;
 }
 
-toml::table materialTable(const SampleMaterial& material) {
-    return toml::table{{"name", material.name},
-                       {"youngs_modulus_pa", material.elastic.youngsModulus},
-                       {"poisson_ratio", material.elastic.poissonRatio},
-                       {"work_of_adhesion_j_m2", material.workOfAdhesion},
-                       {"friction_coefficient", material.friction.coefficient},
-                       {"shear_strength_pa", material.friction.shearStrength},
-                       {"hardness_pa", material.hardness},
-                       {"yields", material.yields},
-                       {"film_thickness_m", material.filmThickness}};
-}
-
-void insertShape(const ShapeDescription& shape, toml::table& table) {
-    table.insert("shape", keyOf(shape.kind));
-    if (shape.kind == ShapeKind::Plane) {
-        table.insert("shape_slope_rad", shape.slope);
-    } else {
-        table.insert("shape_radius_m", shape.radius);
-    }
-    table.insert("shape_size_m", shape.size);
-}
-
-toml::table sampleTable(const SampleDescription& sample) {
-    toml::table table = materialTable(sample.material);
-    insertMaterialSources(sample.material.maps, table);
-    if (sample.shape) {
-        insertShape(*sample.shape, table);
-        return table;
-    }
-    table.insert("file", pathText(sample.file));
-    table.insert("channel", sample.channel);
-    if (sample.scale.hasSize()) {
-        table.insert("size_x_m", sample.scale.sizeX);
-        table.insert("size_y_m", sample.scale.sizeY);
-    }
-    if (sample.scale.hasHeight()) {
-        table.insert("z_scale_m", sample.scale.heightPerValue);
-    }
-    insertCrop(sample.crop, table);
-    insertLeveling(sample, table);
-    if (sample.smoothingLength != 0.0) {
-        table.insert("smoothing_m", sample.smoothingLength);
-    } else if (sample.smoothingPixels) {
-        table.insert("smoothing_px", *sample.smoothingPixels);
-    } else {
-        table.insert("smoothing_px", kAutomatic);
-    }
-    table.insert("imaging_tip_radius_m", sample.imagingTipRadius);
-    table.insert("erode", sample.erode);
-    return table;
-}
-
-toml::table probeSectionTable(const SceneDescription& scene) {
-    toml::table table = probeTable({scene.probe, scene.detector});
-    table.insert("signal_noise_rad", scene.signalSigma);
-    return table;
-}
-
-toml::table fidelityTable(const SceneDescription& scene) {
-    const ModelChoices& model = scene.choices;
-    toml::table table{{"tolerance", scene.tolerance},
-                      {"contact_solver", keyOf(model.solver)},
-                      {"decoupling", keyOf(model.decoupling)},
-                      {"deformation", keyOf(model.deformation)},
-                      {"foot_search", keyOf(model.closestPointSearch)}};
-    for (const ModelTermTraits& term : kEnumTable<ModelTerm>) {
-        if (term.choice != nullptr) {
-            table.insert(term.key, keyOf(model.*term.choice));
-        }
-    }
-    return table;
-}
-
-toml::table truthTable(const TruthDescription& truth) {
-    toml::table table = materialTable(truth.material);
-    insertMaterialSources(truth.material.maps, table);
-    table.insert("stiffness_n_m", truth.stiffness);
-    table.insert("signal_noise_rad", truth.signalNoise);
-    table.insert("noise_seed", static_cast<std::int64_t>(truth.noiseSeed));
-    table.insert("temperature_k", truth.temperature);
-    return table;
-}
-
 /// @param scene what the file does not state
 SceneDescription readSceneOver(SceneDescription scene, const std::filesystem::path& path) {
     const toml::table table = readToml(path);
     refuseUnknownSections(table, path);
-    scene.sample = readSample(TomlSection(table, path, "sample"), scene.sample);
-    scene.tip = readTip(TomlSection(table, path, "tip"), scene.tip);
-    readUncertainty(TomlSection(table, path, "uncertainty"), scene.uncertainty);
-    readProbeSection(TomlSection(table, path, "probe"), scene);
+    const auto section = [&](SceneGroup group) { return TomlSection(table, path, keyOf(group)); };
+    readSample(section(SceneGroup::Sample), scene);
+    readGroup(section(SceneGroup::Tip), SceneGroup::Tip, scene);
+    readGroup(section(SceneGroup::Uncertainty), SceneGroup::Uncertainty, scene);
+    readProbeSection(section(SceneGroup::Probe), scene);
     try {
-        scene.truth = readTruth(TomlSection(table, path, "truth"), scene);
-        readRest(table, path, scene);
+        readTruth(section(SceneGroup::Truth), scene);
+        readFidelity(section(SceneGroup::Fidelity), scene);
+        for (const SceneGroup group :
+             {SceneGroup::Physics, SceneGroup::Approach, SceneGroup::View}) {
+            readGroup(section(group), group, scene);
+        }
+        readHaptics(TomlSection(table, path, kHaptics), scene);
         scene.markers = readMarkers(table, path);
         checkScene(scene);
     } catch (const InputError&) {
@@ -387,24 +185,19 @@ SceneDescription sceneFromInput(const std::filesystem::path& path) {
 }
 
 std::string sceneText(const SceneDescription& scene) {
-    toml::table table{
-        {"sample", sampleTable(scene.sample)},
-        {"tip", toml::table{{"radius_m", scene.tip.radius},
-                            {"cone_half_angle_rad", scene.tip.coneHalfAngle},
-                            {"youngs_modulus_pa", scene.tip.elastic.youngsModulus},
-                            {"poisson_ratio", scene.tip.elastic.poissonRatio}}},
-        {"probe", probeSectionTable(scene)},
-        {"truth", truthTable(scene.truth)},
-        {"physics", toml::table{{"law", keyOf(scene.choices.law)},
-                                {"cohesive_range_m", scene.cohesiveRange},
-                                {"meniscus_tension_n_m", scene.meniscus.surfaceTension},
-                                {"meniscus_angle_rad", scene.meniscus.contactAngle},
-                                {"meniscus_range_m", scene.meniscus.range}}},
-        {"fidelity", fidelityTable(scene)},
-        {"uncertainty", uncertaintyTable(scene.uncertainty)},
-        {"haptics", hapticsTable(scene)},
-        {"approach", toml::table{{"setpoint_n", scene.setpoint}}},
-        {"view", toml::table{{"zoom_half_width_m", scene.zoomHalfWidth}}}};
+    toml::table table;
+    for (const auto& group : kEnumTable<SceneGroup>) {
+        toml::table& section =
+            table.insert(group.key, toml::table{}).first->second.ref<toml::table>();
+        if (group.value != SceneGroup::Sample && group.value != SceneGroup::Shape) {
+            insertKeys(group.value, scene, section);
+        }
+    }
+    toml::table& sample = table["sample"].ref<toml::table>();
+    insertSampleKeys(scene, sample);
+    insertMaterialSources(scene.sample.material.maps, sample);
+    insertMaterialSources(scene.truth.material.maps, table["truth"].ref<toml::table>());
+    table.insert(kHaptics, hapticsTable(scene));
     insertMarkers(scene.markers, table);
     std::ostringstream text;
     text << table << '\n';
@@ -412,15 +205,20 @@ std::string sceneText(const SceneDescription& scene) {
 }
 
 std::string materialText(const SampleMaterial& material, const std::string& notes) {
-    return commented(materialTable(material), notes);
+    SceneDescription scene;
+    scene.sample.material = material;
+    toml::table table;
+    insertKeys(SceneGroup::Material, scene, table);
+    return commented(table, notes);
 }
 
 SampleMaterial readMaterialFile(const std::filesystem::path& path) {
     const toml::table table = readToml(path);
     TomlSection root(table, path, "");
-    SampleMaterial material = readMaterial(root, {});
+    SceneDescription scene;
+    readMaterialKeys(root, SceneGroup::Material, scene);
     root.refuseUnknownKeys();
-    return material;
+    return scene.sample.material;
 }
 
 }  // namespace asperity

@@ -225,7 +225,11 @@ void TomlSection::refuseUnknownKeys() const {
 }
 
 void TomlSection::refuse(const std::string& key, const std::string& expected) const {
-    throw InputError(file_.string(), place(key), "expected " + expected);
+    complain(key, "expected " + expected);
+}
+
+void TomlSection::complain(const std::string& key, const std::string& wrong) const {
+    throw InputError(file_.string(), place(key), wrong);
 }
 
 const toml::node* TomlSection::find(const std::string& key) {

@@ -49,8 +49,10 @@ public:
     void allow(const std::string& key) { known_.insert(key); }
     /// @throw InputError naming the first key that nobody asked for
     void refuseUnknownKeys() const;
-    /// @throw InputError about the value of `key`
+    /// @throw InputError about the value of `key`: what was expected there
     [[noreturn]] void refuse(const std::string& key, const std::string& expected) const;
+    /// @throw InputError about the value of `key`: what is wrong, in words of the caller
+    [[noreturn]] void complain(const std::string& key, const std::string& wrong) const;
 
 private:
     const toml::node* find(const std::string& key);

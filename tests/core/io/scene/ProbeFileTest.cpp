@@ -103,13 +103,12 @@ TEST_F(ProbeFile, RefusesContradictionsAndMistakesWithTheirKeys) {
         {"set_back_m = 150e-6\n", "set_back_m"},
         {"set_back_m = -1e-6\n", "set_back_m"},
         {"set_back_m = nan\n", "set_back_m"},
-        {"inv_ols_m_v = 0.0\n", "inv_ols_m_v"},
-        {"lateral_sensitivity_rad_v = 0.0\n", "lateral_sensitivity_rad_v"},
+        {"inv_ols_m_v = -1e-8\n", "line 1, inv_ols_m_v: must lie between 0 and 1"},
         {"lateral_sensitivity_rad_v = nan\n", "lateral_sensitivity_rad_v"},
         {"cross_talk_vertical = 1.0\n", "cross_talk_vertical"},
         {"cross_talk_lateral = \"none\"\n", "cross_talk_lateral"},
-        {"poisson_ratio = 0.7\n", "Poisson"},
-        {"mount_tilt_rad = 2\n", "mount tilt"},
+        {"poisson_ratio = 0.7\n", "poisson_ratio: must lie between 0 and 0.5"},
+        {"mount_tilt_rad = 2\n", "mount_tilt_rad: must lie between"},
         {"inv_ols = 5e-8\n", "unknown key 'inv_ols'"},
     };
     for (const auto& [text, expected] : mistakes) {

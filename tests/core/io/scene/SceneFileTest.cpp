@@ -190,7 +190,7 @@ TEST_F(SceneFile, ReadsTheSetpointOfAnApproach) {
         readScene(write("scene.toml", map + "[approach]\nsetpoint_n = 2e-10\n"));
     EXPECT_EQ(scene.setpoint, 2e-10);
     EXPECT_EQ(readScene(write("again.toml", sceneText(scene))).setpoint, 2e-10);
-    EXPECT_NE(refusal(map + "[approach]\nsetpoint_n = 0\n").find("[approach]: setpoint_n must lie"),
+    EXPECT_NE(refusal(map + "[approach]\nsetpoint_n = 0\n").find("[approach] setpoint_n: must lie"),
               std::string::npos);
     EXPECT_NE(refusal(map + "[approach]\nsetpoint = 1e-9\n"), "");
 }
@@ -331,7 +331,7 @@ TEST_F(SceneFile, RefusesMistakesWithTheirPlace) {
         {std::string(sample) + "size_x_m = -1e-6\nsize_y_m = 1e-6\n", "size_x_m"},
         {std::string(sample) + "size_x_m = 1e-6\nsize_y_m = inf\n", "size_y_m"},
         {std::string(sample) + "size_x_m = \"5um\"\nsize_y_m = 1e-6\n", "a number"},
-        {std::string(sample) + "z_scale_m = 0\n", "z_scale_m"},
+        {std::string(sample) + "z_scale_m = -1\n", "z_scale_m: must lie"},
         {std::string(sample) + "z_scale_m = nan\n", "z_scale_m"},
         {std::string(sample) + "[uncertainty]\nsurface_normal_rad = -0.01\n", "surface_normal_rad"},
         {std::string(sample) + "[probe]\nnormal_deviation_rad = 1.5\n", "surface_normal_rad"},

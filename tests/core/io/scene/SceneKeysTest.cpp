@@ -1,3 +1,6 @@
+#include "core/io/scene/SceneKeys.h"
+
+#include "core/io/TextValue.h"
 #include "core/io/scene/SceneFile.h"
 #include "core/scene/SceneFields.h"
 #include "tests/support/Places.h"
@@ -6,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <regex>
 #include <set>
 #include <string>
@@ -13,11 +17,10 @@
 namespace asperity {
 namespace {
 
-/// All words in the sources of the readers that can be a key.
+/// All words in the sources of the readers that can be a key, and the keys of the list.
 std::set<std::string> candidates() {
     const std::filesystem::path source = test::checkout();
-    std::string text = test::contentOf(source / "core/scene/ModelTerm.h") +
-                       test::contentOf(source / "core/scene/Uncertainty.h");
+    std::string text;
     for (const auto& file : std::filesystem::directory_iterator(source / "core/io/scene")) {
         text += test::contentOf(file.path());
     }
@@ -25,6 +28,9 @@ std::set<std::string> candidates() {
     const std::regex quoted("\"([a-z][a-z0-9_]*)\"");
     for (std::sregex_iterator word(text.begin(), text.end(), quoted), end; word != end; ++word) {
         words.insert((*word)[1]);
+    }
+    for (const SceneField& field : sceneFields()) {
+        words.insert(field.key);
     }
     return words;
 }
@@ -66,6 +72,69 @@ TEST(SceneKeys, ThoseThatTheReaderReadsAreThoseOfTheList) {
     }
     EXPECT_EQ(read, listed);
     EXPECT_GT(read.size(), 60U);
+}
+
+/// The scene after one key of a section.
+SceneDescription sceneAfter(const SceneField& field, const std::string& value) {
+    const std::string section = keyOf(field.group);
+    const toml::table table = toml::parse("[" + section + "]\n" + field.key + " = " + value);
+    TomlSection keys(table, "key.toml", section);
+    SceneDescription scene = defaultScene();
+    readKey(keys, field, scene);
+    return scene;
+}
+
+/// File and page disagreed on at least eight of them.
+TEST(SceneKeys, HaveTheLimitsOfTheList) {
+    for (const SceneField& field : sceneFields()) {
+        if (field.input != SceneInput::Number || field.ownForm ||
+            field.group == SceneGroup::Shape) {
+            continue;
+        }
+        for (const double end : {field.limits.low, field.limits.high}) {
+            const SceneDescription scene = sceneAfter(field, exactText(end));
+            EXPECT_NEAR(std::get<double>(field.get(scene)), end, 1e-15 * std::abs(end))
+                << nameOf(field);
+        }
+        if (field.limits.orZero) {
+            EXPECT_EQ(std::get<double>(field.get(sceneAfter(field, "0"))), 0.0) << nameOf(field);
+        }
+        const double beyond = field.limits.high + std::abs(field.limits.high);
+        const std::string said =
+            test::refusalOf([&] { (void)sceneAfter(field, exactText(beyond)); });
+        EXPECT_NE(said.find(std::string("line 2, [") + keyOf(field.group) + "] " + field.key +
+                            ": must " + field.limits.words),
+                  std::string::npos)
+            << nameOf(field) << ": " << said;
+        EXPECT_NE(test::refusalOf([&] { (void)sceneAfter(field, "nan"); }), "") << nameOf(field);
+    }
+}
+
+/// Each key that a file states comes back with its bits, whatever the value.
+TEST(SceneKeys, KeepTheirBitsInAFile) {
+    for (const SceneField& field : sceneFields()) {
+        if (field.input != SceneInput::Number || field.ownForm ||
+            field.group == SceneGroup::Shape) {
+            continue;
+        }
+        SceneDescription scene = defaultScene();
+        field.set(scene, 0.3 * field.limits.high);
+        toml::table table;
+        insertKey(field, scene, table);
+        const double* const stated = table[field.key].as_floating_point() != nullptr
+                                         ? &table[field.key].as_floating_point()->get()
+                                         : nullptr;
+        ASSERT_NE(stated, nullptr) << nameOf(field);
+        EXPECT_EQ(*stated, 0.3 * field.limits.high) << nameOf(field);
+    }
+}
+
+TEST(SceneKeys, SayWhyOneMeansNothing) {
+    const test::ScratchFolder folder;
+    const auto file =
+        folder.write("plane.toml", "[sample]\nshape = \"plane\"\nshape_radius_m = 1e-7\n");
+    EXPECT_EQ(test::refusalOf([&] { (void)readScene(file); }),
+              file.string() + ": line 3, [sample] shape_radius_m: A plane has no radius");
 }
 
 }  // namespace
