@@ -6,6 +6,7 @@
 #include "app/exports/PlotFile.h"
 #include "app/exports/RasterPixels.h"
 #include "app/exports/SurfaceFile.h"
+#include "app/exports/VideoFile.h"
 #include "app/runs/RunFolder.h"
 #include "app/session/ExportMemory.h"
 #include "app/session/FilmOfRecording.h"
@@ -55,7 +56,7 @@ ExportOffer offer() {
     for (const std::string& extension : surfaceExtensions()) {
         offer.formats[ExportSubject::Surface] << QString::fromStdString(extension.substr(1));
     }
-    if (!QStandardPaths::findExecutable(QStringLiteral("ffmpeg")).isEmpty()) {
+    if (haveVideoEncoder()) {
         offer.formats[ExportSubject::Film] << QStringLiteral("mp4") << QStringLiteral("webm");
     }
     for (const JournalColumn& column : journalColumns()) {
