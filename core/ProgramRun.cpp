@@ -213,11 +213,6 @@ Pipe openInput(const ProgramCall& call) {
     return {FileDescriptor(ends[0]), FileDescriptor(ends[1])};
 }
 
-bool isProgram(const std::filesystem::path& path) {
-    std::error_code ignored;
-    return std::filesystem::is_regular_file(path, ignored) && access(path.c_str(), X_OK) == 0;
-}
-
 }  // namespace
 
 ProgramCall trustedCall(std::filesystem::path program, std::vector<std::string> arguments) {
@@ -369,6 +364,11 @@ ProgramOutcome runProgram(const ProgramCall& call) {
         outcome = program.look();
     }
     return *outcome;
+}
+
+bool isProgram(const std::filesystem::path& path) {
+    std::error_code ignored;
+    return std::filesystem::is_regular_file(path, ignored) && access(path.c_str(), X_OK) == 0;
 }
 
 std::filesystem::path findProgram(const std::string& name, std::string_view folders) {

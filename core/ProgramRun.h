@@ -103,6 +103,8 @@ private:
 /// @throw Error when it cannot be started or waited for
 [[nodiscard]] ProgramOutcome runProgram(const ProgramCall& call);
 
+/// Whether a path leads to a file that this process may run.
+[[nodiscard]] bool isProgram(const std::filesystem::path& path);
 /// Returns the first program of this name in folders that a list names, as PATH does; empty: none.
 /// A folder that is not absolute is left out: it would depend on the one that the user is in.
 [[nodiscard]] std::filesystem::path findProgram(const std::string& name, std::string_view folders);
