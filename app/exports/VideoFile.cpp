@@ -4,7 +4,6 @@
 #include "core/io/TextValue.h"
 
 #include <algorithm>
-#include <cctype>
 #include <optional>
 #include <span>
 #include <vector>
@@ -15,11 +14,28 @@ namespace {
 
 constexpr const char* kEncoder = "ffmpeg";
 
-std::string extensionOf(const std::filesystem::path& file) {
-    std::string extension = file.extension().string();
-    std::ranges::transform(extension, extension.begin(),
-                           [](unsigned char letter) { return std::tolower(letter); });
-    return extension;
+/// A format of videos, and how ffmpeg encodes it.
+struct VideoFormat {
+    const char* extension;
+    std::vector<std::string> encoding;
+};
+
+const std::vector<VideoFormat>& videoFormats() {
+    static const std::vector<VideoFormat> formats{
+        {".mp4",
+         {"-c:v", "libx264", "-crf", "18", "-preset", "medium", "-movflags", "+faststart", "-f",
+          "mp4"}},
+        {".webm",
+         {"-c:v", "libvpx-vp9", "-crf", "24", "-b:v", "0", "-deadline", "good", "-cpu-used", "4",
+          "-row-mt", "1", "-f", "webm"}}};
+    return formats;
+}
+
+/// The format that a file's extension stands for; null: none.
+const VideoFormat* videoFormat(const std::filesystem::path& file) {
+    const std::string extension = lowerCase(file.extension().string());
+    const auto found = std::ranges::find(videoFormats(), extension, &VideoFormat::extension);
+    return found == videoFormats().end() ? nullptr : &*found;
 }
 
 /// Colors at full range of each frame; sides are even numbers, as the encoders want them.
@@ -43,13 +59,7 @@ std::vector<std::string> argumentsFor(const TemporaryFile& file, PictureSize siz
                                        "-an",
                                        "-vf",
                                        "pad=ceil(iw/2)*2:ceil(ih/2)*2:color=white,format=yuv420p"};
-    const bool isWebm = extensionOf(file.target()) == ".webm";
-    const std::vector<std::string> encoding =
-        isWebm ? std::vector<std::string>{"-c:v",    "libvpx-vp9", "-crf", "24",        "-b:v",
-                                          "0",       "-deadline",  "good", "-cpu-used", "4",
-                                          "-row-mt", "1",          "-f",   "webm"}
-               : std::vector<std::string>{"-c:v",   "libx264",   "-crf",       "18", "-preset",
-                                          "medium", "-movflags", "+faststart", "-f", "mp4"};
+    const std::vector<std::string>& encoding = videoFormat(file.target())->encoding;
     arguments.insert(arguments.end(), encoding.begin(), encoding.end());
     arguments.push_back("file:" + file.path().string());
     return arguments;
@@ -78,9 +88,22 @@ ProgramCall encoderCall(const TemporaryFile& file, PictureSize size, double fps)
 
 }  // namespace
 
-bool isVideo(const std::filesystem::path& file) {
-    const std::string extension = extensionOf(file);
-    return extension == ".mp4" || extension == ".webm";
+bool isVideo(const std::filesystem::path& file) { return videoFormat(file) != nullptr; }
+
+std::vector<std::string> videoExtensions() {
+    std::vector<std::string> extensions;
+    for (const VideoFormat& format : videoFormats()) {
+        extensions.emplace_back(format.extension);
+    }
+    return extensions;
+}
+
+std::string videoExtensionList() {
+    std::string list;
+    for (const VideoFormat& format : videoFormats()) {
+        list.append(list.empty() ? "" : " or ").append(format.extension);
+    }
+    return list;
 }
 
 bool haveVideoEncoder() { return !findProgram(kEncoder).empty(); }

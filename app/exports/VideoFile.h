@@ -7,11 +7,17 @@
 #include "vtkplugins/pictures/RasterImage.h"
 
 #include <filesystem>
+#include <string>
+#include <vector>
 
 namespace asperity {
 
-/// Whether a file's extension is that of a video: .mp4, .webm.
+/// Whether a file's extension is that of a video.
 [[nodiscard]] bool isVideo(const std::filesystem::path& file);
+/// The extensions of videos.
+[[nodiscard]] std::vector<std::string> videoExtensions();
+/// The same for people: ".mp4 or .webm".
+[[nodiscard]] std::string videoExtensionList();
 
 /// Whether ffmpeg is installed, without which there is no VideoFile.
 [[nodiscard]] bool haveVideoEncoder();
@@ -20,7 +26,7 @@ namespace asperity {
 /// commit() nothing is left. The thread that makes it must outlive it, see RunningProgram.
 class VideoFile {
 public:
-    /// @param fps frames a second
+    /// @param path isVideo() @param fps frames a second
     /// @throw Error when there is no ffmpeg, or the file cannot be written
     VideoFile(const std::filesystem::path& path, PictureSize size, double fps);
 
