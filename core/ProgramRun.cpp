@@ -1,21 +1,21 @@
 #include "core/ProgramRun.h"
 
 #include "core/Error.h"
-#include "core/FileDescriptor.h"
 
 #include <algorithm>
 #include <array>
 #include <cerrno>
-#include <csignal>
+#include <cstdlib>
 #include <fcntl.h>
-#include <optional>
+#include <limits>
 #include <poll.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
+#include <sys/socket.h>
 #include <sys/wait.h>
 #include <system_error>
-#include <thread>
 #include <unistd.h>
+#include <utility>
 
 namespace asperity {
 
@@ -28,7 +28,7 @@ constexpr std::chrono::milliseconds kShortLook{1};
 constexpr int kNoProgram = 127;  ///< exit code of a process that did not become the program
 
 [[noreturn]] void fail(const ProgramCall& call, const char* what, int error) {
-    throw Error(call.program.string() + ": the program " + what + ": " +
+    throw Error("the program " + call.program.string() + " " + what + ": " +
                 std::generic_category().message(error));
 }
 
@@ -59,24 +59,25 @@ std::vector<char*> pointersTo(std::vector<std::string>& texts) {
     return pointers;
 }
 
+constexpr std::size_t kStreams = 4;  ///< descriptors 0 to 3: input, output, errors, replies
+
 /// Everything that a new process needs to become the program. It must not allocate: until then it
 /// may share the memory of this process.
 struct Start {
     const char* program;
     char* const* words;
     char* const* environment;
-    const char* folder;
-    int input;
-    int output;
-    int failure;    ///< gets the system's number of what fails before
+    const char* folder;                 ///< empty: that of this process
+    std::array<int, kStreams> streams;  ///< become its first descriptors; -1: closed
+    int failure;                        ///< gets the system's number of what fails before
+    int endSignal;
     pid_t starter;  ///< the process that waits for the program
 };
 
-/// Ends this process with the one that started it, however that ends: the kernel does, for as long
-/// as the thread lives that started it, which waits. Where that is gone already, returns false with
-/// `errno` ESRCH.
-bool endWith(pid_t starter) {
-    if (prctl(PR_SET_PDEATHSIG, SIGKILL) != 0) {
+/// Ends this process with the one that started it, however that ends: the kernel does, when the
+/// thread ends that started it. Where that is gone already, returns false with `errno` ESRCH.
+bool endWith(pid_t starter, int signal) {
+    if (prctl(PR_SET_PDEATHSIG, signal) != 0) {
         return false;
     }
     errno = ESRCH;
@@ -96,25 +97,37 @@ void resetSignals() {
     sigprocmask(SIG_SETMASK, &none, nullptr);
 }
 
-/// Standard streams and the place for a failure alone stay open. Streams 0 to 2 are open in this
-/// process before (openClosedStandardStreams()), so that none of these files has such a number and
-/// is overwritten by another one.
-bool moveStreams(const Start& start) {
-    constexpr int kFailure = STDERR_FILENO + 1;
-    if (dup2(start.input, STDIN_FILENO) < 0 || dup2(start.output, STDOUT_FILENO) < 0 ||
-        dup2(start.output, STDERR_FILENO) < 0 ||
-        (start.failure != kFailure && dup3(start.failure, kFailure, O_CLOEXEC) < 0)) {
+/// The program's streams and the place for a failure alone stay open. Streams 0 to 2 are open in
+/// this process before (openClosedStandardStreams()), so that a file has the number of a stream
+/// only where it is that stream or the last one.
+/// @param failure is moved behind the streams
+bool moveStreams(const Start& start, int& failure) {
+    constexpr int kFailure = kStreams;
+    failure = fcntl(start.failure, F_DUPFD_CLOEXEC, kFailure);
+    if (failure < 0) {
+        failure = start.failure;
         return false;
     }
+    for (int stream = 0; stream < kFailure; ++stream) {
+        const int source = start.streams[static_cast<std::size_t>(stream)];
+        if (source < 0) {
+            close(stream);
+        } else if (source == stream ? fcntl(stream, F_SETFD, 0) < 0 : dup2(source, stream) < 0) {
+            return false;
+        }
+    }
+    if (failure != kFailure && dup3(failure, kFailure, O_CLOEXEC) < 0) {
+        return false;
+    }
+    failure = kFailure;
     closefrom(kFailure + 1);
     return true;
 }
 
 [[noreturn]] void becomeProgram(const Start& start) {
     int failure = start.failure;
-    if (endWith(start.starter) && setpgid(0, 0) == 0 && chdir(start.folder) == 0 &&
-        moveStreams(start)) {
-        failure = STDERR_FILENO + 1;
+    if (endWith(start.starter, start.endSignal) && setpgid(0, 0) == 0 &&
+        (start.folder[0] == '\0' || chdir(start.folder) == 0) && moveStreams(start, failure)) {
         resetSignals();
         execve(start.program, start.words, start.environment);
     }
@@ -139,164 +152,240 @@ pid_t startProcess(const Start& start) {
     return process;
 }
 
-/// A started program, which does not outlive this.
-class Child {
-public:
-    Child(const ProgramCall& call, int output) : call_(call) {
-        std::vector<std::string> words{call.program.string()};
-        words.insert(words.end(), call.arguments.begin(), call.arguments.end());
-        std::vector<std::string> environment = call.environment;
-        const std::vector<char*> wordPointers = pointersTo(words);
-        const std::vector<char*> environmentPointers = pointersTo(environment);
-        const FileDescriptor input(open("/dev/null", O_RDONLY | O_CLOEXEC));
-        if (!input.isOpen()) {
-            fail(call, "cannot be started", errno);
-        }
-        Pipe failure = openPipe(call);
-        process_ = startProcess({.program = call.program.c_str(),
-                                 .words = wordPointers.data(),
-                                 .environment = environmentPointers.data(),
-                                 .folder = call.folder.c_str(),
-                                 .input = input.get(),
-                                 .output = output,
-                                 .failure = failure.writing.get(),
-                                 .starter = getpid()});
-        if (process_ < 0) {
-            fail(call, "cannot be started", errno);
-        }
-        requireStarted(failure);
-        bound();
+/// The process of a call with the streams that are given.
+/// @throw Error when it cannot be made
+pid_t started(const ProgramCall& call, const std::array<int, kStreams>& streams, int failure) {
+    std::vector<std::string> words{call.program.string()};
+    words.insert(words.end(), call.arguments.begin(), call.arguments.end());
+    std::vector<std::string> environment = call.environment;
+    const std::vector<char*> wordPointers = pointersTo(words);
+    const std::vector<char*> environmentPointers = pointersTo(environment);
+    const pid_t process = startProcess({.program = call.program.c_str(),
+                                        .words = wordPointers.data(),
+                                        .environment = environmentPointers.data(),
+                                        .folder = call.folder.c_str(),
+                                        .streams = streams,
+                                        .failure = failure,
+                                        .endSignal = call.endSignal,
+                                        .starter = getpid()});
+    if (process < 0) {
+        fail(call, "cannot be started", errno);
     }
-    Child(const Child&) = delete;
-    Child& operator=(const Child&) = delete;
-    ~Child() { (void)end(); }
-
-    /// Whether the program has ended by itself. It stays a zombie, so that its number is its own.
-    [[nodiscard]] bool hasEnded() {
-        siginfo_t status{};
-        if (waitid(P_PID, static_cast<id_t>(process_), &status, WEXITED | WNOHANG | WNOWAIT) == 0) {
-            return status.si_pid == process_;
-        }
-        if (errno == EINTR) {
-            return false;
-        }
-        const int error = errno;
-        process_ = -1;  // another part of this program has waited for it
-        fail(call_, "cannot be waited for", error);
-    }
-
-    /// Ends what is left of the group. @return the program's wait status
-    int end() noexcept {
-        int status = 0;
-        if (process_ > 0) {
-            kill(-process_, SIGKILL);
-            while (waitpid(process_, &status, 0) < 0 && errno == EINTR) {
-            }
-            process_ = -1;
-        }
-        return status;
-    }
-
-private:
-    /// @param failure is closed when the process has become the program
-    void requireStarted(Pipe& failure) {
-        failure.writing = FileDescriptor(-1);
-        pollfd waited{.fd = failure.reading.get(), .events = POLLIN, .revents = 0};
-        while (poll(&waited, 1, -1) < 0 && errno == EINTR) {
-        }
-        int error = 0;
-        if (read(failure.reading.get(), &error, sizeof error) == sizeof error) {
-            (void)end();
-            fail(call_, "cannot be started", error);
-        }
-    }
-
-    /// Within the first moments of the program; it has not read its input by then.
-    void bound() const {
-        // With this program the kernel ends that one alone: what it has started ends by this limit.
-        const auto seconds = std::chrono::ceil<std::chrono::seconds>(call_.deadline - Clock::now());
-        limit(RLIMIT_CPU, static_cast<std::uint64_t>(std::max<long>(seconds.count(), 0)) + 1);
-        limit(RLIMIT_FSIZE, call_.maxFile);
-        limit(RLIMIT_AS, call_.maxMemory);
-        limit(RLIMIT_CORE, 0);
-    }
-
-    void limit(__rlimit_resource resource, std::uint64_t most) const {
-        struct rlimit now {};
-        if (prlimit(process_, resource, nullptr, &now) == 0) {
-            const rlimit lower{std::min<rlim_t>(now.rlim_cur, most),
-                               std::min<rlim_t>(now.rlim_max, most)};
-            (void)prlimit(process_, resource, &lower, nullptr);
-        }
-    }
-
-    const ProgramCall& call_;
-    pid_t process_ = -1;
-};
-
-/// Moves what the program has written until now. @return whether more may come
-bool takeOutput(FileDescriptor& from, std::string& output, std::uint64_t most) {
-    std::array<char, 16384> block{};
-    while (output.size() <= most) {
-        const ssize_t count = read(from.get(), block.data(), block.size());
-        if (count > 0) {
-            output.append(block.data(), static_cast<std::size_t>(count));
-        } else if (count == 0 || (errno != EINTR && errno != EAGAIN)) {
-            return false;
-        } else if (errno == EAGAIN) {
-            return true;
-        }
-    }
-    return true;
+    return process;
 }
 
-/// Until something was written or it is time for a look.
-void waitForOutput(const FileDescriptor& from, Clock::time_point deadline) {
-    const auto left = std::chrono::ceil<std::chrono::milliseconds>(deadline - Clock::now());
-    const auto time = std::clamp(left, std::chrono::milliseconds{0}, kLook);
-    pollfd waited{.fd = from.get(), .events = POLLIN, .revents = 0};
-    (void)poll(&waited, 1, static_cast<int>(time.count()));
+/// @param failure of which the writing end is closed
+/// @return the number of what kept the process from becoming the program; 0: it has become it
+int failureOf(const FileDescriptor& failure) {
+    pollfd waited{.fd = failure.get(), .events = POLLIN, .revents = 0};
+    while (poll(&waited, 1, -1) < 0 && errno == EINTR) {
+    }
+    int error = 0;
+    return read(failure.get(), &error, sizeof error) == sizeof error ? error : 0;
 }
 
-/// @return how it ended; empty: by itself
-std::optional<ProgramEnd> follow(const ProgramCall& call, Child& child, FileDescriptor& from,
-                                 std::string& output) {
-    bool isOpen = true;
-    for (bool ended = false; !ended;) {
-        if (Clock::now() >= call.deadline) {
-            return ProgramEnd::TimedOut;
-        }
-        if (isOpen) {
-            waitForOutput(from, call.deadline);
-        } else {
-            std::this_thread::sleep_for(kShortLook);
-        }
-        ended = child.hasEnded();
-        isOpen = isOpen && takeOutput(from, output, call.maxOutput);
-        if (output.size() > call.maxOutput) {
-            return ProgramEnd::WroteTooMuch;
-        }
+void limit(pid_t process, __rlimit_resource resource, std::uint64_t most) {
+    struct rlimit now {};
+    if (prlimit(process, resource, nullptr, &now) == 0) {
+        const rlimit lower{std::min<rlim_t>(now.rlim_cur, most),
+                           std::min<rlim_t>(now.rlim_max, most)};
+        (void)prlimit(process, resource, &lower, nullptr);
     }
-    return std::nullopt;
+}
+
+/// Within the first moments of the program; it has not read its input by then.
+void bound(pid_t process, const ProgramCall& call) {
+    // With this program the kernel ends that one alone: what it has started ends by this limit.
+    const auto seconds = std::chrono::ceil<std::chrono::seconds>(call.deadline - Clock::now());
+    limit(process, RLIMIT_CPU, static_cast<std::uint64_t>(std::max<long>(seconds.count(), 0)) + 1);
+    limit(process, RLIMIT_FSIZE, call.maxFile);
+    limit(process, RLIMIT_AS, call.maxMemory);
+    limit(process, RLIMIT_CORE, 0);
+}
+
+/// Both ends of a program's input. No pipe: when the program no longer reads one, writing to it
+/// ends this process by a signal.
+Pipe openInput(const ProgramCall& call) {
+    std::array<int, 2> ends{};
+    if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0) {
+        fail(call, "cannot be started", errno);
+    }
+    return {FileDescriptor(ends[0]), FileDescriptor(ends[1])};
 }
 
 }  // namespace
 
-ProgramOutcome runProgram(const ProgramCall& call) {
-    Pipe pipe = openPipe(call);
-    Child child(call, pipe.writing.get());
-    pipe.writing = FileDescriptor(-1);
-    ProgramOutcome outcome;
-    const std::optional<ProgramEnd> cut = follow(call, child, pipe.reading, outcome.output);
-    const int status = child.end();
-    if (cut) {
-        outcome.end = *cut;
-    } else if (WIFEXITED(status)) {
-        outcome.exitCode = WEXITSTATUS(status);
-    } else {
-        outcome.end = ProgramEnd::Killed;
+ProgramCall trustedCall(std::filesystem::path program, std::vector<std::string> arguments) {
+    constexpr std::uint64_t kAny = std::numeric_limits<std::uint64_t>::max();
+    ProgramCall call{.program = std::move(program),
+                     .arguments = std::move(arguments),
+                     .environment = {},
+                     .folder = {},
+                     .maxOutput = kAny,
+                     .maxFile = kAny,
+                     .maxMemory = kAny};
+    for (char** entry = environ; *entry != nullptr; ++entry) {
+        call.environment.emplace_back(*entry);
+    }
+    return call;
+}
+
+RunningProgram::RunningProgram(ProgramCall call) : call_(std::move(call)), look_(kLook) {
+    const FileDescriptor nothing(open("/dev/null", O_RDWR | O_CLOEXEC));
+    if (!nothing.isOpen()) {
+        fail(call_, "cannot be started", errno);
+    }
+    Pipe input = call_.isFed ? openInput(call_) : Pipe{};
+    Pipe output = openPipe(call_);
+    Pipe failure = openPipe(call_);
+    const auto source = [&](ProgramStream stream, int own) {
+        return stream == ProgramStream::Read      ? output.writing.get()
+               : stream == ProgramStream::Dropped ? nothing.get()
+                                                  : own;
+    };
+    process_ = started(call_,
+                       {call_.isFed ? input.reading.get() : nothing.get(),
+                        source(call_.output, STDOUT_FILENO), source(call_.errors, STDERR_FILENO),
+                        call_.hasReplies ? output.writing.get() : -1},
+                       failure.writing.get());
+    failure.writing = FileDescriptor(-1);
+    if (const int error = failureOf(failure.reading); error != 0) {
+        (void)end();
+        fail(call_, "cannot be started", error);
+    }
+    bound(process_, call_);
+    input_ = std::move(input.writing);
+    output_ = std::move(output.reading);
+}
+
+RunningProgram::~RunningProgram() { (void)end(); }
+
+std::optional<std::size_t> RunningProgram::feed(std::span<const std::uint8_t> input) {
+    wait(POLLOUT);
+    takeOutput();
+    const ssize_t count =
+        send(input_.get(), input.data(), input.size(), MSG_NOSIGNAL | MSG_DONTWAIT);
+    if (count >= 0) {
+        return static_cast<std::size_t>(count);
+    }
+    return errno == EAGAIN || errno == EINTR ? std::optional<std::size_t>(0) : std::nullopt;
+}
+
+void RunningProgram::endInput() { input_ = FileDescriptor(-1); }
+
+std::optional<ProgramOutcome> RunningProgram::look() {
+    if (Clock::now() >= call_.deadline) {
+        return outcome(ProgramEnd::TimedOut);
+    }
+    wait(0);
+    const bool ended = hasEnded();
+    takeOutput();
+    if (text_.size() > call_.maxOutput) {
+        return outcome(ProgramEnd::WroteTooMuch);
+    }
+    return ended ? std::optional(outcome(ProgramEnd::Exited)) : std::nullopt;
+}
+
+/// Until something comes, the input has room or it is time for a look.
+/// @param inputEvent POLLOUT, or 0: the input does not matter
+void RunningProgram::wait(short inputEvent) {
+    const auto left = std::chrono::ceil<std::chrono::milliseconds>(call_.deadline - Clock::now());
+    const auto time = std::clamp(left, std::chrono::milliseconds{0}, look_);
+    std::array<pollfd, 2> waited{
+        pollfd{.fd = output_.get(), .events = POLLIN, .revents = 0},
+        pollfd{.fd = inputEvent == 0 ? -1 : input_.get(), .events = inputEvent, .revents = 0}};
+    (void)poll(waited.data(), waited.size(), static_cast<int>(time.count()));
+    look_ = std::min(2 * look_, kLook);
+}
+
+/// Moves what the program has written until now.
+void RunningProgram::takeOutput() {
+    std::array<char, 16384> block{};
+    while (output_.isOpen() && text_.size() <= call_.maxOutput) {
+        const ssize_t count = read(output_.get(), block.data(), block.size());
+        if (count > 0) {
+            text_.append(block.data(), static_cast<std::size_t>(count));
+        } else if (count < 0 && errno == EAGAIN) {
+            return;
+        } else if (count == 0 || errno != EINTR) {
+            output_ = FileDescriptor(-1);
+            look_ = kShortLook;
+        }
+    }
+}
+
+/// Whether the program has ended by itself. It stays a zombie, so that its number is its own.
+bool RunningProgram::hasEnded() {
+    siginfo_t status{};
+    if (waitid(P_PID, static_cast<id_t>(process_), &status, WEXITED | WNOHANG | WNOWAIT) == 0) {
+        return status.si_pid == process_;
+    }
+    if (errno == EINTR) {
+        return false;
+    }
+    const int error = errno;
+    process_ = -1;  // another part of this program has waited for it
+    fail(call_, "cannot be waited for", error);
+}
+
+ProgramOutcome RunningProgram::outcome(ProgramEnd reason) {
+    const int status = end();
+    ProgramOutcome outcome{.end = reason, .output = std::move(text_)};
+    if (reason == ProgramEnd::Exited) {
+        outcome.end = WIFEXITED(status) ? ProgramEnd::Exited : ProgramEnd::Killed;
+        outcome.exitCode = WIFEXITED(status) ? WEXITSTATUS(status) : 0;
     }
     return outcome;
+}
+
+/// Ends the program and what is left of its group. @return its wait status
+int RunningProgram::end() noexcept {
+    int status = 0;
+    if (process_ > 0) {
+        if (call_.endSignal != SIGKILL) {
+            kill(process_, call_.endSignal);
+            siginfo_t ended{};
+            while (waitid(P_PID, static_cast<id_t>(process_), &ended, WEXITED | WNOWAIT) < 0 &&
+                   errno == EINTR) {
+            }
+        }
+        kill(-process_, SIGKILL);
+        while (waitpid(process_, &status, 0) < 0 && errno == EINTR) {
+        }
+        process_ = -1;
+    }
+    return status;
+}
+
+ProgramOutcome runProgram(const ProgramCall& call) {
+    RunningProgram program(call);
+    std::optional<ProgramOutcome> outcome;
+    while (!outcome) {
+        outcome = program.look();
+    }
+    return *outcome;
+}
+
+bool isProgram(const std::filesystem::path& path) {
+    std::error_code ignored;
+    return std::filesystem::is_regular_file(path, ignored) && access(path.c_str(), X_OK) == 0;
+}
+
+std::filesystem::path findProgram(const std::string& name, std::string_view folders) {
+    while (!folders.empty()) {
+        const std::string_view folder = folders.substr(0, folders.find(':'));
+        std::filesystem::path program = std::filesystem::path(folder) / name;
+        if (program.is_absolute() && isProgram(program)) {
+            return program;
+        }
+        folders.remove_prefix(std::min(folder.size() + 1, folders.size()));
+    }
+    return {};
+}
+
+std::filesystem::path findProgram(const std::string& name) {
+    const char* const folders = std::getenv("PATH");  // NOLINT(concurrency-mt-unsafe)
+    return findProgram(name, folders != nullptr ? folders : "/usr/bin:/bin");
 }
 
 }  // namespace asperity

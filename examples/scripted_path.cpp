@@ -1,33 +1,19 @@
 // A tip that a script moves over a scene, as the model and the simulated AFM have it: scripted_path
 // SCENE.toml or SCAN
 #include "core/haptics/VirtualRun.h"
-#include "core/io/heightmap/ScanFile.h"
+#include "core/io/loading/SceneOnSample.h"
 #include "core/io/scene/SceneFile.h"
-#include "core/scene/Scene.h"
 #include "core/scene/SceneTruth.h"
 
 #include <cmath>
 #include <cstdio>
 #include <exception>
-#include <utility>
-#include <variant>
 
 namespace {
 
-asperity::Scene sceneOf(const char* file) {
-    const asperity::SceneDescription description = asperity::sceneFromInput(file);
-    if (description.sample.shape) {
-        return buildScene(description);
-    }
-    auto scan =
-        asperity::ScanFile(description.sample.file).readSceneScan(description.sample.channel);
-    return std::visit([&](auto map) { return buildScene(description, std::move(map)); },
-                      std::move(scan.map));
-}
-
 void printForces(const char* file) {
     using namespace asperity;
-    const Scene scene = sceneOf(file);
+    const Scene scene = sceneOnSample(sceneFromInput(file)).scene;
     SimulatedAfm afm(scene.trueSurface(), truthOf(scene));
     const DevicePath path = slidePath(scene, {.duration = 2.0, .slideLength = 20e-9});
     const long ticks = std::lround(2.0 / scene.timeStep());

@@ -96,13 +96,14 @@ RULES = {
     "core/io/heightmap/wsxm": READERS,
     "core/io/heightmap/x3p": f"{READERS} core/io/zip",
     "core/io/materials": f"{SCENE} core/scene core/io core/io/heightmap",
+    "core/io/loading": f"{SCENE} core/scene core/io core/io/heightmap core/io/materials",
     "core/io/scene": RUNS,
     "core/io/experiment": f"{RUNS} core/experiment core/io/scene",
     "core/io/recording": f"{RUNS} core/io/hdf5",
     "core/words": "core/",
     "vtkplugins/module": MODEL,
     "vtkplugins/io": f"{MODEL} core/io/heightmap",
-    "vtkplugins/paraview/module": f"{MODEL} core/map core/io core/io/heightmap core/io/materials"
+    "vtkplugins/paraview/module": f"{MODEL} core/map core/io core/io/heightmap core/io/loading"
                                   " core/io/scene vtkplugins/module",
     "vtkplugins/pictures": f"{MODEL} vtkplugins/module",
     "hardware/driver": f"{MODEL} core/io/scene core/words",

@@ -2,14 +2,15 @@
 
 #include "app/commands/OptionChecks.h"
 #include "app/commands/VirtualDisplay.h"
+#include "app/program/CancelOnSignal.h"
 #include "app/program/JsonText.h"
 #include "core/Error.h"
 #include "core/FormattedText.h"
 #include "core/PrivateFolder.h"
+#include "core/ProgramRun.h"
+#include "core/Progress.h"
 #include "core/TemporaryFile.h"
 #include "core/Version.h"
-
-#include <QProcess>
 
 #include <CLI/CLI.hpp>
 #include <filesystem>
@@ -17,6 +18,7 @@
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <thread>
 #include <vector>
 
@@ -76,23 +78,34 @@ std::vector<Measurement> wantedOf(const BenchRequest& options) {
     return wanted;
 }
 
+/// Runs a program to its end. @throw Canceled by a signal: all that was started ends, too
+ProgramOutcome outcomeOf(const ProgramCall& call) {
+    const CancelOnSignal signals;
+    RunningProgram program(call);
+    std::optional<ProgramOutcome> outcome;
+    while (!outcome) {
+        if (CancelOnSignal::hasArrived()) {
+            throw Canceled();
+        }
+        outcome = program.look();
+    }
+    return *outcome;
+}
+
 nlohmann::ordered_json measured(const Measurement& measurement, const std::filesystem::path& file,
                                 bool quick) {
     std::cerr << "measuring: " << measurement.name << '\n';
-    QStringList arguments{QStringLiteral("--rows"), QString::fromStdString(file.string())};
+    std::vector<std::string> arguments{"--rows", file.string()};
     if (quick) {
-        arguments << QStringLiteral("--quick");
+        arguments.emplace_back("--quick");
     }
-    QProcess process;
-    process.setProcessChannelMode(QProcess::ForwardedErrorChannel);
-    process.setStandardOutputFile(QProcess::nullDevice());
-    process.start(QString::fromStdString(programOf(measurement).string()), arguments);
-    constexpr int kForever = -1;
-    const bool hasEnded = process.waitForFinished(kForever);
+    ProgramCall call = trustedCall(programOf(measurement), arguments);
+    call.output = ProgramStream::Dropped;
+    call.errors = ProgramStream::Shared;
+    const ProgramOutcome outcome = outcomeOf(call);
     std::ifstream stream(file);
     auto rows = nlohmann::ordered_json::parse(stream, nullptr, false);
-    if (!hasEnded || process.exitStatus() != QProcess::NormalExit || process.exitCode() != 0 ||
-        !rows.is_array()) {
+    if (outcome.end != ProgramEnd::Exited || outcome.exitCode != 0 || !rows.is_array()) {
         throw Error(std::string(measurement.program) + " has failed");
     }
     return rows;

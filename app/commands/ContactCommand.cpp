@@ -6,6 +6,7 @@
 #include "core/contact/Within.h"
 #include "core/contact/laws/ContactModel.h"
 #include "core/contact/laws/LawChoice.h"
+#include "core/haptics/cycle/CurveBranch.h"
 #include "core/io/tables/CaseTable.h"
 #include "core/scene/ContactValidity.h"
 #include "core/scene/LawRange.h"
@@ -80,10 +81,11 @@ Value wordIn(const CsvTable& table, std::size_t row, const std::string& column,
 }
 
 std::optional<ContactBranch> branchOf(const std::string& word) {
-    if (word == "approach") {
-        return ContactBranch::Far;
+    const std::optional<CurveBranch> branch = fromKey<CurveBranch>(word);
+    if (!branch) {
+        return std::nullopt;
     }
-    return word == "retract" ? std::optional(ContactBranch::Bonded) : std::nullopt;
+    return *branch == CurveBranch::Approach ? ContactBranch::Far : ContactBranch::Bonded;
 }
 
 ContactCase readCase(const CsvTable& table, std::size_t row) {
@@ -98,7 +100,7 @@ ContactCase readCase(const CsvTable& table, std::size_t row) {
             .coneHalfAngle = numberOr(table, row, "cone_half_angle_rad", 0.0),
             .indentation = table.number(row, "indentation_m"),
             .branch = wordIn(table, row, "branch", branchOf(table.text(row, "branch")),
-                             "approach, retract")};
+                             keyList<CurveBranch>())};
 }
 
 /// The stress of the pair's attraction [Pa]: where the law has no zone of its own, it only says how
@@ -296,7 +298,9 @@ void addContactCommand(CLI::App& program) {
         "Columns of the cases:\nmodel (" + keyList<ContactLaw>() +
         "),\nradius_m, e_star_pa, work_of_adhesion_j_m2, sigma0_pa (of the "
         "md models; of others the reach of adhesion, 0: 0.36 nm), indentation_m (< 0: a "
-        "gap),\nbranch (approach, retract). Of a film on a "
+        "gap),\nbranch (" +
+        keyList<CurveBranch>() +
+        "). Of a film on a "
         "rigid base, too: film_thickness_m (0: a half-space),\npoisson_ratio (0 to 0.5). Of a tip "
         "whose sphere goes on as a cone (sneddon, jkr_sphere, md_sphere, split_sphere), too:\n"
         "cone_half_angle_rad (0: no cone).\nWith relative standard deviations, radius_deviation, "

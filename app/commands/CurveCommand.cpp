@@ -11,6 +11,7 @@
 #include "core/Version.h"
 #include "core/contact/laws/ForceCurve.h"
 #include "core/contact/laws/LawChoice.h"
+#include "core/haptics/cycle/CurveBranch.h"
 #include "core/io/tables/CsvWriter.h"
 #include "core/scene/AttractionValidity.h"
 #include "core/scene/ContactValidity.h"
@@ -207,11 +208,11 @@ std::vector<std::string> summary(const CurveResult& result) {
     return lines;
 }
 
-void writeWay(CsvWriter& csv, const CurveResult& result, const char* way,
+void writeWay(CsvWriter& csv, const CurveResult& result, CurveBranch branch,
               const std::vector<ForceCurvePoint>& points) {
     for (const ForceCurvePoint& point : points) {
         const ContactState& state = point.state;
-        csv.add(result.asked.material.name).add(keyOf(result.asked.model.law())).add(way);
+        csv.add(result.asked.material.name).add(keyOf(result.asked.model.law())).add(keyOf(branch));
         csv.add(point.basePosition).add(state.indentation).add(state.force);
         csv.add(state.force * result.asked.compliance).add(state.contactRadius);
         csv.add(state.cohesiveRadius).add(keyOf(state.region()));
@@ -237,15 +238,15 @@ void writeCurves(std::ostream& out, const std::vector<CurveResult>& results, Pro
     double done = 0.0;
     for (const CurveResult& result : results) {
         reportTo(progress, done++ / static_cast<double>(results.size()));
-        writeWay(csv, result, "approach", result.curve.approach);
-        writeWay(csv, result, "retract", result.curve.retract);
+        writeWay(csv, result, CurveBranch::Approach, result.curve.approach);
+        writeWay(csv, result, CurveBranch::Retract, result.curve.retract);
     }
     reportTo(progress, 1.0);
     csv.close();
 }
 
-Curve lineOf(const char* label, const std::vector<ForceCurvePoint>& way, bool dashed) {
-    Curve line{.label = label, .dashed = dashed};
+Curve lineOf(CurveBranch branch, const std::vector<ForceCurvePoint>& way, bool dashed) {
+    Curve line{.label = nameOf(branch), .dashed = dashed};
     for (const ForceCurvePoint& point : way) {
         line.x.push_back(point.basePosition);
         line.y.push_back(point.state.force);
@@ -261,8 +262,8 @@ void drawFigure(const std::string& path, const std::vector<CurveResult>& results
         charts.push_back({.title = name + ", " + nameOf(result.asked.model.law()),
                           .xLabel = "base position towards the sample",
                           .yLabel = "force on the tip",
-                          .curves = {lineOf("approach", result.curve.approach, true),
-                                     lineOf("retract", result.curve.retract, false)},
+                          .curves = {lineOf(CurveBranch::Approach, result.curve.approach, true),
+                                     lineOf(CurveBranch::Retract, result.curve.retract, false)},
                           .xUnit = "m",
                           .yUnit = "N"});
     }

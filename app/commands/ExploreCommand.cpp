@@ -51,7 +51,6 @@ namespace {
 
 constexpr double kDefaultDuration = 10.0;  // [s]
 constexpr double kMaxDuration = 3600.0;    // [s]
-constexpr const char* kApproach = "approach";
 
 /// Flags that come by noise, announce what comes, or are usual: the summary counts them.
 constexpr std::array kInSummaryAlone{Validity::ModelContradicted, Validity::Implausible,
@@ -61,7 +60,7 @@ constexpr std::array kInSummaryAlone{Validity::ModelContradicted, Validity::Impl
 struct ExploreOptions {
     std::string input;
     std::string out;
-    std::string path = kApproach;
+    std::string path = keyOf(PlannedPath::Approach);
     double duration = 0.0;  // [s]; 0: the path's own
     RunFormat format = RunFormat::Csv;
     bool force = false;
@@ -72,36 +71,10 @@ struct ExploreOptions {
 /// How the base moves: as planned, or down to a setpoint.
 using Motion = std::variant<DevicePath, PlannedApproach>;
 
-/// A path that --path has a word for.
-struct PathWord {
-    const char* word;
-    Motion (*plan)(const Scene&, const PathPlan&);
-};
-
-template <auto plan>
-Motion motion(const Scene& scene, const PathPlan& asked) {
-    return plan(scene, asked);
-}
-
-constexpr std::array<PathWord, 4> kPathWords{{{kApproach, motion<planApproach>},
-                                              {"slide", motion<slidePath>},
-                                              {"raster", motion<rasterPath>},
-                                              {"scratch", motion<scratchPath>}}};
-
-/// Null where it is none, but the name of a file.
-const PathWord* findPathWord(const std::string& text) {
-    const auto* const found = std::ranges::find(
-        kPathWords, text, [](const PathWord& path) { return std::string(path.word); });
-    return found == kPathWords.end() ? nullptr : found;
-}
-
-/// For people: "approach, slide, raster, scratch".
-std::string pathWords() {
-    std::string words;
-    for (const PathWord& path : kPathWords) {
-        words.append(words.empty() ? "" : ", ").append(path.word);
-    }
-    return words;
+Motion planned(PlannedPath path, const Scene& scene, const PathPlan& asked) {
+    const PlannedPathRow& row = *rowOf(path);
+    return row.plan != nullptr ? Motion(row.plan(scene, asked))
+                               : Motion(planApproach(scene, asked));
 }
 
 /// A bare word that is no file is more likely a slip in one of the words.
@@ -109,9 +82,10 @@ CLI::Validator pathWordOrFile() {
     return {[](const std::string& text) {
                 std::error_code ignored;
                 const bool isBare = text.find_first_of("./") == std::string::npos;
-                const bool isNothing = isBare && findPathWord(text) == nullptr &&
+                const bool isNothing = isBare && !fromKey<PlannedPath>(text) &&
                                        !std::filesystem::exists(text, ignored);
-                return isNothing ? "expected " + pathWords() + " or a CSV file, not '" + text + "'"
+                return isNothing ? "expected " + keyList<PlannedPath>() + " or a CSV file, not '" +
+                                       text + "'"
                                  : std::string();
             },
             ""};
@@ -125,8 +99,8 @@ struct PlannedRun {
 PlannedRun planRun(const Scene& scene, const ExploreOptions& options) {
     PathPlan plan;
     plan.duration = options.duration > 0.0 ? options.duration : kDefaultDuration;
-    if (const PathWord* const path = findPathWord(options.path)) {
-        return {path->plan(scene, plan), plan.duration};
+    if (const std::optional<PlannedPath> path = fromKey<PlannedPath>(options.path)) {
+        return {planned(*path, scene, plan), plan.duration};
     }
     DevicePath path = readDevicePath(options.path);
     const double duration = options.duration > 0.0 ? options.duration : path.back().time;
@@ -138,7 +112,7 @@ PlannedRun planRun(const Scene& scene, const ExploreOptions& options) {
 }
 
 void requireApproach(const ExploreOptions& options) {
-    if (options.overrides.setpoint && options.path != kApproach) {
+    if (options.overrides.setpoint && options.path != keyOf(PlannedPath::Approach)) {
         throw CLI::ValidationError("--setpoint", "holds for --path approach only");
     }
 }
@@ -362,7 +336,7 @@ void addExploreCommand(CLI::App& program) {
                       "numbers and tables only, without deformation.exr; needs no display");
     command
         ->add_option("--path", options->path,
-                     pathWords() + ", or a CSV file with time_s, x_m, y_m, z_m")
+                     keyList<PlannedPath>() + ", or a CSV file with time_s, x_m, y_m, z_m")
         ->capture_default_str()
         ->check(pathWordOrFile());
     command

@@ -59,7 +59,8 @@ void requireUsable(const FilmOptions& options, const std::filesystem::path& out)
     if (isVideo(out)) {
         requireFree(out, options.force);
     } else if (out.has_extension() && !std::filesystem::is_directory(out)) {
-        throw Error(out.string() + ": a film is a folder of pictures, or a video .mp4 or .webm");
+        throw Error(out.string() + ": a film is a folder of pictures, or a video " +
+                    videoExtensionList());
     }
 }
 
@@ -101,9 +102,10 @@ void addFilmCommand(CLI::App& program) {
                      "folder that explore or a recording wrote, or a bundle of one")
         ->required();
     command
-        ->add_option("--out", options->out,
-                     "folder for frame_00001.png ... and frames.csv, or a video .mp4 or .webm "
-                     "(by the program ffmpeg); {file}, {view} and {n} of its name are filled in")
+        ->add_option(
+            "--out", options->out,
+            "folder for frame_00001.png ... and frames.csv, or a video " + videoExtensionList() +
+                " (by the program ffmpeg); {file}, {view} and {n} of its name are filled in")
         ->required()
         ->check(notEmpty());
     command

@@ -86,9 +86,9 @@ void addRenderCommand(CLI::App& program) {
         ->required();
     command
         ->add_option("--out", options->out,
-                     "file: .png, .tif; of forces and cycle .svg, .pdf, .csv, too; of deformation "
-                     ".exr, .vtp, .vts, .csv, too. A folder, or a name with {file}, {view}, {n}: "
-                     "a new file of such a name")
+                     "file: " + extensionHelp() +
+                         ". A folder, or a name with {file}, {view}, {n}: a new file of such a "
+                         "name")
         ->required()
         ->check(notEmpty());
     command

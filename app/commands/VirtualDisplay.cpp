@@ -3,65 +3,40 @@
 #include "core/Error.h"
 #include "vtkplugins/pictures/Display.h"
 
-#include <array>
-#include <cerrno>
 #include <csignal>
 #include <cstdlib>
-#include <fcntl.h>
-#include <string>
-#include <sys/prctl.h>
-#include <sys/wait.h>
-#include <system_error>
-#include <unistd.h>
 
 namespace asperity {
 
 namespace {
 
-constexpr int kNotFound = 42;  // exit code of a child that found no Xvfb; the loader's is 127
-
 [[noreturn]] void refuse(const std::string& why) {
-    throw Error("no display: none answers at DISPLAY and Xvfb " + why);
+    throw Error("no display: none answers at DISPLAY and " + why);
 }
 
-/// @param error of the system
-[[noreturn]] void refuseStart(int error) {
-    refuse("cannot be started: " + std::generic_category().message(error));
-}
-
-/// Runs Xvfb in place of this (forked) process; it writes its display number to `reply` and ends
-/// with the program, however that ends.
-[[noreturn]] void becomeServer(int reply, pid_t program) {
-    setsid();  // Ctrl+C is for the program, which still draws while it ends
-    prctl(PR_SET_PDEATHSIG, SIGTERM);
-    if (getppid() != program) {
-        _exit(1);  // it ended before we asked to be told
+/// The server replies with its display number.
+ProgramCall serverCall() {
+    const std::filesystem::path program = findProgram("Xvfb");
+    if (program.empty()) {
+        refuse("Xvfb is not installed (Debian package xvfb)");
     }
-    const int null = open("/dev/null", O_RDWR | O_CLOEXEC);
-    if (null < 0) {
-        _exit(1);
-    }
-    dup2(null, STDOUT_FILENO);
-    dup2(null, STDERR_FILENO);
-    const std::string replyText = std::to_string(reply);
-    execlp("Xvfb", "Xvfb", "-displayfd", replyText.c_str(), "-screen", "0", "1600x1000x24",
-           "-nolisten", "tcp", "-noreset", nullptr);
-    _exit(errno == ENOENT ? kNotFound : 1);
+    ProgramCall call = trustedCall(program, {"-displayfd", "3", "-screen", "0", "1600x1000x24",
+                                             "-nolisten", "tcp", "-noreset"});
+    call.output = ProgramStream::Dropped;
+    call.errors = ProgramStream::Dropped;
+    call.hasReplies = true;
+    call.endSignal = SIGTERM;  // it removes its lock and its socket
+    return call;
 }
 
-/// The display number that the server announces; empty when it ends without one.
-std::string readDisplayNumber(int from) {
-    std::string number;
-    std::array<char, 16> buffer{};
-    while (number.find('\n') == std::string::npos) {
-        const ssize_t count = read(from, buffer.data(), buffer.size());
-        if (count <= 0) {
-            return {};
+/// Waits for the display number that the server announces.
+std::string displayNumber(RunningProgram& server) {
+    while (server.output().find('\n') == std::string::npos) {
+        if (server.look()) {
+            refuse("Xvfb ended as soon as it was started");
         }
-        number.append(buffer.data(), static_cast<std::size_t>(count));
     }
-    number.resize(number.find('\n'));
-    return number;
+    return server.output().substr(0, server.output().find('\n'));
 }
 
 }  // namespace
@@ -72,38 +47,21 @@ VirtualDisplay::VirtualDisplay() {
     if (!before_.empty() && haveDisplay()) {
         return;
     }
-    std::array<int, 2> ends{};
-    if (pipe(ends.data()) != 0) {
-        refuseStart(errno);
+    const ProgramCall call = serverCall();
+    try {
+        server_.emplace(call);
+    } catch (const Error& error) {
+        refuse(error.what());
     }
-    const pid_t program = getpid();
-    server_ = fork();
-    if (server_ == 0) {
-        becomeServer(ends[1], program);
-    }
-    const int error = errno;
-    close(ends[1]);
-    const std::string number = server_ > 0 ? readDisplayNumber(ends[0]) : "";
-    close(ends[0]);
-    if (server_ < 0) {
-        refuseStart(error);
-    }
-    if (number.empty()) {
-        int status = 0;
-        waitpid(server_, &status, 0);
-        refuse(WIFEXITED(status) && WEXITSTATUS(status) == kNotFound
-                   ? "is not installed (Debian package xvfb)"
-                   : "ended as soon as it was started");
-    }
-    setenv("DISPLAY", (":" + number).c_str(), 1);  // NOLINT(concurrency-mt-unsafe): at start
+    // NOLINTNEXTLINE(concurrency-mt-unsafe): at start
+    setenv("DISPLAY", (":" + displayNumber(*server_)).c_str(), 1);
 }
 
 VirtualDisplay::~VirtualDisplay() {
-    if (server_ <= 0) {
+    if (!server_) {
         return;
     }
-    kill(server_, SIGTERM);
-    waitpid(server_, nullptr, 0);
+    server_.reset();
     before_.empty() ? unsetenv("DISPLAY")                     // NOLINT(concurrency-mt-unsafe)
                     : setenv("DISPLAY", before_.c_str(), 1);  // NOLINT(concurrency-mt-unsafe)
 }

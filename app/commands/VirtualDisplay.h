@@ -1,7 +1,9 @@
 #pragma once
 
+#include "core/ProgramRun.h"
+
+#include <optional>
 #include <string>
-#include <sys/types.h>
 
 namespace asperity {
 
@@ -17,7 +19,7 @@ public:
 
 private:
     std::string before_;  ///< DISPLAY
-    pid_t server_ = 0;
+    std::optional<RunningProgram> server_;
 };
 
 }  // namespace asperity

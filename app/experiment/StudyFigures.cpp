@@ -119,9 +119,8 @@ std::vector<Chart> meanCharts(const Study& study, const std::vector<StudyEstimat
 void write(const ExperimentFolder& folder, const std::string& name,
            const std::vector<Chart>& charts, PictureSize size) {
     const PictureSpec spec{.size = size};
-    for (const auto& [extension, format] :
-         {std::pair(".png", ExportFormat::Png), std::pair(".svg", ExportFormat::Svg)}) {
-        writePlotPage(folder.path() / (name + extension), charts, spec, format);
+    for (const ExportFormat format : {ExportFormat::Png, ExportFormat::Svg}) {
+        writePlotPage(folder.path() / (name + "." + keyOf(format)), charts, spec, format);
     }
 }
 

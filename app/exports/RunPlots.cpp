@@ -14,7 +14,7 @@ namespace {
 /// One branch; a sample that is not a number parts its pieces.
 Curve branchCurve(const std::vector<CyclePoint>& cycle, CurveBranch branch, const Color& color) {
     constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
-    Curve curve{.label = keyOf(branch), .x = {}, .y = {}, .color = color};
+    Curve curve{.label = nameOf(branch), .x = {}, .y = {}, .color = color};
     bool parted = true;
     for (const CyclePoint& at : cycle) {
         if (at.branch != branch) {

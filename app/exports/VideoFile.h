@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/FileDescriptor.h"
+#include "core/ProgramRun.h"
 #include "core/Progress.h"
 #include "core/TemporaryFile.h"
 #include "vtkplugins/pictures/PictureSize.h"
@@ -8,23 +8,27 @@
 
 #include <filesystem>
 #include <string>
-#include <sys/types.h>
+#include <vector>
 
 namespace asperity {
 
-/// Whether a file's extension is that of a video: .mp4, .webm.
+/// Whether a file's extension is that of a video.
 [[nodiscard]] bool isVideo(const std::filesystem::path& file);
+/// The extensions of videos.
+[[nodiscard]] std::vector<std::string> videoExtensions();
+/// The same for people: ".mp4 or .webm".
+[[nodiscard]] std::string videoExtensionList();
 
-/// A video that the program ffmpeg encodes while its frames are drawn. Whole or not at all.
+/// Whether ffmpeg is installed, without which there is no VideoFile.
+[[nodiscard]] bool haveVideoEncoder();
+
+/// A video that the program ffmpeg encodes while its frames are drawn. Whole or not at all: without
+/// commit() nothing is left. The thread that makes it must outlive it, see RunningProgram.
 class VideoFile {
 public:
-    /// @param fps frames a second
+    /// @param path isVideo() @param fps frames a second
     /// @throw Error when there is no ffmpeg, or the file cannot be written
     VideoFile(const std::filesystem::path& path, PictureSize size, double fps);
-    /// Without commit() nothing is left.
-    ~VideoFile();
-    VideoFile(const VideoFile&) = delete;
-    VideoFile& operator=(const VideoFile&) = delete;
 
     /// @param progress may be null; asked whether to give up while ffmpeg takes its time
     /// @throw Error with what ffmpeg says, when it has ended; Canceled
@@ -33,14 +37,11 @@ public:
     void commit(const Progress* progress);
 
 private:
-    void start(PictureSize size, double fps);
-    [[noreturn]] void fail();
-    int end(const Progress* progress);
+    [[nodiscard]] ProgramOutcome ended(const Progress* progress);
+    [[noreturn]] void fail(const ProgramOutcome& outcome) const;
 
     TemporaryFile file_;
-    FileDescriptor complaints_;  ///< what ffmpeg says
-    FileDescriptor frames_{-1};
-    pid_t encoder_ = -1;
+    RunningProgram encoder_;
 };
 
 }  // namespace asperity

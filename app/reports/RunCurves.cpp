@@ -1,5 +1,7 @@
 #include "app/reports/RunCurves.h"
 
+#include "core/haptics/cycle/CurveBranch.h"
+
 #include <cmath>
 #include <utility>
 
@@ -64,8 +66,12 @@ std::vector<Chart> RunCurves::charts() const {
             Chart{.title = "Approach and retract",
                   .xLabel = "height of the base above first touch",
                   .yLabel = "force along z",
-                  .curves = {{.label = "approach", .x = approach_.height, .y = approach_.force},
-                             {.label = "retract", .x = retract_.height, .y = retract_.force}},
+                  .curves = {{.label = nameOf(CurveBranch::Approach),
+                              .x = approach_.height,
+                              .y = approach_.force},
+                             {.label = nameOf(CurveBranch::Retract),
+                              .x = retract_.height,
+                              .y = retract_.force}},
                   .xUnit = "m",
                   .yUnit = "N"},
             Chart{.title = "Contact",

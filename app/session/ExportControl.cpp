@@ -6,6 +6,7 @@
 #include "app/exports/PlotFile.h"
 #include "app/exports/RasterPixels.h"
 #include "app/exports/SurfaceFile.h"
+#include "app/exports/VideoFile.h"
 #include "app/runs/RunFolder.h"
 #include "app/session/ExportMemory.h"
 #include "app/session/FilmOfRecording.h"
@@ -36,27 +37,39 @@ constexpr int kLeastSide = 32;      // of a preview [pixel]
 
 std::string bytesOf(const QString& text) { return QFile::encodeName(text).toStdString(); }
 
-ExportOffer offer() {
-    const QString png = QStringLiteral("png");
-    const QString tif = QStringLiteral("tif");
-    const QStringList plot{png, tif, QStringLiteral("svg"), QStringLiteral("pdf"),
-                           QStringLiteral("csv")};
-    ExportOffer offer{.formats = {{ExportSubject::View, {png, tif}},
-                                  {ExportSubject::Window, {png, tif}},
-                                  {ExportSubject::Forces, plot},
-                                  {ExportSubject::Cycle, plot},
-                                  {ExportSubject::Deformation,
-                                   {QStringLiteral("exr"), QStringLiteral("vtp"),
-                                    QStringLiteral("vts"), QStringLiteral("csv")}},
-                                  {ExportSubject::Film, {QStringLiteral("frames")}}},
-                      .columns = {},
-                      .filmViews = filmViews(),
-                      .moments = filmMoments()};
-    for (const std::string& extension : surfaceExtensions()) {
-        offer.formats[ExportSubject::Surface] << QString::fromStdString(extension.substr(1));
+OfferedFormat offered(const std::string& extension, bool isSized) {
+    return {.key = QString::fromStdString(extension.substr(1)), .isSized = isSized};
+}
+
+/// Those of its view; what the dialog draws no picture of is written as data alone.
+std::vector<OfferedFormat> viewFormats(ExportSubject subject) {
+    std::vector<OfferedFormat> formats;
+    for (const ExportFormat format : formatsOf(viewOf(subject))) {
+        if (isPicture(subject) || !isDrawn(format)) {
+            formats.push_back({.key = QString::fromLatin1(keyOf(format)),
+                               .isSized = isDrawn(format) && subject != ExportSubject::Window});
+        }
     }
-    if (!QStandardPaths::findExecutable(QStringLiteral("ffmpeg")).isEmpty()) {
-        offer.formats[ExportSubject::Film] << QStringLiteral("mp4") << QStringLiteral("webm");
+    return formats;
+}
+
+ExportOffer offer() {
+    ExportOffer offer{
+        .formats = {}, .columns = {}, .filmViews = filmViews(), .moments = filmMoments()};
+    for (const ExportSubject subject :
+         {ExportSubject::View, ExportSubject::Window, ExportSubject::Forces, ExportSubject::Cycle,
+          ExportSubject::Deformation}) {
+        offer.formats[subject] = viewFormats(subject);
+    }
+    for (const std::string& extension : surfaceExtensions()) {
+        offer.formats[ExportSubject::Surface].push_back(offered(extension, false));
+    }
+    std::vector<OfferedFormat>& film = offer.formats[ExportSubject::Film];
+    film.push_back({.key = QStringLiteral("frames"), .isSized = true});
+    if (haveVideoEncoder()) {
+        for (const std::string& extension : videoExtensions()) {
+            film.push_back(offered(extension, true));
+        }
     }
     for (const JournalColumn& column : journalColumns()) {
         offer.columns.push_back({QString::fromLatin1(column.name), column.width});

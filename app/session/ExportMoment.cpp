@@ -3,6 +3,7 @@
 #include "app/reports/ContactView.h"
 #include "app/reports/RunCurves.h"
 #include "core/Error.h"
+#include "core/haptics/cycle/CurveBranch.h"
 #include "core/words/SceneWords.h"
 #include "ui/Theme.h"
 #include "ui/panels/CyclePanel.h"
@@ -43,17 +44,19 @@ Chart cycleChart(const CyclePanel& panel) {
                 .curves = {},
                 .xUnit = "m",
                 .yUnit = "N"};
+    const std::string approach = nameOf(CurveBranch::Approach);
+    const std::string retract = nameOf(CurveBranch::Retract);
     const std::vector<DrawnCycle>& cycles = panel.plot().cycles();
     for (std::size_t age = cycles.size(); age-- > 0;) {
         const BranchColors colors = branchColors(static_cast<int>(age));
         const std::string which = age == 0 ? "" : ", " + std::to_string(age) + " before";
-        addBranch(chart, "approach" + which, cycles[age].approach, colors.approach);
-        addBranch(chart, "retract" + which, cycles[age].retract, colors.retract);
+        addBranch(chart, approach + which, cycles[age].approach, colors.approach);
+        addBranch(chart, retract + which, cycles[age].retract, colors.retract);
     }
     const DrawnMeasurement& measured = panel.plot().measured();
     const std::string name = measured.name.toStdString();
-    addBranch(chart, name + ", approach", measured.approach, theme::colors().ink);
-    addBranch(chart, name + ", retract", measured.retract, theme::colors().ink, true);
+    addBranch(chart, name + ", " + approach, measured.approach, theme::colors().ink);
+    addBranch(chart, name + ", " + retract, measured.retract, theme::colors().ink, true);
     return chart;
 }
 

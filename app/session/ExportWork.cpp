@@ -15,19 +15,6 @@ namespace asperity {
 
 namespace {
 
-ExportView viewOf(ExportSubject subject) {
-    switch (subject) {
-    case ExportSubject::Forces:
-        return ExportView::Forces;
-    case ExportSubject::Cycle:
-        return ExportView::Cycle;
-    case ExportSubject::Deformation:
-        return ExportView::Deformation;
-    default:
-        return ExportView::Spatial;
-    }
-}
-
 ExportFormat formatOf(const ExportOrder& order) {
     return formatOf("a." + order.format.toStdString(), viewOf(order.subject));
 }
@@ -45,6 +32,19 @@ void writePlot(const ExportOrder& order, const ExportMoment& moment) {
 }
 
 }  // namespace
+
+ExportView viewOf(ExportSubject subject) {
+    switch (subject) {
+    case ExportSubject::Forces:
+        return ExportView::Forces;
+    case ExportSubject::Cycle:
+        return ExportView::Cycle;
+    case ExportSubject::Deformation:
+        return ExportView::Deformation;
+    default:
+        return ExportView::Spatial;
+    }
+}
 
 ExportWork pictureWork(const ExportOrder& order, RasterImage image) {
     return [order, image = std::move(image)](Progress&) {

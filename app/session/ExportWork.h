@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/exports/ExportView.h"
 #include "app/session/ExportMoment.h"
 #include "core/Progress.h"
 #include "vtkplugins/pictures/RasterImage.h"
@@ -17,6 +18,10 @@ struct ExportOrder {
     PictureSpec spec;
     std::filesystem::path path;
 };
+
+/// The view that a subject is written as: the window's pictures as the large view, and so is what
+/// is no view.
+[[nodiscard]] ExportView viewOf(ExportSubject subject);
 
 /// For a thread in the background. @throw Error; Canceled
 using ExportWork = std::function<void(Progress& progress)>;

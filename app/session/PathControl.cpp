@@ -13,23 +13,11 @@
 #include <QStringList>
 
 #include <algorithm>
-#include <array>
 #include <optional>
 
 namespace asperity {
 
 namespace {
-
-struct PlannedPath {
-    const char* name;
-    DevicePath (*plan)(const Scene&, const PathPlan&);  ///< null: an approach to the setpoint
-};
-
-constexpr std::array<PlannedPath, 4> kPaths{
-    {{QT_TRANSLATE_NOOP("asperity::PathControl", "Approach"), nullptr},
-     {QT_TRANSLATE_NOOP("asperity::PathControl", "Slide"), slidePath},
-     {QT_TRANSLATE_NOOP("asperity::PathControl", "Raster"), rasterPath},
-     {QT_TRANSLATE_NOOP("asperity::PathControl", "Scratch"), scratchPath}}};
 
 /// A path in other units than meters, or of a larger scan, would lead the tip far away, and take as
 /// long. @param why it may do so
@@ -80,8 +68,8 @@ QPolygonF outline(const DevicePath& path) {
 PathControl::PathControl(MainWindow& window, RunControl& runs, DeviceControl& devices)
     : window_(window), runs_(runs), devices_(devices) {
     QStringList names;
-    for (const PlannedPath& path : kPaths) {
-        names << tr(path.name);
+    for (const PlannedPath path : kValues<PlannedPath>) {
+        names << QString::fromUtf8(nameOf(path));
     }
     window.controls().setPaths(names);
     connect(&window.controls(), &ControlBar::pathChosen, this, &PathControl::choose);
@@ -106,7 +94,7 @@ void PathControl::choose(int index) {
     if (runs_.run() != nullptr) {
         const Vector2 here = runs_.run()->basePosition().head<2>();
         const Scene& scene = runs_.run()->scene();
-        const PlannedPath& path = kPaths.at(static_cast<std::size_t>(index));
+        const PlannedPathRow& path = kEnumTable<PlannedPath>.at(static_cast<std::size_t>(index));
         window_.controls().setPath(index);
         if (path.plan != nullptr) {
             follow(path.plan(scene, {.place = here}));

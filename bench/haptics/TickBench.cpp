@@ -7,7 +7,7 @@
 #include "core/Units.h"
 #include "core/fidelity/ModelRun.h"
 #include "core/fidelity/SceneNeeds.h"
-#include "core/io/heightmap/ScanFile.h"
+#include "core/io/loading/SceneOnSample.h"
 #include "core/io/scene/SceneFile.h"
 #include "core/scene/Scene.h"
 
@@ -31,10 +31,7 @@ struct TimedScene {
 };
 
 Scene sceneOf(const SceneDescription& description) {
-    const SampleDescription& sample = description.sample;
-    Scene scene = sample.shape
-                      ? buildScene(description)
-                      : buildScene(description, readHeightScan(sample.file, sample.channel).map);
+    Scene scene = sceneOnSample(description).scene;
     (void)fitModel(scene);
     return scene;
 }

@@ -5,7 +5,7 @@
 #include "bench/probe/FalseAlarms.h"
 #include "core/fidelity/SceneNeeds.h"
 #include "core/haptics/VirtualRun.h"
-#include "core/io/heightmap/ScanFile.h"
+#include "core/io/loading/SceneOnSample.h"
 #include "core/io/scene/SceneFile.h"
 #include "core/scene/Scene.h"
 #include "core/scene/SceneTruth.h"
@@ -113,8 +113,7 @@ void print(const char* name, CaseResult result) {
 }
 
 Scene sceneOf(const SceneDescription& description) {
-    const SampleDescription& sample = description.sample;
-    Scene scene = buildScene(description, readHeightScan(sample.file, sample.channel).map);
+    Scene scene = sceneOnSample(description).scene;
     (void)fitModel(scene);
     return scene;
 }

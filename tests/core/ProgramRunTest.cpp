@@ -11,6 +11,7 @@
 #include <csignal>
 #include <cstdlib>
 #include <fcntl.h>
+#include <span>
 #include <sys/wait.h>
 #include <thread>
 #include <unistd.h>
@@ -49,6 +50,50 @@ bool isGone(pid_t process) {
         std::this_thread::sleep_for(10ms);
     }
     return false;
+}
+
+/// Gives a program all of this, for as long as it takes any. @return whether it took all
+bool feedAll(RunningProgram& program, const std::string& text) {
+    std::vector<std::uint8_t> bytes(text.begin(), text.end());
+    for (std::span<const std::uint8_t> left(bytes); !left.empty();) {
+        const std::optional<std::size_t> taken = program.feed(left);
+        if (!taken) {
+            return false;
+        }
+        left = left.subspan(*taken);
+    }
+    return true;
+}
+
+ProgramOutcome outcomeOf(RunningProgram& program) {
+    std::optional<ProgramOutcome> outcome;
+    while (!outcome) {
+        outcome = program.look();
+    }
+    return *outcome;
+}
+
+void waitFor(const std::filesystem::path& file) {
+    while (!std::filesystem::exists(file)) {
+        std::this_thread::sleep_for(10ms);
+    }
+}
+
+/// Has another process start the program, which says its number in the file `number`, and kills
+/// that process.
+void killStarterOf(const ProgramCall& call, const ScratchFolder& folder) {
+    const pid_t starter = fork();
+    ASSERT_GE(starter, 0);
+    if (starter == 0) {
+        (void)runProgram(call);
+        _exit(0);
+    }
+    while (!std::filesystem::exists(folder.file("number"))) {
+        ASSERT_EQ(waitpid(starter, nullptr, WNOHANG), 0) << "it has ended by itself";
+        std::this_thread::sleep_for(10ms);
+    }
+    ASSERT_EQ(kill(starter, SIGKILL), 0);
+    ASSERT_EQ(waitpid(starter, nullptr, 0), starter);
 }
 
 void expectNoChild() {
@@ -194,21 +239,122 @@ TEST(ProgramRun, RefusesWhatIsNoProgram) {
 /// Nobody is left to end it then.
 TEST(ProgramRun, EndsWithAKilledStarter) {
     const ScratchFolder folder;
-    const pid_t starter = fork();
-    ASSERT_GE(starter, 0);
-    if (starter == 0) {
-        (void)runProgram(shell(folder, "echo $$ >begun; mv begun number; exec sleep 1000", 1000s));
-        _exit(0);
-    }
-    while (!std::filesystem::exists(folder.file("number"))) {
-        ASSERT_EQ(waitpid(starter, nullptr, WNOHANG), 0) << "it has ended by itself";
-        std::this_thread::sleep_for(10ms);
-    }
-    ASSERT_EQ(kill(starter, SIGKILL), 0);
-    ASSERT_EQ(waitpid(starter, nullptr, 0), starter);
+    killStarterOf(shell(folder, "echo $$ >begun; mv begun number; exec sleep 1000", 1000s), folder);
     const pid_t program = numberIn(folder.file("number"));
     EXPECT_TRUE(isGone(program));
     (void)kill(program, SIGKILL);
+}
+
+TEST(ProgramRun, OneThatTidiesUpDoesWhenItsStarterIsKilled) {
+    const ScratchFolder folder;
+    ProgramCall call = shell(folder,
+                             "trap 'echo >tidy; exit' TERM; echo $$ >begun;"
+                             " mv begun number; while :; do sleep 0.01; done",
+                             1000s);
+    call.endSignal = SIGTERM;
+    killStarterOf(call, folder);
+    EXPECT_TRUE(isGone(numberIn(folder.file("number"))));
+    EXPECT_TRUE(std::filesystem::exists(folder.file("tidy")));
+}
+
+TEST(RunningProgram, TidiesUpWhenItIsNoLongerNeeded) {
+    const ScratchFolder folder;
+    ProgramCall call = shell(folder, "sleep 100 & echo $! >child; trap 'echo >tidy; exit' TERM;"
+                                     " echo >begun; while :; do sleep 0.01; done");
+    call.endSignal = SIGTERM;
+    {
+        const RunningProgram program(call);
+        waitFor(folder.file("begun"));
+    }
+    EXPECT_TRUE(std::filesystem::exists(folder.file("tidy")));
+    EXPECT_TRUE(isGone(numberIn(folder.file("child"))));
+    expectNoChild();
+}
+
+/// More than any pipe holds goes in while as much comes out.
+TEST(RunningProgram, IsFedWhileItWrites) {
+    const ScratchFolder folder;
+    std::string text;
+    for (int i = 0; text.size() < (std::size_t{4} << 20U); ++i) {
+        text += std::to_string(i) + "\n";
+    }
+    ProgramCall call = shell(folder, "cat; exit 5");
+    call.isFed = true;
+    call.maxOutput = text.size();
+    RunningProgram program(call);
+    EXPECT_TRUE(feedAll(program, text));
+    program.endInput();
+    const ProgramOutcome outcome = outcomeOf(program);
+    EXPECT_EQ(outcome.end, ProgramEnd::Exited);
+    EXPECT_EQ(outcome.exitCode, 5);
+    EXPECT_TRUE(outcome.output == text) << outcome.output.size() << " bytes";
+}
+
+/// A signal would end this program otherwise.
+TEST(RunningProgram, OneThatEndsBeforeItHasReadItsInputSaysSo) {
+    const ScratchFolder folder;
+    ProgramCall call = shell(folder, "head -c 2; echo enough >&2; exit 4");
+    call.isFed = true;
+    RunningProgram program(call);
+    EXPECT_FALSE(feedAll(program, std::string(std::size_t{64} << 20U, 'a')));
+    const ProgramOutcome outcome = outcomeOf(program);
+    EXPECT_EQ(outcome.exitCode, 4);
+    EXPECT_EQ(outcome.output, "aaenough\n");
+}
+
+TEST(RunningProgram, OneThatReadsNothingHasItsInputOffered) {
+    const ScratchFolder folder;
+    ProgramCall call = shell(folder, "sleep 100");
+    call.isFed = true;
+    RunningProgram program(call);
+    const std::vector<std::uint8_t> bytes(std::size_t{1} << 20U);
+    while (program.feed(bytes) != std::optional<std::size_t>(0)) {
+    }
+    EXPECT_FALSE(program.look());
+}
+
+TEST(RunningProgram, StreamsGoWhereTheCallHasThem) {
+    const ScratchFolder folder;
+    ProgramCall call = shell(folder, "echo out; echo err >&2; echo reply >&3");
+    call.output = ProgramStream::Dropped;
+    EXPECT_THAT(runProgram(call).output, HasSubstr("err\n"));
+    call.errors = ProgramStream::Dropped;
+    EXPECT_EQ(runProgram(call).output, "") << "there is no descriptor 3";
+    call.hasReplies = true;
+    EXPECT_EQ(runProgram(call).output, "reply\n");
+    call.errors = ProgramStream::Shared;
+    testing::internal::CaptureStderr();
+    EXPECT_EQ(runProgram(call).output, "reply\n");
+    EXPECT_EQ(testing::internal::GetCapturedStderr(), "err\n");
+}
+
+TEST(RunningProgram, ItsOutputIsReadWhileItRuns) {
+    const ScratchFolder folder;
+    RunningProgram program(shell(folder, "echo 7; exec sleep 1000", 1000s));
+    while (program.output().empty()) {
+        ASSERT_FALSE(program.look());
+    }
+    EXPECT_EQ(program.output(), "7\n");
+}
+
+TEST(ProgramRun, ATrustedOneIsAsThisProcess) {
+    const ProgramOutcome outcome =
+        runProgram(trustedCall("/bin/sh", {"-c", "pwd; ulimit -v; ulimit -f; echo \"$PATH\""}));
+    EXPECT_EQ(outcome.output, std::filesystem::current_path().string() +
+                                  "\nunlimited\nunlimited\n" + std::getenv("PATH") + "\n");
+}
+
+TEST(FindProgram, TakesTheFirstThatCanBeRun) {
+    const ScratchFolder folder;
+    const ScratchFolder other;
+    (void)other.write("tool", "not executable");
+    std::filesystem::permissions(folder.write("tool", "#!/bin/sh\n"),
+                                 std::filesystem::perms::owner_all);
+    const std::string list = "relative::" + other.path().string() + ":" + folder.path().string();
+    EXPECT_EQ(findProgram("tool", list), folder.file("tool"));
+    EXPECT_EQ(findProgram("tool", other.path().string()), "");
+    EXPECT_EQ(findProgram("tool", ""), "");
+    EXPECT_EQ(findProgram("sh", "/nowhere:/bin"), "/bin/sh");
 }
 
 /// A child of one thread is not waited for by another.

@@ -89,7 +89,9 @@ ForceMapForm::ForceMapForm(QWidget* parent)
     , instrument_(named(new QComboBox(this), "mapInstrument",
                         tr("model: tip, lever and sample as the scene believes them\ntrue "
                            "instrument: as they are in the simulated instrument"))) {
-    mode_->addItems({tr("approach"), tr("contact")});
+    for (const MapMode mode : kValues<MapMode>) {
+        mode_->addItem(QString::fromUtf8(nameOf(mode)));
+    }
     area_->addItems({tr("whole scan"), tr("part in view"), tr("rectangle")});
     instrument_->addItems({tr("model"), tr("true instrument")});
     setpoint_->setDecimals(6);
@@ -271,7 +273,7 @@ void ForceMapForm::suggestPixels() {
 }
 
 MapRequest ForceMapForm::request() const {
-    MapRequest request{.mode = mode_->currentIndex() == 0 ? MapMode::Approach : MapMode::Contact,
+    MapRequest request{.mode = kValues<MapMode>[static_cast<std::size_t>(mode_->currentIndex())],
                        .grid = MapGrid{columns_->value(), rows_->value()},
                        .setpoint = hasOwnSetpoint_ ? std::optional(setpoint_->value() / kPerNewton)
                                                    : std::nullopt,

@@ -25,6 +25,11 @@ constexpr double kFreeShare = 0.4;
 
 }  // namespace
 
+BranchNames branchNames() {
+    return {.approach = QString::fromUtf8(nameOf(CurveBranch::Approach)),
+            .retract = QString::fromUtf8(nameOf(CurveBranch::Retract))};
+}
+
 CyclePanel::CyclePanel(QWidget* parent)
     : QWidget(parent)
     , axis_(new QComboBox(this))

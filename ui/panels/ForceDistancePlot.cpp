@@ -57,13 +57,13 @@ QwtSymbol* newRing(const QColor& color) {
 
 QString legendText(const QString& unit) {
     const BranchColors colors = branchColors(0);
+    const BranchNames names = branchNames();
     const auto entry = [](const QColor& color, const QString& name) {
         return QStringLiteral("&nbsp; <span style='color:%1'><b>&#x2501;</b></span>&nbsp;%2")
             .arg(color.name(), name);
     };
-    return QStringLiteral("<b>F</b> [%1]").arg(unit) +
-           entry(colors.approach, QWidget::tr("approach")) +
-           entry(colors.retract, QWidget::tr("retract"));
+    return QStringLiteral("<b>F</b> [%1]").arg(unit) + entry(colors.approach, names.approach) +
+           entry(colors.retract, names.retract);
 }
 
 }  // namespace
@@ -250,12 +250,12 @@ void ForceDistancePlot::Canvas::showCursor(const QString& name, const AxisRange&
                                                     sample->y(), SiScale{1.0, force.unit})))
                        : QString();
     };
+    const BranchNames names = branchNames();
     QStringList lines;
     for (const Items& items : items_) {
-        lines << read(*items.approach, QWidget::tr("approach")) +
-                     read(*items.retract, QWidget::tr("retract"));
+        lines << read(*items.approach, names.approach) + read(*items.retract, names.retract);
     }
-    lines << read(*measured_.approach, name) + read(*measured_.retract, QWidget::tr("retract"));
+    lines << read(*measured_.approach, name) + read(*measured_.retract, names.retract);
     lines.removeAll(QString());
     const QString head = QString::fromStdString(scaledText(*place, distance, 2));
     cursor_->show(x, (QStringList{head} + lines).join(lines.size() > 1 ? "<br>" : ""));
@@ -329,13 +329,16 @@ PlotTable ForceDistancePlot::table() const {
         table.add(tr("distance, %1 [m]").arg(branch), distances);
         table.add(tr("force, %1 [N]").arg(branch), forces);
     };
+    const BranchNames names = branchNames();
     for (std::size_t age = 0; age < cycles_.size(); ++age) {
-        add(tr("approach %1").arg(age + 1), cycles_[age].approach);
-        add(tr("retract %1").arg(age + 1), cycles_[age].retract);
+        const QString number = QStringLiteral(" %1").arg(age + 1);
+        add(names.approach + number, cycles_[age].approach);
+        add(names.retract + number, cycles_[age].retract);
     }
     if (!measured_.name.isEmpty()) {
-        add(tr("approach of %1").arg(measured_.name), measured_.approach);
-        add(tr("retract of %1").arg(measured_.name), measured_.retract);
+        const QString of = tr("%1 of %2");
+        add(of.arg(names.approach, measured_.name), measured_.approach);
+        add(of.arg(names.retract, measured_.name), measured_.retract);
     }
     return table;
 }

@@ -27,6 +27,13 @@ struct BranchColors {
 /// Those of the newest cycle (age 0), or of an older one: the older the fainter.
 [[nodiscard]] BranchColors branchColors(int age);
 
+/// Names of the two branches: those of CurveBranch, whose table is C++20.
+struct BranchNames {
+    QString approach;
+    QString retract;
+};
+[[nodiscard]] BranchNames branchNames();
+
 /// One cycle as it is drawn; points are distance [m] and force [N]. A force that is not a number
 /// parts two pieces.
 struct DrawnCycle {

@@ -4,7 +4,6 @@
 
 #include <QSize>
 #include <QString>
-#include <QStringList>
 
 #include <cstdint>
 #include <map>
@@ -63,19 +62,24 @@ struct ExportOption {
     QString key;
 };
 
+/// A format of files.
+struct OfferedFormat {
+    QString key;  ///< extension without its dot, or "frames"
+    /// Its pictures have the chosen size; neither those of the window nor data have.
+    bool isSized = false;
+};
+
 /// What there is to choose from.
 struct ExportOffer {
-    std::map<ExportSubject, QStringList> formats;  ///< extensions without their dot
+    std::map<ExportSubject, std::vector<OfferedFormat>> formats;
     std::vector<ExportColumn> columns;
     std::vector<ExportOption> filmViews;
     std::vector<ExportOption> moments;  ///< of a run
 };
 
-/// Whether a format holds pixels; frames of a film are such.
-[[nodiscard]] bool isPixelFormat(const QString& format);
-/// Whether its pictures have the chosen size: neither those of the window nor data.
-[[nodiscard]] bool hasChosenSize(ExportSubject subject, const QString& format);
 /// Whether there is a picture of it that a clipboard can hold.
-[[nodiscard]] bool isPicture(ExportSubject subject);
+[[nodiscard]] constexpr bool isPicture(ExportSubject subject) {
+    return subject <= ExportSubject::Cycle;
+}
 
 }  // namespace asperity

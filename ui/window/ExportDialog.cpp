@@ -211,8 +211,8 @@ QString ExportDialog::format() const { return format_->currentData().toString();
 void ExportDialog::showFormats() {
     const QSignalBlocker quiet(format_);
     format_->clear();
-    for (const QString& format : offer_.formats.at(choices_.subject)) {
-        format_->addItem(nameOfFormat(format), format);
+    for (const OfferedFormat& format : offer_.formats.at(choices_.subject)) {
+        format_->addItem(nameOfFormat(format.key), format.key);
     }
     const auto kept = choices_.formats.find(choices_.subject);
     const int index = kept == choices_.formats.end() ? 0 : format_->findData(kept->second);
@@ -257,7 +257,8 @@ void ExportDialog::take() {
 /// What has no effect on the file cannot be chosen.
 void ExportDialog::showState() {
     const bool isFilm = choices_.subject == ExportSubject::Film;
-    const bool isSized = hasChosenSize(choices_.subject, format());
+    const auto index = static_cast<std::size_t>(format_->currentIndex());
+    const bool isSized = offer_.formats.at(choices_.subject).at(index).isSized;
     const bool isVideo = isFilm && format() != QStringLiteral("frames");
     film_->setEnabled(isFilm);
     for (QWidget* const part : std::initializer_list<QWidget*>{column_, height_, dpi_, clean_}) {

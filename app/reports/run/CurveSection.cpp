@@ -1,5 +1,7 @@
 #include "app/reports/run/CurveSection.h"
 
+#include "core/haptics/cycle/CurveBranch.h"
+
 #include <algorithm>
 #include <limits>
 #include <optional>
@@ -90,7 +92,8 @@ struct TouchStyle {
 /// One touch has two colors, of several each has its own.
 TouchStyle styleOf(std::size_t touch, std::size_t touches) {
     if (touches <= 1) {
-        return {.approachName = "approach", .retractName = "retract"};
+        return {.approachName = nameOf(CurveBranch::Approach),
+                .retractName = nameOf(CurveBranch::Retract)};
     }
     const PlotInk ink = curveInk(touch);
     return {.approachName = "",

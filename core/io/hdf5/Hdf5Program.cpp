@@ -13,7 +13,6 @@
 #include <memory>
 #include <optional>
 #include <system_error>
-#include <unistd.h>
 
 namespace asperity {
 
@@ -38,11 +37,6 @@ constexpr bool kIsSanitized = false;
 #else
 constexpr bool kIsSanitized = false;
 #endif
-
-bool isProgram(const std::filesystem::path& path) {
-    std::error_code ignored;
-    return std::filesystem::is_regular_file(path, ignored) && access(path.c_str(), X_OK) == 0;
-}
 
 std::string environmentValue(const char* name) {
     // NOLINTNEXTLINE(concurrency-mt-unsafe): nothing changes the environment after the start

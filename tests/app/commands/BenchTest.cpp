@@ -30,12 +30,14 @@ protected:
              "met": null}])");
     }
 
+    void putProgram(const std::string& name, const std::string& script) {
+        std::filesystem::permissions(folder_.write(name, "#!/bin/sh\n" + script),
+                                     std::filesystem::perms::owner_all);
+    }
     /// A measurement that gives these rows, and what it was asked for beside them.
     void putMeasurement(const std::string& name, const std::string& rows) {
-        const auto program = folder_.write(name, "#!/bin/sh\necho table\necho \"$3\" >" +
-                                                     folder_.file("asked").string() +
-                                                     "\ncat >\"$2\" <<'END'\n" + rows + "\nEND\n");
-        std::filesystem::permissions(program, std::filesystem::perms::owner_all);
+        putProgram(name, "echo table\necho \"$3\" >" + folder_.file("asked").string() +
+                             "\ncat >\"$2\" <<'END'\n" + rows + "\nEND\n");
     }
     [[nodiscard]] test::ProgramRun bench(const std::string& arguments) const {
         return test::runCommand(folder_.file("asperity").string() + " bench " + arguments);
@@ -81,6 +83,21 @@ TEST_F(Bench, FailsWithAMeasurementThatFails) {
     EXPECT_EQ(run.exitCode, 1);
     EXPECT_THAT(run.output, HasSubstr("asperity_contact_bench has failed"));
     EXPECT_FALSE(std::filesystem::exists(folder_.file("rows.json")));
+}
+
+// What a measurement had started ran on.
+TEST_F(Bench, EndsAllThatItHasStartedWithIt) {
+    const std::string child = folder_.file("child").string();
+    putProgram("asperity_contact_bench",
+               "echo complaint >&2; sleep 1000 & echo $! >begun; mv begun " + child + "; wait\n");
+    const auto run = test::runCommand(
+        "{ cd " + folder_.path().string() + "; ./asperity bench contact & bench=$!; while ! [ -e " +
+        child + " ]; do sleep 0.05; done; kill -TERM $bench; wait $bench; echo status $?; }");
+    EXPECT_THAT(run.output, HasSubstr("complaint\n"));
+    EXPECT_THAT(run.output, HasSubstr("asperity: canceled\nstatus 1"));
+    const std::string state =
+        test::contentOf("/proc/" + std::to_string(std::stoi(test::contentOf(child))) + "/stat");
+    EXPECT_TRUE(state.empty() || state.find(") Z ") != std::string::npos) << state;
 }
 
 }  // namespace

@@ -35,6 +35,20 @@ TEST(ExportFormat, RefusesWhatAViewIsNotWrittenAs) {
     }
 }
 
+TEST(ExportFormat, AllThatAViewIsWrittenInIsTakenByItsExtension) {
+    for (const ExportView view : kValues<ExportView>) {
+        ASSERT_FALSE(formatsOf(view).empty());
+        for (const ExportFormat format : formatsOf(view)) {
+            EXPECT_EQ(formatOf(std::string("a.") + keyOf(format), view), format) << keyOf(view);
+        }
+    }
+}
+
+TEST(ExportFormat, HelpNamesWhatAllViewsHaveAndWhatSomeHave) {
+    EXPECT_EQ(extensionHelp(), ".png, .tif; of deformation .exr, .vtp, .vts, .csv, too; of forces "
+                               "and cycle .svg, .pdf, .csv, too");
+}
+
 TEST(JournalColumn, IsFoundByItsName) {
     EXPECT_EQ(journalColumn("single").width, 85.0);
     EXPECT_EQ(journalColumn("double").width, 174.0);

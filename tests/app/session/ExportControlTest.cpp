@@ -250,6 +250,29 @@ TEST_F(ExportControlTest, ChoicesStayFromOneSessionToTheNext) {
     EXPECT_EQ(choices.folder.toStdString(), folder.path().string());
 }
 
+/// What has no effect on a file is gray.
+TEST_F(ExportControlTest, OffersTheFormatsOfTheTableAndASizeWhereTheyHaveOne) {
+    const auto offered = [this](ExportSubject subject) {
+        child<QComboBox>("exportSubject")->setCurrentIndex(static_cast<int>(subject));
+        auto* formats = child<QComboBox>("exportFormat");
+        std::string list;
+        for (int i = 0; i < formats->count(); ++i) {
+            formats->setCurrentIndex(i);
+            const bool isSized = child<QSpinBox>("exportHeight")->isEnabled();
+            list += formats->itemData(i).toString().toStdString() + (isSized ? "+ " : " ");
+        }
+        return list;
+    };
+    ask(ExportSubject::View, "png");
+    EXPECT_EQ(offered(ExportSubject::View), "png+ tif+ ");
+    EXPECT_EQ(offered(ExportSubject::Window), "png tif ");
+    EXPECT_EQ(offered(ExportSubject::Forces), "png+ tif+ svg+ pdf+ csv ");
+    EXPECT_EQ(offered(ExportSubject::Cycle), "png+ tif+ svg+ pdf+ csv ");
+    EXPECT_EQ(offered(ExportSubject::Deformation), "exr vtp vts csv ");
+    EXPECT_TRUE(offered(ExportSubject::Surface).starts_with("gwy "));
+    EXPECT_TRUE(offered(ExportSubject::Film).starts_with("frames+ "));
+}
+
 TEST_F(ExportControlTest, AFilmNeedsARecording) {
     ask(ExportSubject::Film, "frames");
     EXPECT_FALSE(child<QPushButton>("exportWrite")->isEnabled());

@@ -1,6 +1,8 @@
 #include "vtkplugins/paraview/module/vtkAspContactSource.h"
 
 #include "core/Error.h"
+#include "core/io/loading/SceneOnSample.h"
+#include "core/io/scene/SceneFile.h"
 #include "vtkplugins/module/DeformedTip.h"
 #include "vtkplugins/module/vtkAspForceGlyphSource.h"
 #include "vtkplugins/module/vtkAspPatchSource.h"
@@ -8,7 +10,6 @@
 #include "vtkplugins/paraview/module/AlgorithmProgress.h"
 #include "vtkplugins/paraview/module/ContactAtPlace.h"
 #include "vtkplugins/paraview/module/LengthUnit.h"
-#include "vtkplugins/paraview/module/SceneInput.h"
 
 #include <vtkDataArray.h>
 #include <vtkDoubleArray.h>
@@ -155,7 +156,8 @@ void vtkAspContactSource::Compute(vtkInformationVector* output) {
         throw asperity::Error("no scene is named");
     }
     asperity::AlgorithmProgress progress(*this);
-    const asperity::Scene scene = asperity::sceneOf(this->SceneFile, &progress);
+    const asperity::Scene scene =
+        asperity::sceneOnSample(asperity::sceneFromInput(this->SceneFile), &progress).scene;
     asperity::ContactRequest request{.place = {},
                                      .setpoint = {},
                                      .halfWidth = unit.toMeters(this->HalfWidth),

@@ -2,10 +2,11 @@
 
 #include "core/Error.h"
 #include "core/ShareOut.h"
+#include "core/io/loading/SceneOnSample.h"
+#include "core/io/scene/SceneFile.h"
 #include "core/map/MapRow.h"
 #include "vtkplugins/paraview/module/AlgorithmProgress.h"
 #include "vtkplugins/paraview/module/GivenHeights.h"
-#include "vtkplugins/paraview/module/SceneInput.h"
 
 #include <vtkDataObject.h>
 #include <vtkDoubleArray.h>
@@ -22,6 +23,8 @@
 #include <exception>
 #include <sstream>
 #include <string>
+#include <utility>
+#include <variant>
 #include <vector>
 
 vtkStandardNewMacro(vtkAspForceMap)
@@ -66,6 +69,21 @@ std::vector<vtkSmartPointer<vtkDoubleArray>> addArrays(const asperity::MapPlan& 
     }
     image.GetPointData()->SetActiveScalars(arrays.front()->GetName());
     return arrays;
+}
+
+/// @param file of the scene; null or empty: the scene that a height map alone stands for
+asperity::Scene sceneOn(std::variant<asperity::HeightMap, asperity::ScanMap> heights,
+                        const char* file, asperity::Progress& progress) {
+    const bool isNamed = file && *file;
+    try {
+        return asperity::sceneOnHeights(isNamed ? asperity::readScene(file)
+                                                : asperity::defaultScene(),
+                                        std::move(heights), &progress);
+    } catch (const asperity::InputError&) {
+        throw;
+    } catch (const asperity::Error& error) {
+        throw asperity::Error((isNamed ? std::string(file) + ": " : std::string()) + error.what());
+    }
 }
 
 /// Computes the rows of the image's extent, each of them whole: in mode contact it is one line.
@@ -185,8 +203,7 @@ int vtkAspForceMap::Compute(vtkInformationVector** input, vtkInformationVector* 
     asperity::ProgressPart fitting(&progress, 0.0, 0.05);
     asperity::ProgressPart mapping(&progress, 0.05, 1.0);
     const asperity::Scene scene =
-        asperity::sceneOf(this->SceneFile ? this->SceneFile : "",
-                          asperity::givenHeights(*in, *heights, unit), &fitting);
+        sceneOn(asperity::givenHeights(*in, *heights, unit), this->SceneFile, fitting);
     asperity::MapRequest request{.mode = asperity::kEnumTable<asperity::MapMode>[this->Mode].value,
                                  .quantities = keysIn(this->Quantities),
                                  .truth = this->Truth};

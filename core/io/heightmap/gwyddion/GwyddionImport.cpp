@@ -13,12 +13,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdlib>
 #include <iterator>
 #include <memory>
 #include <optional>
 #include <system_error>
-#include <unistd.h>
 
 // Everything that no format here reads, through the program Gwyddion; docs/formats.md 20.
 
@@ -26,13 +24,9 @@ namespace asperity {
 
 namespace {
 
+constexpr const char* kProgram = "gwyddion";
 constexpr std::size_t kMaxName = 100;
 constexpr std::size_t kMaxQuote = 300;
-
-bool isProgram(const std::filesystem::path& path) {
-    std::error_code ignored;
-    return std::filesystem::is_regular_file(path, ignored) && access(path.c_str(), X_OK) == 0;
-}
 
 /// The end of a file's name, which Gwyddion looks at, too; in plain letters, as an argument.
 std::string plainName(const std::string& file) {
@@ -273,22 +267,10 @@ private:
 }  // namespace
 
 Gwyddion gwyddionIn(std::string_view folders) {
-    while (!folders.empty()) {
-        const std::string_view folder = folders.substr(0, folders.find(':'));
-        const std::filesystem::path program = std::filesystem::path(folder) / "gwyddion";
-        // An entry that is not absolute would depend on the folder that the user is in.
-        if (program.is_absolute() && isProgram(program)) {
-            return {.program = program};
-        }
-        folders.remove_prefix(std::min(folder.size() + 1, folders.size()));
-    }
-    return {};
+    return {.program = findProgram(kProgram, folders)};
 }
 
-Gwyddion installedGwyddion() {
-    const char* const folders = std::getenv("PATH");  // NOLINT(concurrency-mt-unsafe)
-    return gwyddionIn(folders != nullptr ? folders : "");
-}
+Gwyddion installedGwyddion() { return {.program = findProgram(kProgram)}; }
 
 GwyddionScan readThroughGwyddion(const ByteSource& bytes, const Gwyddion& gwyddion,
                                  const std::string& unknown) {
