@@ -40,7 +40,7 @@ std::vector<std::string> lawNames() {
 }
 
 /// A tip whose own part of any reduced modulus is below rounding.
-constexpr Elastic kRigidTip{.youngsModulus = 1e300, .poissonRatio = 0.0};
+constexpr Elastic kRigidTip{.youngsModulus = 1e30, .poissonRatio = 0.0};
 
 /// The material with the modulus that gives this reduced one under a rigid tip: of another modulus,
 /// another hardness.
