@@ -1,9 +1,7 @@
 #include "core/probe/TipEquilibrium.h"
 
-#include "core/contact/EffectiveRadius.h"
 #include "core/contact/Within.h"
 #include "core/probe/BesideContacts.h"
-#include "core/probe/MaterialMaps.h"
 #include "core/probe/ProbeSystem.h"
 #include "core/probe/Sliding.h"
 #include "core/probe/TipContactPoint.h"
@@ -218,7 +216,6 @@ private:
         freeToMove_ = margin_;
         state_.proof = found.proof;
         joined_ = found.joined;
-        concavity_ = found.concavity;
         for (const ClosestPoint& place : found.list.all()) {
             if (!isKnown(place, points_.size())) {
                 addPoint(place, memory);
@@ -423,37 +420,14 @@ private:
         state_.interaction = std::max(state_.interaction, sunk / closest.depth());
     }
 
-    /// The law of the neck that lasts longest of all that a search can have missed: in the most
-    /// concave hollow of the scan, on its softest and most adhesive material.
-    [[nodiscard]] ContactModel lawOfLongestNeck() const {
-        const TipContactPoint& main = points_.front();
-        const bool isCurved = system_.curvature && !isSphere(main.model.law());
-        const double bend = isCurved ? -concavity_ : 0.0;
-        ContactPair pair = system_.pairAt(main.place.point,
-                                          effectiveRadius(system_.tipRadius(), bend, bend).radius);
-        if (system_.field != nullptr) {
-            const MaterialMaps& maps = system_.field->maps();
-            PlaceMaterial material = system_.field->at(main.place.point.x(), main.place.point.y());
-            material.youngsModulus = maps.youngsModulus != nullptr ? maps.youngsModulus->lowest()
-                                                                   : material.youngsModulus;
-            pair.reducedModulus = system_.field->reducedModulus(material);
-            pair.workOfAdhesion = maps.workOfAdhesion != nullptr ? maps.workOfAdhesion->highest()
-                                                                 : pair.workOfAdhesion;
-        }
-        ContactModel law = system_.contact.withPair(pair);
-        law.setBodyPull(main.model.bodyPull());
-        return law;
-    }
-
     /// Whether contacts that nobody knows of may hold the tip: where lever and sample have a bonded
     /// state beside the free one. Necks that share a lever tear off as one does on a lever as many
     /// times as soft.
     [[nodiscard]] bool mayBeHeld() const {
         const TipContactPoint& main = points_.front();
         const double along = main.place.normal.dot(compliance_ * main.place.normal);
-        const ContactModel law = lawOfLongestNeck();
-        const double tearsOff = law.pullOffApproach(kMaxContactPoints * along);
-        if (!(tearsOff < law.jumpInApproach(along))) {
+        const double tearsOff = main.model.pullOffApproach(kMaxContactPoints * along);
+        if (!(tearsOff < main.model.jumpInApproach(along))) {
             return false;
         }
         const bool isBonded =
@@ -490,9 +464,8 @@ private:
     ClosestPointTracker& tracker_;
     Vector3 deflection_ = Vector3::Zero();
     std::array<bool, kMaxContactPoints>
-        taken_{};             ///< which of the remembered closest points have been found again
-    bool joined_ = false;     ///< closest points that stand apart count as one
-    double concavity_ = 0.0;  ///< no second derivative of the surface is larger [1/m]
+        taken_{};          ///< which of the remembered closest points have been found again
+    bool joined_ = false;  ///< closest points that stand apart count as one
     Vector3 lookedFrom_ =
         Vector3::Zero();       ///< the tip's center when closest points were last looked for
     double freeToMove_ = 0.0;  ///< from there, until another closest point may bear [m]

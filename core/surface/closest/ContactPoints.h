@@ -32,9 +32,6 @@ struct ContactPoints {
     /// Some of those within reach stand more than half a pixel from one that counts for them, too:
     /// a blunt tip may bear on both.
     bool joined = false;
-    /// No second derivative of the whole surface is larger; >= 0, of a NURBS surface as far as a
-    /// grid over it shows [1/m].
-    double concavity = 0.0;
 };
 
 /// All closest points of the sphere's center that lie within `reach` of the sphere's surface, or,

@@ -79,21 +79,16 @@ ClosestPoint pointOnAxis(const BSplineSurface& surface, const Vector3& center) n
 ContactPoints SampleSurface::contactPoints(const TipSphere& tip, double reach,
                                            std::span<const SearchGuess> known,
                                            ClosestPointTracker& tracker) const noexcept {
-    ContactPoints points;
     if (const auto* const* field = std::get_if<const BSplineSurface*>(&surface_)) {
         if (isSubmerged(**field, tip.center)) {
+            ContactPoints points;
             points.list.add(pointOnAxis(**field, tip.center), 0.0);
             points.proof = SearchProof::Nearest;
-        } else {
-            points = asperity::contactPoints(**field, tip, {reach, effort_}, known, tracker);
+            return points;
         }
-        points.concavity = (*field)->bounds().all().concavity;
-        return points;
+        return asperity::contactPoints(**field, tip, {reach, effort_}, known, tracker);
     }
-    const NurbsSurface& shape = *std::get<const NurbsSurface*>(surface_);
-    points = tipPointsOn(shape, tip, reach);
-    points.concavity = shape.concavity();
-    return points;
+    return tipPointsOn(*std::get<const NurbsSurface*>(surface_), tip, reach);
 }
 
 ClosestPoint SampleSurface::localContactPoint(const Vector3& center,

@@ -133,32 +133,6 @@ TEST(TipEquilibrium, ADoubtAboutMissedContactsLastsUntilTheTipIsFree) {
     EXPECT_FALSE(mayStillLackPoint(scene, 1.1 * held));
 }
 
-/// A contact that was missed may stand in a hollow, where it is blunter than the one that is known.
-TEST(TipEquilibrium, ADoubtAboutMissedContactsKnowsOfBlunterOnes) {
-    const Scene scene = frictionless(test::hillyMap());
-    constexpr double kHilltop = 15.0_nm;
-    const HeightSample top = scene.surface.at(kHilltop, kHilltop);
-    const PrincipalCurvatures bend = principalCurvatures(top);
-    const double tip = scene.belief.tipRadius();
-    const double known = effectiveRadius(tip, bend.largest, bend.smallest).radius;
-    const double hollow = -scene.surface.bounds().all().concavity;
-    const double blunt = effectiveRadius(tip, hollow, hollow).radius;
-    const double shared = kMaxContactPoints * scene.belief.cantilever.compliance()(2, 2);
-    const auto held = [&](double radius) {
-        return -scene.belief.contact.withTipRadius(radius).pullOffApproach(shared);
-    };
-    ASSERT_GT(blunt, 2.0 * known);
-    ASSERT_GT(held(blunt), 1.1 * held(known));
-    const auto mayLack = [&](double above) {
-        EquilibriumMemory memory;
-        memory.mayLackPoint = true;
-        const BaseMotion base{.position = {kHilltop, kHilltop, top.height + above}};
-        return tipEquilibrium(scene.surface, scene.belief, base, memory).mayLackPoint;
-    };
-    EXPECT_TRUE(mayLack(0.98 * held(blunt)));
-    EXPECT_FALSE(mayLack(1.1 * held(blunt)));
-}
-
 TEST(TipEquilibrium, WhereNothingAdheresThereIsNoDoubtAboutMissedContacts) {
     SceneDescription description = test::plainScene();
     description.sample.material.workOfAdhesion = 0.0;
