@@ -41,7 +41,6 @@ struct ContactAnswer {
     std::string status;
     std::optional<ContactState> state = {};  ///< none where there is no answer
     double lambda = kNaN;
-    double lawError = kNaN;  ///< of the force, where the law is out of its range [N]
 };
 
 /// A number of the cases whose relative standard deviation a table may state.
@@ -126,21 +125,12 @@ ContactStatus coneStatus(ContactLaw law, double halfAngle) {
     return status == ContactStatus::Solved && isLeftOut ? ContactStatus::LawWithoutCone : status;
 }
 
-/// Whether the cohesive zone ends at the equator, as the sphere does.
-bool isZoneAtEquator(const ContactModel& model, const ContactState& state) {
-    return isSphere(model.law()) && model.cohesiveStress() > 0.0 && model.coneHalfAngle() == 0.0 &&
-           state.cohesiveRadius >= model.pair().tipRadius;
-}
-
-bool isOutOfRange(const ContactModel& model, const ContactState& state) {
-    return !isZoneAtEquator(model, state) && leavesLawsRange(model, state);
-}
-
 /// Why the law does not hold at a state, the worst reason first, joined by '|'; else "ok".
 std::string statusOf(const ContactModel& model, const ContactState& state) {
     const double radius = model.pair().tipRadius;
-    const bool isAtEquator = isZoneAtEquator(model, state);
-    const bool isOut = isOutOfRange(model, state);
+    const bool isSphereZone = isSphere(model.law()) && model.cohesiveStress() > 0.0;
+    const bool isAtEquator =
+        isSphereZone && model.coneHalfAngle() == 0.0 && state.cohesiveRadius >= radius;
     std::string status;
     const auto add = [&](bool applies, const char* word) {
         status += applies ? (status.empty() ? "" : "|") + std::string(word) : "";
@@ -148,8 +138,7 @@ std::string statusOf(const ContactModel& model, const ContactState& state) {
     add(isAtEquator, "cohesive_zone_at_equator");
     add(!isAtEquator && isBeyondSphere(model, state), "beyond_sphere");
     add(state.contactRadius > model.widestFilmContact(), "thin_film");
-    add(isOut && !lawError(model, state).isSignSure, "sign_not_sure");
-    add(isOut, "law_out_of_range");
+    add(!isAtEquator && leavesLawsRange(model, state), "law_out_of_range");
     add(isLargeContact(state.contactRadius, radius), "large_contact");
     return status.empty() ? "ok" : status;
 }
@@ -178,8 +167,7 @@ ContactAnswer answerTo(const ContactCase& asked) {
     if (!state.solved()) {
         return {keyOf(state.status)};
     }
-    return {statusOf(model, state), state, model.lambda(),
-            isOutOfRange(model, state) ? lawError(model, state).force : kNaN};
+    return {statusOf(model, state), state, model.lambda()};
 }
 
 /// A case whose number differs by a factor; the range of adhesion stays.
@@ -237,7 +225,6 @@ void write(CsvWriter& csv, const ContactAnswer& answer) {
         .add(state ? state->contactRadius : kNaN)
         .add(state ? state->cohesiveRadius : kNaN)
         .add(answer.lambda)
-        .add(answer.lawError)
         .add(state ? keyOf(state->region()) : "none")
         .add(answer.status);
 }
@@ -250,9 +237,7 @@ std::vector<std::string> commentsFor(const std::string& cases) {
         "for laws without a cohesive zone",
         "status: ok; or joined by '|', all evaluated formally: cohesive_zone_at_equator; thin_film "
         "(beyond what the law holds for); law_out_of_range (the law leaves out adhesion, or its "
-        "range, that acts here), with sign_not_sure where the true force may have the other sign; "
-        "law_error_n: how far the force may be off then; large_contact (a/R above 0.3: strain "
-        "beyond linear elasticity, "
+        "range, that acts here); large_contact (a/R above 0.3: strain beyond linear elasticity, "
         "whichever law); else why there is no answer"};
 }
 
@@ -271,7 +256,7 @@ void contact(const CaseFiles& files) {
     }
     CaseAnswers answers{.comments = commentsFor(files.cases),
                         .columns = {"force_n", "contact_radius_m", "cohesive_radius_m", "lambda",
-                                    "law_error_n", "state", "status"},
+                                    "state", "status"},
                         .add = [&](CsvWriter& csv, std::size_t row) {
                             write(csv, answerTo(cases[row]));
                             if (deviations[row]) {

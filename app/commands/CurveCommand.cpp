@@ -16,11 +16,9 @@
 #include "core/scene/AttractionValidity.h"
 #include "core/scene/ContactValidity.h"
 #include "core/scene/FlagOrder.h"
-#include "core/scene/LawRange.h"
 #include "core/scene/SampleHardness.h"
 #include "core/uncertainty/PlaceBudgets.h"
 #include "core/words/BudgetWords.h"
-#include "core/words/ModelWords.h"
 #include "core/words/SceneWords.h"
 #include "vtkplugins/pictures/Charts.h"
 
@@ -119,20 +117,11 @@ void addFlagged(const CurveResult& result, std::vector<std::string>& lines) {
     constexpr double kNone = std::numeric_limits<double>::infinity();
     std::array<double, kValidityFlagCount> lowest;
     std::array<double, kValidityFlagCount> highest;
-    double error = 0.0;      // largest where the law is out of its range [N]
-    double anyFrom = kNone;  // where the force may have the other sign [m]
-    double anyTo = -kNone;
     lowest.fill(kNone);
     highest.fill(-kNone);
     for (const auto* way : {&result.curve.approach, &result.curve.retract}) {
         for (const ForceCurvePoint& point : *way) {
             const ValidityFlags flags = flagsOf(result, point);
-            if (flags.has(Validity::LawOutOfRange)) {
-                const LawError here = lawError(result.asked.model, point.state);
-                error = std::max(error, here.force);
-                anyFrom = here.isSignSure ? anyFrom : std::min(anyFrom, point.basePosition);
-                anyTo = here.isSignSure ? anyTo : std::max(anyTo, point.basePosition);
-            }
             for (std::size_t i = 0; i < kValidityFlagCount; ++i) {
                 if (flags.has(kValidityTraits[i].flag)) {
                     lowest[i] = std::min(lowest[i], point.basePosition);
@@ -146,13 +135,6 @@ void addFlagged(const CurveResult& result, std::vector<std::string>& lines) {
         if (lowest[i] <= highest[i]) {
             lines.push_back(formatted("  %s at base %.4g to %.4g nm: %s", kValidityTraits[i].key,
                                       lowest[i] * 1e9, highest[i] * 1e9, kValidityTraits[i].words));
-        }
-        if (flag == Validity::LawOutOfRange && error > 0.0) {
-            lines.back() += ": " + lawErrorText(error);
-            lines.back() += anyFrom <= anyTo
-                                ? formatted(", at base %.4g to %.4g nm not even its sign is sure",
-                                            anyFrom * 1e9, anyTo * 1e9)
-                                : "";
         }
     }
 }
@@ -177,15 +159,11 @@ void addBudgets(const CurveResult& result, std::vector<std::string>& lines) {
     if (!result.asked.scene.uncertainty.enabled) {
         return;
     }
-    const std::size_t before = lines.size();
     for (const LandmarkRow& row : kEnumTable<Landmark>) {
         const Budget& budget = budgetOf(result.budgets, row.value);
         if (std::isfinite(budget.value)) {
             lines.push_back("  " + std::string(row.name) + " " + budgetText(budget, row.unit));
         }
-    }
-    if (lines.size() > before) {
-        lines.emplace_back("  ± is by the inputs alone; what the law leaves out is not known here");
     }
 }
 

@@ -28,10 +28,8 @@
 #include "core/io/scene/SceneFile.h"
 #include "core/scene/BelievedModel.h"
 #include "core/scene/FlagOrder.h"
-#include "core/scene/LawRangeTally.h"
 #include "core/uncertainty/CycleBudgets.h"
 #include "core/words/BudgetWords.h"
-#include "core/words/ModelWords.h"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -119,16 +117,13 @@ void requireApproach(const ExploreOptions& options) {
 
 /// Everything that is kept of a run while it goes on.
 struct RunKeeper {
-    const Scene& scene;
     RunRecorder recorder;
     RunEventRecorder events;
-    LawRangeTally lawRange;
     RunCurves curves;
 
     void take(const TickSample& sample) {
         recorder.take(sample);
         events.take(sample);
-        lawRange.take(scene, sample.output);
         curves.take(sample);
     }
 };
@@ -142,7 +137,6 @@ struct MissedSetpoint {
 /// What is left of a run when its scene is gone.
 struct FinishedRun {
     RunEvents events;
-    LawRangeTally lawRange;
     RunCurves curves;
     std::optional<RunPictures> pictures;   ///< none: not wanted
     std::vector<std::string> remarks;      ///< on smoothing and pixels
@@ -160,9 +154,7 @@ void tellOutcome(const FinishedRun& run) {
         const long ticks = events.flagged.at(indexOf(flag));
         if (ticks > 0 && std::ranges::find(kInSummaryAlone, flag) == kInSummaryAlone.end()) {
             std::cerr << "note: in " << ticks << " of " << events.ticks
-                      << " ticks: " << traitsOf(flag).words
-                      << (flag == Validity::LawOutOfRange ? ": " + lawErrorText(run.lawRange) : "")
-                      << '\n';
+                      << " ticks: " << traitsOf(flag).words << '\n';
         }
     }
     if (run.missed) {
@@ -255,11 +247,7 @@ FinishedRun finishedRun(const Prepared& prepared, bool hasPictures,
                         const std::filesystem::path& out) {
     const auto& [loaded, plan] = prepared;
     const Scene& scene = loaded.scene;
-    RunKeeper keeper{.scene = scene,
-                     .recorder = RunRecorder(out, scene.belief.field),
-                     .events = {},
-                     .lawRange = {},
-                     .curves = {}};
+    RunKeeper keeper{.recorder = RunRecorder(out, scene.belief.field), .events = {}, .curves = {}};
     const std::optional<MissedSetpoint> missed = run(scene, plan, *instrumentOf(scene), keeper);
     keeper.recorder.close();
 
@@ -267,7 +255,6 @@ FinishedRun finishedRun(const Prepared& prepared, bool hasPictures,
     writeTextFile(out / run_files::kScene, sceneText(settled(scene.description, scene.model)));
     writeTextFile(out / run_files::kSummary, runSummary(loaded, events));
     FinishedRun finished{.events = events,
-                         .lawRange = keeper.lawRange,
                          .curves = std::move(keeper.curves),
                          .pictures = {},
                          .remarks = {},

@@ -129,7 +129,6 @@ Written writeRun(const Task& task, const RunPlace& input, const std::filesystem:
                     .scan = {},
                     .loaded = loaded,
                     .history = {},
-                    .lawRange = {},
                     .program = programOf(input.folder()),
                     .summary = readSummary(input.folder()),
                     .state = sentenceOf(recorded.state),
@@ -142,11 +141,7 @@ Written writeRun(const Task& task, const RunPlace& input, const std::filesystem:
     ProgressPart replaying(progress, 0.4, 0.6);
     run.difference = differenceOnReplay(
         loaded.scene, recorded, folder / "replay",
-        [&run](const TickSample& sample) {
-            run.history.take(sample);
-            run.lawRange.take(run.loaded.scene, sample.output);
-        },
-        &replaying);
+        [&run](const TickSample& sample) { run.history.take(sample); }, &replaying);
     if (!run.difference.empty()) {
         run.difference = failureOfReplay(run.difference, loaded, input.folder());
     }

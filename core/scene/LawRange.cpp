@@ -2,9 +2,7 @@
 
 #include "core/contact/maugis/MaugisUnits.h"
 
-#include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace asperity {
 
@@ -38,32 +36,7 @@ bool isWithinRange(const ContactModel& model, const ContactState& state) noexcep
     return isApart(state) && state.indentation > -model.cohesiveRange();
 }
 
-/// By which a paraboloid's force differs from its sphere's at an indentation, relative.
-double paraboloidError(const ContactModel& model, const ContactState& state) noexcept {
-    constexpr double kShare = 0.1;  // of the square of a / R
-    const double ratio = state.contactRadius / model.pair().tipRadius;
-    return traitsOf(model.law()).sphere ? 0.0 : kShare * ratio * ratio;
-}
-
-/// Whether contact or attraction reach beyond the sphere that the law knows of the tip.
-bool isBeyondTip(const ContactModel& model, const ContactState& state) noexcept {
-    const bool isOfSphere = traitsOf(model.law()).sphere;
-    const double reach =
-        isOfSphere ? std::max(state.contactRadius, state.cohesiveRadius) : state.contactRadius;
-    return model.coneHalfAngle() == 0.0 && reach >= model.pair().tipRadius;
-}
-
 }  // namespace
-
-LawError lawError(const ContactModel& model, const ContactState& state) noexcept {
-    const double force = std::abs(state.force);
-    const bool isBeyond = isApart(state) && !isWithinRange(model, state);
-    const double near = isBeyond ? model.cohesiveRange() / state.indentation : 1.0;
-    const double adhesion = 2.0 * maugisUnits(model.pair()).force * near * near;
-    const double error = adhesion + (paraboloidError(model, state) * force);
-    return {.force = isBeyondTip(model, state) ? std::numeric_limits<double>::infinity() : error,
-            .isSignSure = state.indentation < 0.0 || force > error};
-}
 
 double pairLambda(const ContactModel& model) noexcept {
     const ContactPair& pair = model.pair();

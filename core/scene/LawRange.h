@@ -22,21 +22,6 @@ namespace asperity {
 /// Source: docs/theory.md 2.4, 2.5, 2.9, 4.4.
 [[nodiscard]] bool leavesLawsRange(const ContactModel& model, const ContactState& state) noexcept;
 
-/// How far the force of a law may be off at a state where it is out of its range.
-struct LawError {
-    double force = 0.0;      ///< at most so much; infinite: not known [N]
-    bool isSignSure = true;  ///< false: the true force may pull where the law pushes, or push
-};
-
-/// Returns the largest error of a law's force at an indentation. Between no adhesion and all of it
-/// lie 2 pi w R: at each indentation every law, from Hertz by JKR and Maugis to DMT, lies within as
-/// much below Hertz, so that no two differ by more; across a gap beyond the range of adhesion by
-/// less, as the square of their ratio. A paraboloid differs from its sphere by a tenth of (a/R)^2
-/// of the force besides. A tip above the undeformed surface is never pushed. Beyond the equator of
-/// a sphere that has no cone it is not known what the law leaves out.
-/// Source: docs/theory.md 2.9.
-[[nodiscard]] LawError lawError(const ContactModel& model, const ContactState& state) noexcept;
-
 /// Returns the transition parameter of an adhesive pair, also where its law takes no part in it.
 [[nodiscard]] double pairLambda(const ContactModel& model) noexcept;
 

@@ -114,29 +114,6 @@ std::string whyOf(const LawChoice& choice) {
                            choice.unloadedRatio, reason);
 }
 
-std::string lawErrorText(double error) {
-    return std::isfinite(error) ? "force off by up to " + formatSi(error, "N")
-                                : "it is not known by how much the force is off";
-}
-
-std::string lawErrorText(const LawError& error, double force) {
-    const std::string size = lawErrorText(error.force);
-    if (!error.isSignSure) {
-        return size + ", not even its sign is sure";
-    }
-    return error.force < std::abs(force)
-               ? size + formatted(" (%.2g %%)", 100.0 * error.force / std::abs(force))
-               : size;
-}
-
-std::string lawErrorText(const LawRangeTally& tally) {
-    const std::string size = lawErrorText(tally.largestError());
-    return tally.ticksOfAnySign() == 0
-               ? size
-               : size + formatted(", in %ld of these ticks not even its sign is sure",
-                                  tally.ticksOfAnySign());
-}
-
 std::string lawNote(const Scene& scene) {
     const LawChoice usual = usualLaw(scene.description);
     const bool isOther = isSphere(scene.model.law) != isSphere(usual.law) ||

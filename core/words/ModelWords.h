@@ -3,8 +3,6 @@
 #include "core/contact/laws/LawChoice.h"
 #include "core/deformation/HalfSpaceAnswer.h"
 #include "core/fidelity/SceneNeeds.h"
-#include "core/scene/LawRange.h"
-#include "core/scene/LawRangeTally.h"
 
 #include <string>
 
@@ -16,16 +14,6 @@ namespace asperity {
 
 /// Why a contact law was taken, in one clause.
 [[nodiscard]] std::string whyOf(const LawChoice& choice);
-
-/// How far a force may be off where adhesion is beyond the range of its law: "force off by up to
-/// 0.4 nN (2 %)", or "force off by up to 18.8 nN, not even its sign is sure". @param force [N]
-[[nodiscard]] std::string lawErrorText(const LawError& error, double force);
-
-/// The size of that alone, or that nobody knows it. @param error [N]
-[[nodiscard]] std::string lawErrorText(double error);
-
-/// The same of a run: "force off by up to 18.8 nN, in 40 of these ticks not even its sign is sure".
-[[nodiscard]] std::string lawErrorText(const LawRangeTally& tally);
 
 /// The scene's contact law, why it was taken, and how well its table has it.
 [[nodiscard]] std::string lawNote(const Scene& scene);

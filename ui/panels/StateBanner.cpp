@@ -2,7 +2,6 @@
 
 #include "core/haptics/mapping/WorkspaceMapping.h"
 #include "core/scene/FlagOrder.h"
-#include "core/scene/Scene.h"
 #include "core/words/ModelWords.h"
 #include "ui/CoreWords.h"
 #include "ui/Theme.h"
@@ -100,11 +99,6 @@ void StateBanner::setRecorded(const std::optional<double>& time) {
 }
 
 void StateBanner::clear() {
-    scene_ = nullptr;
-    rewind();
-}
-
-void StateBanner::rewind() {
     latest_ = {};
     hasRun_ = false;
     shown_.clear();
@@ -138,19 +132,6 @@ QStringList StateBanner::stateWords() const {
     return words << wordsOf(output.region());
 }
 
-StateBanner::Caution StateBanner::cautionOf(Validity flag) const {
-    const ValidityTraits& traits = traitsOf(flag);
-    Caution caution{coreWords(traits.brief), coreWords(traits.words), traits.severity};
-    const TickOutput& output = latest_.sample.output;
-    if (flag == Validity::LawOutOfRange && scene_ != nullptr && output.flags.has(flag)) {
-        const ContactState& contact = output.model.contact;
-        const LawError error = lawError(contactModelAt(*scene_, output.model), contact);
-        caution.brief = error.isSignSure ? caution.brief : tr("sign of force not sure");
-        caution.words += QStringLiteral(": ") + coreWords(lawErrorText(error, contact.force));
-    }
-    return caution;
-}
-
 std::vector<StateBanner::Caution> StateBanner::cautions() const {
     std::vector<Caution> found;
     if (energyGiven_) {
@@ -161,7 +142,8 @@ std::vector<StateBanner::Caution> StateBanner::cautions() const {
     }
     for (const Validity one : kFlagsByEffect) {
         if (shown_.isShown(indexOf(one), latest_.sample)) {
-            found.push_back(cautionOf(one));
+            const ValidityTraits& flag = traitsOf(one);
+            found.push_back({coreWords(flag.brief), coreWords(flag.words), flag.severity});
         }
     }
     if (!notHolding_.isEmpty()) {

@@ -26,9 +26,6 @@ public:
     explicit StateBanner(QWidget* parent = nullptr);
 
     void clear() override;
-    void begin(const Scene& scene) override { scene_ = &scene; }
-    /// The scene stays.
-    void rewind() override;
     /// The flags, so that one that comes and goes can be read.
     void take(const TickSample& sample) noexcept override;
     void show(const Snapshot& snapshot) override;
@@ -62,8 +59,6 @@ private:
         Severity severity;
     };
 
-    /// What a flag says of the latest tick.
-    [[nodiscard]] Caution cautionOf(Validity flag) const;
     void showLine();
     void showColor();
     /// The most important part first.
@@ -73,7 +68,6 @@ private:
     void showDetails(const QStringList& state, const std::vector<Caution>& cautions);
     [[nodiscard]] QColor stateColor() const;
 
-    const Scene* scene_ = nullptr;  ///< null: none is shown
     Snapshot latest_;
     bool hasRun_ = false;
     bool paused_ = false;

@@ -3,7 +3,6 @@
 #include "app/program/LoadedScene.h"
 #include "app/reports/run/RunHistory.h"
 #include "app/runs/RecordedSummary.h"
-#include "core/scene/LawRangeTally.h"
 
 #include <filesystem>
 #include <optional>
@@ -25,7 +24,6 @@ struct ReportedRun {
     std::string scan;              ///< its file, or its name in the bundle; empty: a shape
     const LoadedScene& loaded;     ///< lives until its page is made
     RunHistory history;
-    LawRangeTally lawRange;
     std::optional<RecordedProgram> program;  ///< that made it; none: its folder does not say
     std::optional<RecordedSummary> summary;  ///< none: the run was cut off
     std::string state;                 ///< that it was cut off, a sentence; empty: it is complete

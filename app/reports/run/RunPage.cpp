@@ -65,7 +65,7 @@ ReportPage runPage(const ReportedRun& run, const std::string& parent) {
     addUncertainty(page.content, scene, touches);
     addSample(page.content, run);
     addPictures(page.content, run);
-    addValidity(page.content, run.history, run.lawRange);
+    addValidity(page.content, run.history);
     addParameters(page.content, scene);
     addModel(page.content, run);
     addReproduction(page.content, run);

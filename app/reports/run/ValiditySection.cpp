@@ -5,7 +5,6 @@
 #include "core/FormattedText.h"
 #include "core/SiFormat.h"
 #include "core/scene/FlagOrder.h"
-#include "core/words/ModelWords.h"
 
 #include <array>
 #include <optional>
@@ -22,7 +21,7 @@ constexpr std::array kMeanings{"announces what comes; the result holds",
                                "the result holds, less exactly", "the result does not hold in full",
                                "no result to rely on"};
 
-PageTable flagTable(const RunEvents& events, const LawRangeTally& lawRange) {
+PageTable flagTable(const RunEvents& events) {
     PageTable table{.columns = {{"What"}, {"Meaning"}, {"Ticks", true}, {"Share", true}},
                     .rows = {}};
     for (const Validity flag : kFlagsByEffect) {
@@ -34,10 +33,8 @@ PageTable flagTable(const RunEvents& events, const LawRangeTally& lawRange) {
         const char* const noise = traits.basis == FlagBasis::Signals
                                       ? " (from noisy signals: a few ticks say little)"
                                       : "";
-        const std::string error =
-            flag == Validity::LawOutOfRange ? ": " + lawErrorText(lawRange) : std::string();
         table.rows.push_back(
-            {{capitalized(traits.words) + error + " [" + traits.key + "]"},
+            {{capitalized(traits.words) + " [" + traits.key + "]"},
              {kMeanings.at(static_cast<std::size_t>(traits.severity)) + std::string(noise)},
              {std::to_string(ticks)},
              {shareText(ticks, events.ticks)}});
@@ -79,7 +76,7 @@ PageTable faultTable(const std::map<Fault, long>& faults, long ticks) {
 
 }  // namespace
 
-void addValidity(PageContent& page, const RunHistory& history, const LawRangeTally& lawRange) {
+void addValidity(PageContent& page, const RunHistory& history) {
     const RunEvents& events = history.events();
     const RunVerdict verdict = verdictOn(history);
     page.addHeading("Validity");
@@ -87,7 +84,7 @@ void addValidity(PageContent& page, const RunHistory& history, const LawRangeTal
     if (!history.faults().empty()) {
         page.addTable(faultTable(history.faults(), events.ticks));
     }
-    PageTable flags = flagTable(events, lawRange);
+    PageTable flags = flagTable(events);
     if (flags.rows.empty()) {
         page.addParagraph("No tick has a validity flag.");
     } else {

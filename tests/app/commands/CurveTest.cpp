@@ -127,8 +127,6 @@ TEST_F(CurveCommand, SaysWhereTheLeverIsBentTooFar) {
 TEST_F(CurveCommand, SaysWhatTheLawDoesNotHoldFor) {
     (void)tableOf("--material silicon_oxide --law hertz --points 20");
     EXPECT_NE(said.find("law_out_of_range at base "), std::string::npos) << said;
-    EXPECT_NE(said.find(": force off by up to 18.9 nN, at base "), std::string::npos) << said;
-    EXPECT_NE(said.find("nm not even its sign is sure"), std::string::npos) << said;
     (void)tableOf("--material silicone_rubber --law split_sphere --points 20");
     EXPECT_EQ(said.find("law_out_of_range"), std::string::npos) << said;
     EXPECT_NE(said.find("large_contact at base "), std::string::npos) << said;
@@ -162,7 +160,6 @@ TEST_F(CurveCommand, SaysWhatModelAndCalibrationLeaveOpen) {
     EXPECT_NE(said.find("  adhesion force 17.9 nN ± 2 (tip radius, adhesion)"), std::string::npos)
         << said;
     EXPECT_NE(said.find("  normal force 5 nN ± 0.5 (k)"), std::string::npos) << said;
-    EXPECT_NE(said.find("what the law leaves out is not known here"), std::string::npos) << said;
     for (const char* what : {"contact stiffness", "snap-in force", "snap-in distance", "hysteresis",
                              "work of separation"}) {
         const std::size_t line = said.find("  " + std::string(what) + " ");

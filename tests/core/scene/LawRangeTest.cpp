@@ -6,7 +6,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -183,54 +182,6 @@ TEST(ContactValidity, TheTrueContactRadiusDecides) {
     const ContactState state = pressed(film, indentation);
     EXPECT_GT(state.contactRadius, 1.4 * std::sqrt(1.0_um * indentation));
     EXPECT_TRUE(contactValidity(film, state, {}).has(Validity::ThinFilm));
-}
-
-/// What lawError() allows, against Maugis, from DMT to JKR, and its sign: no law strays farther.
-TEST(LawRange, NoTwoLawsDifferByMoreThanTheStatedError) {
-    constexpr ContactPair kPair{.tipRadius = 1e-6, .reducedModulus = 1e10, .workOfAdhesion = 0.03};
-    const MaugisUnits units = maugisUnits(kPair);
-    double largest = 0.0;  // of the stated error
-    for (const double lambda : {1e-3, 1e-2, 0.05, 0.2, 1.0, 3.0, 10.0, 100.0}) {
-        const double range = kPair.workOfAdhesion * transitionParameter(units, 1.0) / lambda;
-        const ContactModel exact = ranged(ContactLaw::Maugis, kPair, range);
-        for (const double depth : {-3.0, -1.0, -0.2, -1e-3, 0.0, 0.3, 1.0, 2.0, 5.0, 30.0, 300.0}) {
-            const ContactState truth = pressed(exact, depth * units.indentation);
-            for (const ContactLaw law : {ContactLaw::Hertz, ContactLaw::Dmt, ContactLaw::Jkr}) {
-                const ContactModel model = ranged(law, kPair, range);
-                const ContactState state = pressed(model, depth * units.indentation);
-                const LawError error = lawError(model, state);
-                const double off = std::abs(state.force - truth.force);
-                EXPECT_LE(off, (1.0 + 1e-9) * error.force) << lambda << ' ' << depth;
-                EXPECT_TRUE(!error.isSignSure || state.force * truth.force >= 0.0)
-                    << lambda << ' ' << depth;
-                largest = std::max(largest, off / error.force);
-            }
-        }
-    }
-    EXPECT_GT(largest, 0.9) << "it is no wider than it need be";
-}
-
-TEST(LawRange, AParaboloidIsAsFarOffAsItsErrorSays) {
-    constexpr ContactPair kRubber{.tipRadius = 1e-6, .reducedModulus = 1e6, .workOfAdhesion = 0.03};
-    for (const double depth : {0.1e-6, 0.3e-6, 0.6e-6, 1.0e-6}) {
-        const ContactModel model(ContactLaw::Jkr, kRubber);
-        const ContactState state = pressed(model, depth);
-        const double truth = pressed(ContactModel(ContactLaw::SphereMaugis, kRubber), depth).force;
-        EXPECT_LE(std::abs(state.force - truth), lawError(model, state).force) << depth;
-    }
-}
-
-/// 2 % and a wrong sign are not the same.
-TEST(LawRange, SaysWhetherTheSignIsSure) {
-    const ContactModel hertz(ContactLaw::Hertz, kPolymer);
-    const double unit = maugisUnits(kPolymer).force;
-    const LawError strong = lawError(hertz, {.force = 100.0 * unit});
-    EXPECT_TRUE(strong.isSignSure);
-    EXPECT_NEAR(strong.force, 2.0 * unit, 1e-9 * unit);
-    EXPECT_FALSE(lawError(hertz, {.force = 1.9 * unit}).isSignSure);
-    EXPECT_TRUE(lawError(hertz, {.indentation = -0.1_nm}).isSignSure) << "it is never pushed";
-    const ContactState deep{.force = 1e-6, .contactRadius = 1.1 * kPolymer.tipRadius};
-    EXPECT_TRUE(std::isinf(lawError(hertz, deep).force)) << "of the shank nothing is known";
 }
 
 }  // namespace

@@ -1,7 +1,5 @@
 #include "ui/panels/StateBanner.h"
 
-#include "core/scene/Scene.h"
-#include "tests/support/TestScenes.h"
 #include "tests/ui/panels/PanelSamples.h"
 
 #include <QPushButton>
@@ -313,29 +311,6 @@ TEST(StateBanner, EveryFaultHasWords) {
         said.insert(stateOf(banner));
     }
     EXPECT_EQ(said.size(), kValues<Fault>.size());
-}
-
-/// The flag of a law out of its range alone holds for 2 % and for a wrong sign.
-TEST(StateBanner, SaysWhetherTheSignOfAForceIsSure) {
-    const Scene scene = buildScene(test::plainScene(), test::flatMap());
-    StateBanner banner;
-    TickSample sample = bonded(3e-9);
-    sample.output.flags.set(Validity::LawOutOfRange, true);
-    sample.output.model.effectiveRadius = 15e-9;
-    const auto say = [&](double force) {
-        sample.output.model.contact.force = force;
-        banner.take(sample);
-        banner.show(test::snapshotOf(sample));
-    };
-    say(1e-9);
-    EXPECT_TRUE(test::textOf(banner, "flags").startsWith(QStringLiteral("adhesion"))) << "no scene";
-    banner.begin(scene);
-    say(1e-9);
-    EXPECT_TRUE(test::textOf(banner, "flags").startsWith(QStringLiteral("sign of force")));
-    EXPECT_TRUE(banner.toolTip().contains(QStringLiteral("not even its sign is sure")));
-    say(1e-6);
-    EXPECT_TRUE(test::textOf(banner, "flags").startsWith(QStringLiteral("adhesion")));
-    EXPECT_TRUE(banner.toolTip().contains(QStringLiteral("force off by up to ")));
 }
 
 }  // namespace

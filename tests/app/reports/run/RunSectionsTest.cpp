@@ -61,27 +61,8 @@ RunHistory historyOf(const std::vector<Validity>& flags) {
 
 PageContent validityOf(const std::vector<Validity>& flags) {
     PageContent page;
-    addValidity(page, historyOf(flags), {});
+    addValidity(page, historyOf(flags));
     return page;
-}
-
-/// One flag alone says neither whether a force is 2 % off nor that it may have the wrong sign.
-TEST(RunSections, ValiditySaysHowFarALawIsOff) {
-    const Scene scene = buildScene(test::plainScene(), test::flatMap());
-    TickOutput output;
-    output.flags.set(Validity::LawOutOfRange, true);
-    output.model.effectiveRadius = 15e-9;
-    output.model.contact = {.force = 1e-9, .indentation = 1e-9, .branch = ContactBranch::Bonded};
-    LawRangeTally tally;
-    tally.take(scene, output);
-    output.model.contact.force = 1e-6;
-    tally.take(scene, output);
-    tally.take(scene, TickOutput{});
-    EXPECT_EQ(tally.ticks(), 2);
-    PageContent page;
-    addValidity(page, historyOf({Validity::LawOutOfRange}), tally);
-    EXPECT_THAT(tablesOf(page).at(0).rows.at(0).at(0).text,
-                HasSubstr("nN, in 1 of these ticks not even its sign is sure [law_out_of_range]"));
 }
 
 TEST(RunSections, ValidityDoesNotSendTheReaderToItself) {
