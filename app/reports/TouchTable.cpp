@@ -105,9 +105,9 @@ void writeTouches(const std::filesystem::path& file, const std::vector<Touch>& t
         row.addModel(touch, "hysteresis_j");
         row.add(cycle.stiffness);
         row.addModel(touch, "contact_stiffness_n_m");
-        row.add(std::optional(cycle.maxForce));
+        row.add(cycle.maxForce);
         row.addModel(touch, "max_force_n");
-        row.add(std::optional(cycle.maxIndentation));
+        row.add(cycle.maxIndentation);
         row.addModel(touch, "max_indentation_m");
         row.add(touch.material.toStdString());
         row.add(touch.scan.toStdString());

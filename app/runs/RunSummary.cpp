@@ -152,6 +152,10 @@ OrderedJson readingJson(const std::optional<Reading>& reading) {
     return reading ? OrderedJson(reading->value) : OrderedJson(nullptr);
 }
 
+OrderedJson sigmaJson(const std::optional<Reading>& reading) {
+    return reading ? OrderedJson(reading->sigma) : OrderedJson(nullptr);
+}
+
 /// Returns the key of what leaves most of a result open, an input or the terms left out; null where
 /// nothing does or that is not known.
 OrderedJson dominantJson(const Budget& budget) {
@@ -202,31 +206,29 @@ OrderedJson budgetsJson(const Scene& scene, const ContactCycle& cycle) {
 /// What the force-distance curve of a cycle shows; null: it shows no such thing.
 OrderedJson cycleJson(const Scene& scene, const ContactCycle& cycle) {
     const std::optional<Reading> pullOff = cycle.pullOffForce();
-    return {
-        {"touch_s", cycle.touchTime},
-        {"off_s", cycle.complete() ? OrderedJson(cycle.offTime) : OrderedJson(nullptr)},
-        {"x_m", cycle.place.x()},
-        {"y_m", cycle.place.y()},
-        {"snap_in_force_n", readingJson(cycle.snapIn)},
-        {"snap_in_force_sigma_n",
-         cycle.snapIn ? OrderedJson(cycle.snapIn->sigma) : OrderedJson(nullptr)},
-        {"snap_in_distance_m",
-         cycle.snapIn ? OrderedJson(cycle.snapInBaseDistance.value) : OrderedJson(nullptr)},
-        {"snap_in_distance_sigma_m",
-         cycle.snapIn ? OrderedJson(cycle.snapInBaseDistance.sigma) : OrderedJson(nullptr)},
-        {"pull_off_force_n", readingJson(pullOff)},
-        {"pull_off_force_sigma_n", pullOff ? OrderedJson(pullOff->sigma) : OrderedJson(nullptr)},
-        {"adhesion_work_j", readingJson(cycle.workOfAdhesion())},
-        {"hysteresis_j", readingJson(cycle.closedHysteresis())},
-        {"area_sigma_j", cycle.areaSigma},
-        {"contact_stiffness_n_m", readingJson(cycle.stiffness)},
-        {"max_force_n", cycle.maxForce.value},
-        {"max_force_sigma_n", cycle.maxForce.sigma},
-        {"max_indentation_m", cycle.maxIndentation.value},
-        {"max_indentation_sigma_m", cycle.maxIndentation.sigma},
-        {"contacts", cycle.contacts},
-        {"interrupted", cycle.interrupted},
-        {"uncertainty", budgetsJson(scene, cycle)}};
+    return {{"touch_s", cycle.touchTime},
+            {"off_s", cycle.complete() ? OrderedJson(cycle.offTime) : OrderedJson(nullptr)},
+            {"x_m", cycle.place.x()},
+            {"y_m", cycle.place.y()},
+            {"snap_in_force_n", readingJson(cycle.snapIn)},
+            {"snap_in_force_sigma_n", sigmaJson(cycle.snapIn)},
+            {"snap_in_distance_m",
+             cycle.snapIn ? OrderedJson(cycle.snapInBaseDistance.value) : OrderedJson(nullptr)},
+            {"snap_in_distance_sigma_m",
+             cycle.snapIn ? OrderedJson(cycle.snapInBaseDistance.sigma) : OrderedJson(nullptr)},
+            {"pull_off_force_n", readingJson(pullOff)},
+            {"pull_off_force_sigma_n", sigmaJson(pullOff)},
+            {"adhesion_work_j", readingJson(cycle.workOfAdhesion())},
+            {"hysteresis_j", readingJson(cycle.closedHysteresis())},
+            {"area_sigma_j", cycle.areaSigma},
+            {"contact_stiffness_n_m", readingJson(cycle.stiffness)},
+            {"max_force_n", readingJson(cycle.maxForce)},
+            {"max_force_sigma_n", sigmaJson(cycle.maxForce)},
+            {"max_indentation_m", readingJson(cycle.maxIndentation)},
+            {"max_indentation_sigma_m", sigmaJson(cycle.maxIndentation)},
+            {"contacts", cycle.contacts},
+            {"interrupted", cycle.interrupted},
+            {"uncertainty", budgetsJson(scene, cycle)}};
 }
 
 OrderedJson cyclesJson(const Scene& scene, const std::vector<ContactCycle>& cycles) {

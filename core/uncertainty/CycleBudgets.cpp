@@ -24,9 +24,9 @@ constexpr auto kReadings = std::to_array<CycleReading>(
      {"contact_stiffness_n_m", "contact stiffness", Landmark::Stiffness,
       [](const ContactCycle& cycle) { return cycle.stiffness; }},
      {"max_force_n", "largest force", Landmark::NormalForce,
-      [](const ContactCycle& cycle) { return std::optional(cycle.maxForce); }},
+      [](const ContactCycle& cycle) { return cycle.maxForce; }},
      {"max_indentation_m", "largest indentation", Landmark::Indentation,
-      [](const ContactCycle& cycle) { return std::optional(cycle.maxIndentation); }}});
+      [](const ContactCycle& cycle) { return cycle.maxIndentation; }}});
 
 /// With what k and InvOLS move the signals by.
 Budget withInstrument(Budget budget, const Budget& force) {
@@ -63,7 +63,7 @@ Budget budgetOf(const CycleReading& row, const Reading& reading, const PlaceBudg
 std::vector<CycleBudget> cycleBudgets(const PlaceBudgets& budgets, const ContactCycle& cycle) {
     std::vector<CycleBudget> list;
     // Where the law has nothing like it either, noise makes cycles that are none.
-    const bool pushes = cycle.maxForce.value > cycle.maxForce.sigma;
+    const bool pushes = cycle.maxForce.has_value();
     for (const CycleReading& row : kReadings) {
         const std::optional<Reading> reading = row.of(cycle);
         if (reading && (pushes || std::isfinite(budgetOf(budgets, row.landmark).value))) {
@@ -84,7 +84,8 @@ std::optional<Budget> budgetNamed(const std::vector<CycleBudget>& budgets, std::
 }
 
 std::vector<CycleBudget> cycleBudgets(const Scene& scene, const ContactCycle& cycle) {
-    return cycleBudgets(budgetsAt(scene, cycle.place, cycle.maxForce.value), cycle);
+    return cycleBudgets(budgetsAt(scene, cycle.place, cycle.maxForce.value_or(Reading{}).value),
+                        cycle);
 }
 
 }  // namespace asperity

@@ -143,7 +143,7 @@ void CyclePanel::takeBudgets(Kept& kept) const {
     const ContactCycle& cycle = kept.cycle;
     const bool isKnown = kept.budgets && cycle.complete();
     if (scene_ != nullptr && kept.run == runs_ && cycle.touched() && !isKnown) {
-        kept.budgets = budgetsAt(*scene_, cycle.place, cycle.maxForce.value);
+        kept.budgets = budgetsAt(*scene_, cycle.place, cycle.maxForce.value_or(Reading{}).value);
     }
 }
 

@@ -61,10 +61,9 @@ struct TouchColumn {
 
 const std::vector<TouchColumn>& contactColumns() {
     static const std::vector<TouchColumn> kColumns{
-        {"max. force", "N", [](const ContactCycle& cycle) { return std::optional(cycle.maxForce); },
+        {"max. force", "N", [](const ContactCycle& cycle) { return cycle.maxForce; },
          "max_force_n"},
-        {"max. indentation", "m",
-         [](const ContactCycle& cycle) { return std::optional(cycle.maxIndentation); },
+        {"max. indentation", "m", [](const ContactCycle& cycle) { return cycle.maxIndentation; },
          "max_indentation_m"},
         {"snap-in force", "N", [](const ContactCycle& cycle) { return cycle.snapIn; },
          "snap_in_force_n"},
@@ -227,7 +226,7 @@ std::optional<TouchMean> adhesionWorkOf(const std::vector<BudgetedTouch>& touche
 double maxIndentationOf(const std::vector<BudgetedTouch>& touches) {
     double largest = 0.0;
     for (const BudgetedTouch& touch : touches) {
-        largest = std::max(largest, touch.cycle.maxIndentation.value);
+        largest = std::max(largest, touch.cycle.maxIndentation.value_or(Reading{}).value);
     }
     return largest;
 }

@@ -32,9 +32,8 @@ struct ContactCycle {
     double offTime = 0.0;             ///< first tick after it [s]
     /// The tip was in contact when the run began: there is no approach, and its touch is not seen.
     bool fromStart = false;
-    Reading maxForce;  ///< repulsive [N]
-    /// Indentation of the undeformed surface at that force; 0: the sample never pushed [m]
-    Reading maxIndentation;
+    std::optional<Reading> maxForce;  ///< > 0; none: the sample never pushed beyond the noise [N]
+    std::optional<Reading> maxIndentation;  ///< of the undeformed surface at that force [m]
     /// Strongest pull of the first approach, > 0; none: no pull beyond the noise [N]
     std::optional<Reading> snapIn;
     Reading snapInBaseDistance;  ///< gap that the undeflected tip had there [m]

@@ -95,7 +95,6 @@ double CycleDetector::compliance() const noexcept {
 void CycleDetector::begin() noexcept {
     cycle_ = {};
     push_ = StrongestForce(StrongestForce::kGrowing);
-    pushStiffness_ = 0.0;
     snapInPull_ = StrongestForce(StrongestForce::kSudden);
     pullOffPull_ = StrongestForce(StrongestForce::kGrowing);
     snapInPlaces_ = {};
@@ -130,17 +129,11 @@ void CycleDetector::takeContact(double time, bool turned, bool held) noexcept {
     }
     cycle_.slid = cycle_.slid || (place_ - touched_).norm() > kSlide ||
                   (tip_ - tipTouched_).norm() > kTipSlide;
-    if (trend_.push() > 0.0) {
-        if (push_.take(trend_.halves(1.0), trend_.push(), depth_.halves(1.0))) {
-            pushStiffness_ = contactStiffness_;
-        }
-        cycle_.maxForce = *push_.reading();
+    if (trend_.pushes()) {
+        (void)push_.take(trend_.halves(1.0), trend_.push(),
+                         {.halves = depth_.halves(1.0), .stiffness = contactStiffness_});
+        cycle_.maxForce = push_.reading();
         cycle_.maxIndentation = push_.readingBeside();
-        // Noise picks among ticks whose forces differ by its deviation, and so do their depths.
-        if (pushStiffness_ > 0.0) {
-            cycle_.maxIndentation.sigma =
-                std::hypot(cycle_.maxIndentation.sigma, cycle_.maxForce.sigma / pushStiffness_);
-        }
     }
     takeUnloading();
     if (branch_.branch() != CurveBranch::Retract) {

@@ -59,7 +59,6 @@ private:
     ForceDistancePoint point_;
     double step_ = 0.0;              ///< of its base distance, since the tick before [m]
     double contactStiffness_ = 0.0;  ///< of the contact model there [N/m]
-    double pushStiffness_ = 0.0;     ///< likewise, where the push was strongest [N/m]
     double snapInMissed_ = 0.0;      ///< of the snap-in, see missedByStep() [N]
     double snapInPlaceNoise_ = 0.0;  ///< of its place, by step and lever alone [m]
     double pullOffMissed_ = 0.0;     ///< of the pull-off [N]

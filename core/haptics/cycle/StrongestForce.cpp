@@ -11,19 +11,26 @@ Reading StrongestForce::meanOf(const std::array<HalfForce, 2>& halves) noexcept 
 }
 
 bool StrongestForce::take(const std::array<HalfForce, 2>& halves, double force,
-                          const std::array<HalfForce, 2>& beside) noexcept {
+                          const DepthBeside& depth) noexcept {
     for (std::size_t i = 0; i < halves.size(); ++i) {
         const double sure = halves[i].smooth - (caution_ * halves[i].smoothSigma);
         if (!reading_ || sure > strongest_[i]) {
             strongest_[i] = sure;
             measured_[i] = halves[1 - i];
-            measuredBeside_[i] = beside[1 - i];
+            measuredDepth_[i] = depth.halves[1 - i];
+            pickSigma_[i] = depth.stiffness > 0.0 ? halves[i].smoothSigma / depth.stiffness : 0.0;
         }
     }
     const bool isStrongest = !reading_ || force > strongestForce_;
     strongestForce_ = isStrongest ? force : strongestForce_;
     reading_ = meanOf(measured_);
     return isStrongest;
+}
+
+Reading StrongestForce::readingBeside() const noexcept {
+    Reading depth = meanOf(measuredDepth_);
+    depth.sigma = std::hypot(depth.sigma, 0.5 * std::hypot(pickSigma_[0], pickSigma_[1]));
+    return depth;
 }
 
 void StrongestPlaces::take(double force, double sigma, double place) noexcept {

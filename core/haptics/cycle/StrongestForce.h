@@ -9,6 +9,12 @@
 
 namespace asperity {
 
+/// How deep the tip is in a tick, by the same halves, and how steeply the force goes with that.
+struct DepthBeside {
+    std::array<HalfForce, 2> halves{};  ///< [m]
+    double stiffness = 0.0;             ///< of the contact; 0 or less: unknown [N/m]
+};
+
 /// The strongest force of a branch, without the bias that the largest of noisy values has: each
 /// half of the ticks says when the force was strongest, the other one how strong it was, and the
 /// mean of both is the result. Where the force falls off at once after the strongest tick, as at a
@@ -25,14 +31,15 @@ public:
     explicit StrongestForce(double caution) noexcept : caution_(caution) {}
 
     /// Takes the next tick. @param force of both halves together, see ForceTrend::pull() [N]
-    /// @param beside another signal of the same ticks, by the same halves
+    /// @param depth of the tip in the same ticks
     /// @return whether that is the strongest so far: the place of the strongest force
     bool take(const std::array<HalfForce, 2>& halves, double force,
-              const std::array<HalfForce, 2>& beside = {}) noexcept;
+              const DepthBeside& depth = {}) noexcept;
     /// None: nothing was taken. [N]
     [[nodiscard]] const std::optional<Reading>& reading() const noexcept { return reading_; }
-    /// Returns the other signal at the same ticks; it has no such bias, either.
-    [[nodiscard]] Reading readingBeside() const noexcept { return meanOf(measuredBeside_); }
+    /// Returns the depth at the same ticks [m]; it has no such bias, either. Noise picks among
+    /// ticks whose forces differ by its deviation, and so do their depths.
+    [[nodiscard]] Reading readingBeside() const noexcept;
 
 private:
     [[nodiscard]] static Reading meanOf(const std::array<HalfForce, 2>& halves) noexcept;
@@ -41,7 +48,8 @@ private:
     double strongestForce_ = 0.0;          ///< of both halves together [N]
     std::array<double, 2> strongest_{};    ///< by each half, less caution [N]
     std::array<HalfForce, 2> measured_{};  ///< by the other half at the same tick [N]
-    std::array<HalfForce, 2> measuredBeside_{};
+    std::array<HalfForce, 2> measuredDepth_{};
+    std::array<double, 2> pickSigma_{};  ///< of the depth, by the force that picked the tick [m]
     std::optional<Reading> reading_;
 };
 

@@ -118,7 +118,7 @@ TEST(RunEvents, ListsCyclesUpToOneThatIsStillInContact) {
     EXPECT_NEAR(cycles[0].pullOff.value().value, 3e-9, 1e-15);
     EXPECT_NEAR(cycles[1].pullOff.value().value, 4e-9, 1e-15);
     EXPECT_FALSE(cycles[2].complete());
-    EXPECT_NEAR(cycles[2].maxForce.value, 6e-9, 1e-15);
+    EXPECT_NEAR(cycles[2].maxForce->value, 6e-9, 1e-15);
 }
 
 TEST(RunEvents, ARunThatBeginsInContactHasNoSnapIn) {

@@ -138,8 +138,8 @@ TEST_P(CycleOfScene, HysteresisIsWhatTheJumpsDissipate) {
 
 TEST_P(CycleOfScene, IndentationAndForceAreThoseAtTheTurn) {
     const ContactState& deepest = law.retract.front().state;
-    EXPECT_NEAR(cycle.maxForce.value, deepest.force, noisy() ? 0.2e-9 : 0.01 * deepest.force);
-    EXPECT_NEAR(cycle.maxIndentation.value, deepest.indentation,
+    EXPECT_NEAR(cycle.maxForce->value, deepest.force, noisy() ? 0.2e-9 : 0.01 * deepest.force);
+    EXPECT_NEAR(cycle.maxIndentation->value, deepest.indentation,
                 noisy() ? 0.05_nm : 0.01 * deepest.indentation);
 }
 
