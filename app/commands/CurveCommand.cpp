@@ -162,7 +162,9 @@ void addBudgets(const CurveResult& result, std::vector<std::string>& lines) {
     for (const LandmarkRow& row : kEnumTable<Landmark>) {
         const Budget& budget = budgetOf(result.budgets, row.value);
         if (std::isfinite(budget.value)) {
-            lines.push_back("  " + std::string(row.name) + " " + budgetText(budget, row.unit));
+            // Of a law without range the tip jumps in at the touch, whatever the inputs.
+            lines.push_back("  " + std::string(row.name) + " " + budgetText(budget, row.unit) +
+                            (budget.value == 0.0 ? ", by the form of the law" : ""));
         }
     }
 }

@@ -220,6 +220,13 @@ TEST_F(CurveCommand, KeepsTheTableApartFromWhatItSays) {
 }
 
 /// The base moves by what the tip moves and the lever bends.
+/// "0 m" alone read as exact.
+TEST_F(CurveCommand, SaysWhyASnapInDistanceIsZero) {
+    (void)tableOf("--material polystyrene --law jkr --points 20");
+    EXPECT_NE(said.find("snap-in distance 0 m, by the form of the law\n"), std::string::npos)
+        << said;
+}
+
 TEST_F(CurveCommand, FollowsEveryLawInBalanceWithTheLever) {
     for (const std::string law : {"hertz", "dmt", "jkr", "md", "sneddon", "jkr_sphere", "md_sphere",
                                   "split", "split_sphere", "auto"}) {
