@@ -63,7 +63,7 @@ Budget budgetOf(const CycleReading& row, const Reading& reading, const PlaceBudg
 std::vector<CycleBudget> cycleBudgets(const PlaceBudgets& budgets, const ContactCycle& cycle) {
     std::vector<CycleBudget> list;
     // Where the law has nothing like it either, noise makes cycles that are none.
-    const bool pushes = cycle.maxForce.has_value();
+    const bool pushes = cycle.maxForce && cycle.maxForce->value > cycle.maxForce->sigma;
     for (const CycleReading& row : kReadings) {
         const std::optional<Reading> reading = row.of(cycle);
         if (reading && (pushes || std::isfinite(budgetOf(budgets, row.landmark).value))) {
