@@ -27,6 +27,12 @@ TemporaryFolder::TemporaryFolder(const std::filesystem::path& parent, std::strin
         if (lock_.isOpen() && holdTemporary(lock_, path_)) {
             return;
         }
+        if (!lock_.isOpen()) {
+            const int failure = errno;
+            rmdir(path_.c_str());
+            errno = failure;
+            break;
+        }
     }
     const std::string reason = std::generic_category().message(errno);
     throw FileError(parent.string(), "cannot be written: " + reason);

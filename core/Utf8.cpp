@@ -29,6 +29,9 @@ Lead leadOf(unsigned char byte) {
     return {};
 }
 
+/// Whether a byte of valid UTF-8 continues a character.
+bool isWithinCharacter(char byte) { return (static_cast<unsigned char>(byte) & 0xC0U) == 0x80U; }
+
 }  // namespace
 
 Utf8Character firstCharacter(std::string_view text) {
@@ -65,11 +68,25 @@ bool isUtf8(std::string_view text) {
 
 std::string_view utf8Start(std::string_view text, std::size_t most) {
     std::size_t end = std::min(most, text.size());
-    while (end > 0 && end < text.size() &&
-           (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U) {
+    while (end > 0 && end < text.size() && isWithinCharacter(text[end])) {
         --end;
     }
     return text.substr(0, end);
+}
+
+std::string shortened(std::string_view text, std::size_t most) {
+    constexpr std::string_view kGap = " … ";
+    if (text.size() <= most) {
+        return std::string(text);
+    }
+    const std::size_t room = most - kGap.size();
+    const std::size_t endBytes = room / 4;
+    std::size_t end = text.size() - endBytes;
+    while (end < text.size() && isWithinCharacter(text[end])) {
+        ++end;
+    }
+    return std::string(utf8Start(text, room - endBytes)) + std::string(kGap) +
+           std::string(text.substr(end));
 }
 
 void appendUtf8(std::string& text, char32_t codePoint) {

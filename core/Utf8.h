@@ -22,6 +22,10 @@ struct Utf8Character {
 /// Returns the start of a text, of at most so many bytes, that does not end within a character.
 [[nodiscard]] std::string_view utf8Start(std::string_view text, std::size_t most);
 
+/// Returns a text whole, or its start and its end around "…", of at most so many bytes: for
+/// messages that quote a file and end with what was expected. @param most at least 100
+[[nodiscard]] std::string shortened(std::string_view text, std::size_t most);
+
 /// Appends a character. @param codePoint a Unicode scalar value
 void appendUtf8(std::string& text, char32_t codePoint);
 

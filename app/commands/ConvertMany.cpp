@@ -2,6 +2,7 @@
 
 #include "app/commands/ConvertMap.h"
 #include "app/commands/ConvertTargets.h"
+#include "app/program/ToldError.h"
 #include "core/Error.h"
 #include "core/PathText.h"
 #include "core/PrintableText.h"
@@ -60,7 +61,7 @@ bool tryOne(const ConvertOptions& options, const ConvertedFile& file) {
     } catch (const std::bad_alloc&) {
         reason = "out of memory";
     } catch (const std::exception& error) {
-        reason = error.what();
+        reason = messageOf(error);
     }
     const bool namesFile = reason.starts_with(file.input + ":");
     std::cerr << "asperity: " << (namesFile ? "" : printable(file.input) + ": ")

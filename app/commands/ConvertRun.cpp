@@ -8,6 +8,7 @@
 #include "app/runs/RunFolder.h"
 #include "core/Error.h"
 #include "core/PrintableText.h"
+#include "core/io/FileBytes.h"
 
 #include <algorithm>
 #include <array>
@@ -32,7 +33,7 @@ void copyFiles(const std::filesystem::path& run, const std::filesystem::path& ou
                const Matches& matches) {
     for (const std::string& name : runFileNames()) {
         if (isThere(run / name) && matches(name)) {
-            std::filesystem::copy_file(run / name, out / name);
+            copyTo(FileBytes(run / name), out / name);
         }
     }
 }

@@ -15,11 +15,20 @@ namespace {
 constexpr const char* kRecordingFormat = "asperity recording";
 constexpr int kRecordingVersion = 1;
 
-std::optional<Vector2> sizeIn(const nlohmann::json& input) {
+double lengthIn(const nlohmann::json& input, const char* key, const std::filesystem::path& file) {
+    const auto length = input.at(key).get<double>();
+    if (!(length > 0.0)) {
+        throw InputError(file.string(), std::string("input.") + key,
+                         "expected the size of a scan in meters, above 0; the file is damaged");
+    }
+    return length;
+}
+
+std::optional<Vector2> sizeIn(const nlohmann::json& input, const std::filesystem::path& file) {
     if (!input.contains("size_x_m")) {
         return std::nullopt;
     }
-    return Vector2(input.at("size_x_m").get<double>(), input.at("size_y_m").get<double>());
+    return Vector2(lengthIn(input, "size_x_m", file), lengthIn(input, "size_y_m", file));
 }
 
 }  // namespace
@@ -54,7 +63,7 @@ std::optional<RecordingManifest> readManifest(const std::filesystem::path& folde
         if (json.at("format") == kRecordingFormat &&
             json.at("format_version") == kRecordingVersion) {
             return RecordingManifest{.sha256 = json.at("input").at("sha256").get<std::string>(),
-                                     .size = sizeIn(json.at("input")),
+                                     .size = sizeIn(json.at("input"), path),
                                      .complete = json.at("complete").get<bool>(),
                                      .recovered = json.at("recovered").get<bool>()};
         }

@@ -1,6 +1,6 @@
 #include "app/session/BackgroundWork.h"
 
-#include "core/PrintableText.h"
+#include "app/program/ToldError.h"
 
 #include <new>
 
@@ -12,7 +12,7 @@ QString reasonOf(const std::exception_ptr& error) {
     } catch (const std::bad_alloc&) {
         return QObject::tr("out of memory");
     } catch (const std::exception& known) {
-        return QString::fromStdString(printable(known.what()));
+        return QString::fromStdString(messageOf(known));
     }
 }
 

@@ -1,8 +1,8 @@
 #include "app/session/LiveWindow.h"
 
+#include "app/program/ToldError.h"
 #include "app/session/QuitOnSignal.h"
 #include "core/Error.h"
-#include "core/PrintableText.h"
 #include "ui/NumberText.h"
 #include "ui/Theme.h"
 #include "vtkplugins/pictures/Display.h"
@@ -42,7 +42,7 @@ bool LiveWindow::Application::notify(QObject* receiver, QEvent* event) {
     try {
         return QApplication::notify(receiver, event);
     } catch (const std::exception& error) {
-        std::cerr << "asperity: " << printable(error.what()) << '\n';
+        std::cerr << "asperity: " << messageOf(error) << '\n';
         exit(1);
         return true;
     }

@@ -16,13 +16,17 @@ constexpr std::size_t kMostDepth = 64;
 struct NestedLimits {
     std::size_t bytes;
     std::size_t values;
+    std::size_t stringBytes;  ///< of one string: while it is read, the parser holds it four times
 };
 
 /// A value of TOML takes up to 250 bytes (a table of one letter), one of JSON up to 100: together
-/// about 100 and 200 MB. A scene has some hundred values, a summary about a hundred a touch.
+/// about 100 and 200 MB. A scene has some hundred values. A summary has 400 a touch, points of
+/// numbers counted, in 9 kB: the bytes are those of as many touches as the values allow.
 NestedLimits limitsOf(NestedSyntax syntax) {
-    constexpr NestedLimits kToml{std::size_t{1} << 24U, std::size_t{1} << 18U};
-    constexpr NestedLimits kJson{std::size_t{1} << 27U, std::size_t{1} << 21U};
+    constexpr NestedLimits kToml{std::size_t{1} << 24U, std::size_t{1} << 18U,
+                                 std::size_t{1} << 24U};
+    constexpr NestedLimits kJson{std::size_t{3} << 24U, std::size_t{1} << 21U,
+                                 std::size_t{1} << 20U};
     return syntax == NestedSyntax::Toml ? kToml : kJson;
 }
 
@@ -75,9 +79,11 @@ private:
         const bool isLong = isToml_ && text_.substr(place_ - 1).starts_with(three);
         const std::string_view end = isLong ? std::string_view(three) : std::string_view(&quote, 1);
         place_ += isLong ? 2 : 0;
+        const std::size_t begin = place_;
         while (place_ < text_.size() && !text_.substr(place_).starts_with(end)) {
             if (text_[place_] == '\n') {
                 if (!isLong) {
+                    requireShort(place_ - begin);
                     return;  // never closed: the parser says so
                 }
                 ++line_;
@@ -85,6 +91,13 @@ private:
             place_ += quote == '"' && text_[place_] == '\\' ? 2 : 1;
         }
         place_ = std::min(place_ + end.size(), text_.size());
+        requireShort(place_ - begin);
+    }
+
+    void requireShort(std::size_t stringBytes) const {
+        if (stringBytes > most_.stringBytes) {
+            fail("a string of more than " + std::to_string(most_.stringBytes) + " bytes");
+        }
     }
 
     void addValue() {

@@ -1,6 +1,7 @@
 #include "core/PrivateFolder.h"
 
 #include "core/Error.h"
+#include "core/FileDescriptor.h"
 #include "core/Leftover.h"
 #include "tests/support/ScratchFolder.h"
 
@@ -8,7 +9,9 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
+#include <fcntl.h>
 #include <fstream>
+#include <sys/resource.h>
 
 namespace asperity {
 namespace {
@@ -62,6 +65,24 @@ TEST_F(PrivateFolderTest, SaysWhereItCannotBeMade) {
     } catch (const FileError& error) {
         EXPECT_THAT(error.what(), testing::HasSubstr("TMPDIR"));
     }
+}
+
+/// It left a folder for each of its tries.
+TEST_F(PrivateFolderTest, LeavesNothingWhereItCannotBeOpened) {
+    struct rlimit before {};
+    ASSERT_EQ(getrlimit(RLIMIT_NOFILE, &before), 0);
+    const FileDescriptor next(open("/dev/null", O_RDONLY | O_CLOEXEC));
+    const rlimit none{static_cast<rlim_t>(next.get() + 1), before.rlim_max};
+    ASSERT_EQ(setrlimit(RLIMIT_NOFILE, &none), 0);
+    std::string refusal;
+    try {
+        const PrivateFolder folder;
+    } catch (const FileError& error) {
+        refusal = error.what();
+    }
+    setrlimit(RLIMIT_NOFILE, &before);
+    EXPECT_EQ(refusal, scratch.path().string() + ": cannot be written: Too many open files");
+    EXPECT_TRUE(fs::is_empty(scratch.path()));
 }
 
 }  // namespace

@@ -31,5 +31,23 @@ TEST(Utf8, CutsBetweenCharacters) {
     EXPECT_EQ(utf8Start("\x80\x80", 1), "");
 }
 
+TEST(Utf8, ShortensToStartAndEnd) {
+    EXPECT_EQ(shortened("a short text", 100), "a short text");
+    std::string text = "a.sxm: SCAN_RANGE: found '";
+    for (int i = 0; i < 1000; ++i) {
+        text += "µ";
+    }
+    text += "', expected two numbers";
+    for (const std::size_t most : {100U, 101U, 102U, 103U, 1000U}) {
+        const std::string shorter = shortened(text, most);
+        EXPECT_LE(shorter.size(), most);
+        EXPECT_GE(shorter.size(), most - 2);
+        EXPECT_TRUE(isUtf8(shorter)) << shorter;
+        EXPECT_TRUE(shorter.starts_with("a.sxm: SCAN_RANGE: found 'µµ")) << shorter;
+        EXPECT_TRUE(shorter.ends_with("expected two numbers")) << shorter;
+        EXPECT_NE(shorter.find("µ … "), std::string::npos) << shorter;
+    }
+}
+
 }  // namespace
 }  // namespace asperity

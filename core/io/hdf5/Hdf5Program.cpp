@@ -1,6 +1,7 @@
 #include "core/io/hdf5/Hdf5Program.h"
 
 #include "core/Error.h"
+#include "core/PrintableText.h"
 #include "core/PrivateFolder.h"
 #include "core/ProgramRun.h"
 #include "core/io/FileBytes.h"
@@ -13,6 +14,7 @@
 #include <memory>
 #include <optional>
 #include <system_error>
+#include <utility>
 
 namespace asperity {
 
@@ -55,9 +57,10 @@ std::optional<std::filesystem::path> programIn(const std::filesystem::path& fold
 
 class Hdf5Reading {
 public:
-    Hdf5Reading(const ByteSource& file, const std::vector<std::string>& paths)
+    Hdf5Reading(const ByteSource& file, const std::vector<std::string>& paths,
+                std::filesystem::path program)
         : file_(file)
-        , program_(hdf5Reader(environmentValue("PATH")))
+        , program_(std::move(program))
         , time_(std::chrono::seconds(10 + file.size() / kSlowest))
         , arguments_{(folder_.path() / "file").string(), (folder_.path() / "content").string()} {
         arguments_.insert(arguments_.end(), paths.begin(), paths.end());
@@ -65,11 +68,7 @@ public:
 
     /// The content stays open, and has no name any more when the folder is removed.
     Hdf5Content read() {
-        if (program_.empty()) {
-            throw Error(std::string("the program ") + kProgram +
-                        ", which reads HDF5 files, is not installed beside this one");
-        }
-        copyTo(file_, arguments_[0]);
+        copyFile();
         const ProgramOutcome outcome = run();
         if (outcome.end == ProgramEnd::TimedOut) {
             fail("the program that reads HDF5 did not end within " + std::to_string(time_.count()) +
@@ -86,6 +85,22 @@ public:
     }
 
 private:
+    void copyFile() const {
+        try {
+            copyTo(file_, arguments_[0]);
+        } catch (const FileError&) {
+            throw;
+        } catch (const Error& error) {  // it names the copy
+            const std::string hidden = printable(arguments_[0]);
+            std::string message = error.what();
+            const std::size_t at = message.find(hidden);
+            if (at != std::string::npos) {
+                message.replace(at, hidden.size(), folder_.path().parent_path().string());
+            }
+            throw Error(message);
+        }
+    }
+
     [[nodiscard]] ProgramOutcome run() const {
         // A sanitizer needs addresses for all memory that there might be, and has a limit itself.
         const std::string limit =
@@ -135,7 +150,18 @@ std::filesystem::path hdf5Reader(std::string_view folders) {
 }
 
 Hdf5Content readHdf5(const ByteSource& file, const std::vector<std::string>& paths) {
-    return Hdf5Reading(file, paths).read();
+    const std::filesystem::path program = hdf5Reader(environmentValue("PATH"));
+    if (program.empty()) {
+        throw Error(std::string("the program ") + kProgram +
+                    ", which reads HDF5 files, is not installed beside this one");
+    }
+    try {
+        return Hdf5Reading(file, paths, program).read();
+    } catch (const InputError&) {
+        throw;
+    } catch (const Error& error) {  // of the folder, the copy or the program, not of the file
+        throw InputError(file.name(), "", std::string("it cannot be read: ") + error.what());
+    }
 }
 
 }  // namespace asperity

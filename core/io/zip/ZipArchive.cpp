@@ -32,11 +32,10 @@ constexpr std::uint64_t kMinBytesOfEntry = 160;
 /// Refuses an archive whose list of entries takes far more memory than the file.
 const ByteSource& withFewEntries(const ByteSource& bytes) {
     const std::uint64_t most = std::max(kAlwaysAllowedEntries, bytes.size() / kMinBytesOfEntry);
-    const std::uint64_t count = zipEntryCount(bytes);
-    if (count > most) {
+    if (zipListsMoreThan(most, bytes)) {
         throw InputError(bytes.name(), "directory of the zip archive",
-                         "it lists " + std::to_string(count) + " files; at most " +
-                             std::to_string(most) + " are expected in an archive of this size");
+                         "it lists more than " + std::to_string(most) +
+                             " files; no archive of this size has so many");
     }
     return bytes;
 }

@@ -16,7 +16,8 @@ namespace asperity {
 /// is damaged. Source: PKWARE, APPNOTE.TXT 6.3.9, sections 4.3.12 to 4.3.16.
 [[nodiscard]] std::optional<std::string> zipDirectory(const ByteSource& bytes);
 
-/// Returns how many entries the directory of a zip archive lists, up to the first that is damaged.
-[[nodiscard]] std::uint64_t zipEntryCount(const ByteSource& bytes);
+/// Returns whether the directories that a zip archive may have, by any of its end records, list
+/// more entries than that, each directory up to its first entry that is damaged.
+[[nodiscard]] bool zipListsMoreThan(std::uint64_t most, const ByteSource& bytes);
 
 }  // namespace asperity

@@ -107,6 +107,55 @@ TEST_F(CompactRun, IsConvertedOntoNoOtherRunUnasked) {
     }
 }
 
+TEST_F(CompactRun, IsNamedAsGivenWhereTheDiskIsFull) {
+    const auto full = test::runProgram("convert " + in("text") + " " + in("full") + " --format h5",
+                                       "ulimit -f 200;");
+    EXPECT_EQ(full.exitCode, 1) << full.output;
+    EXPECT_EQ(full.output.rfind("asperity: " + in("full") + "/", 0), 0U) << full.output;
+    EXPECT_THAT(full.output, HasSubstr(".csv: cannot be written: File too large\n"));
+    EXPECT_FALSE(fs::exists(scratch->file("full")));
+}
+
+/// Where too few files may be open, folders stayed, and the sentence named one that nobody knows.
+TEST_F(CompactRun, LeavesNothingWhereTooManyFilesAreOpen) {
+    const fs::path temporary = scratch->file("temporary");
+    fs::create_directory(temporary);
+    for (const std::string& call :
+         {"replay " + in("compact"), "replay " + in("text"),
+          "explore --no-pictures --duration 0.1 " + test::shippedScene("polystyrene").string()}) {
+        int refused = 0;
+        int done = 0;
+        for (int files = 4; files < 16; ++files) {
+            const auto ended = test::runProgram(call + " --out " + in("few"),
+                                                "ulimit -n " + std::to_string(files) +
+                                                    "; TMPDIR=" + temporary.string());
+            refused += ended.exitCode == 0 ? 0 : 1;
+            done += ended.exitCode == 0 ? 1 : 0;
+            EXPECT_EQ(fs::exists(scratch->file("few")), ended.exitCode == 0)
+                << files << " files: " << ended.output;
+            EXPECT_TRUE(fs::is_empty(temporary)) << files << " files: " << ended.output;
+            EXPECT_EQ(ended.output.find(".part"), std::string::npos) << ended.output;
+            fs::remove_all(scratch->file("few"));
+        }
+        EXPECT_GT(refused, 0) << call;
+        EXPECT_GT(done, 0) << call;
+    }
+}
+
+TEST_F(CompactRun, IsNamedWhereTooManyFilesAreOpenToReadIt) {
+    for (int files = 4; files < 16; ++files) {
+        const auto ended =
+            test::runProgram("convert " + in("compact") + " " + in("few") + " --format csv",
+                             "ulimit -n " + std::to_string(files) + ";");
+        fs::remove_all(scratch->file("few"));
+        if (ended.output.find("it cannot be read") != std::string::npos) {
+            EXPECT_EQ(ended.exitCode, 3) << ended.output;
+            EXPECT_THAT(ended.output, HasSubstr("compact/recording.h5: it cannot be read: "));
+            EXPECT_THAT(ended.output, HasSubstr("Too many open files"));
+        }
+    }
+}
+
 TEST_F(CompactRun, IsNotConvertedInVain) {
     const auto same = run("convert " + in("compact") + " " + in("same") + " --format h5");
     EXPECT_EQ(same.exitCode, 1);

@@ -1,5 +1,6 @@
 #include "tests/app/ProgramRun.h"
 #include "tests/support/Places.h"
+#include "tests/support/ScratchFolder.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -35,6 +36,22 @@ TEST(Info, TextSaysWhereTheNumbersOfTheDefaultChannelComeFrom) {
                   "- lateral size: 5e-07 x 5e-07 m (header, XReal and YReal)\n"
                   "- scale: 1 m per stored number (header, ZUnits)\n"
                   "- orientation: the top row is stored first (the same in every .gsf file)\n"));
+}
+
+/// 40 kB of a damaged file stood in one sentence.
+TEST(Info, QuotesNoMoreOfAFileThanCanBeRead) {
+    const test::ScratchFolder scratch;
+    const auto file =
+        scratch.write("long.gsf", "Gwyddion Simple Field 1.0\nXRes = " + std::string(40'000, 'x') +
+                                      "\nYRes = 2\n" + std::string(4, '\0'));
+    for (const std::string command : {"info ", "convert --to gwy --out-dir "}) {
+        const auto run = test::runProgram(
+            command + (command == "info " ? "" : scratch.path().string() + " ") + file.string());
+        EXPECT_EQ(run.output.rfind("asperity: " + file.string() + ": ", 0), 0U) << run.output;
+        EXPECT_LT(run.output.size(), 1100U);
+        EXPECT_THAT(run.output, HasSubstr("expected a whole number, found 'xxxxxx"));
+        EXPECT_THAT(run.output, HasSubstr("xxx … xxx"));
+    }
 }
 
 /// The mask of a scene's materials was taken for a scan whose file lacks the unit.

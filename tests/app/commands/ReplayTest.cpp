@@ -246,6 +246,23 @@ TEST_F(Replay, NamesASizeThatIsAnother) {
     EXPECT_EQ(again.output.find("first differing tick"), std::string::npos);
 }
 
+/// It was taken as it was, whatever the manifest of the recording said.
+TEST_F(Replay, RefusesASizeThatNoScanHas) {
+    std::filesystem::remove(run / "summary.json");
+    for (const char* size : {"0", "-1e-6"}) {
+        std::ofstream(run / "recording.json")
+            << R"({"format": "asperity recording", "format_version": 1, "complete": true, )"
+            << R"("recovered": false, "input": {"sha256": "", "size_x_m": 1e-6, "size_y_m": )"
+            << size << "}}";
+        const auto again = replay();
+        EXPECT_EQ(again.exitCode, 3) << again.output;
+        EXPECT_EQ(again.output,
+                  "asperity: " + (run / "recording.json").string() +
+                      ": input.size_y_m: expected the size of a scan in meters, above 0; the file "
+                      "is damaged\n");
+    }
+}
+
 /// A run on a NanoScope scan that is not square, of 30 nm x 13.3 nm, or on a part of it.
 class ReplayOfANanoscopeScan : public testing::Test {
 protected:

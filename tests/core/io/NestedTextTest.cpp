@@ -69,6 +69,18 @@ TEST(NestedText, IsRefusedWhereItHasTooManyValues) {
                 HasSubstr("expected at most 16777216"));
 }
 
+/// The parser held a string of 100 MB four times.
+TEST(NestedText, IsRefusedWhereAStringIsTooLong) {
+    EXPECT_EQ(jsonRefusal("{\"a\": \"" + std::string(1'000'000, 'x') + "\"}"), "");
+    const std::string longText = "\"" + std::string(1'100'000, 'x') + "\"";
+    for (const std::string& text : {"{\n\"a\": " + longText + "}", "{\n" + longText + ": 1}",
+                                    "\n" + longText.substr(0, longText.size() - 1)}) {
+        EXPECT_THAT(jsonRefusal(text),
+                    HasSubstr("a.json: line 2: a string of more than 1048576 bytes"));
+    }
+    EXPECT_THAT(jsonRefusal(std::string(51U << 20U, ' ')), HasSubstr("expected at most 50331648"));
+}
+
 /// The parser went down a level for each dot, until the stack was used up.
 TEST(NestedText, IsCheckedBeforeAFileIsParsed) {
     const ScratchFolder scratch;
