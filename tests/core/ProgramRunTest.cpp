@@ -155,7 +155,7 @@ TEST(ProgramRun, TheWholeGroupEndsInTime) {
     const ScratchFolder folder;
     const auto begin = std::chrono::steady_clock::now();
     const ProgramOutcome outcome = runProgram(
-        shell(folder, "sleep 100 & echo $! >child; echo $$ >self; echo begun; wait", 300ms));
+        shell(folder, "sleep 100 & echo $! >child; echo $$ >self; echo begun; wait", 3s));
     EXPECT_EQ(outcome.end, ProgramEnd::TimedOut);
     EXPECT_EQ(outcome.output, "begun\n");
     EXPECT_LT(std::chrono::steady_clock::now() - begin, 90s);
