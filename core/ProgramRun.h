@@ -16,7 +16,7 @@
 
 namespace asperity {
 
-/// What becomes of a program's standard output or errors.
+/// Where a program's standard output or errors go.
 enum class ProgramStream : std::uint8_t {
     Read,  ///< into ProgramOutcome::output
     Dropped,

@@ -162,7 +162,7 @@ void addBudgets(const CurveResult& result, std::vector<std::string>& lines) {
     for (const LandmarkRow& row : kEnumTable<Landmark>) {
         const Budget& budget = budgetOf(result.budgets, row.value);
         if (std::isfinite(budget.value)) {
-            // Of a law without range the tip jumps in at the touch, whatever the inputs.
+            // Under a law without range the tip jumps in when it touches, whatever the inputs.
             lines.push_back("  " + std::string(row.name) + " " + budgetText(budget, row.unit) +
                             (budget.value == 0.0 ? ", by the form of the law" : ""));
         }

@@ -34,7 +34,7 @@ inline constexpr auto kEnumTable<ExportFormat> =
 
 /// Whether it holds pixels.
 [[nodiscard]] constexpr bool isRaster(ExportFormat format) { return format <= ExportFormat::Tiff; }
-/// Whether it holds a picture; else the numbers that one would be drawn of.
+/// Returns whether a file of the format is a picture; if not, it has the numbers of the plot.
 [[nodiscard]] constexpr bool isDrawn(ExportFormat format) { return format <= ExportFormat::Pdf; }
 
 /// The formats that a view is written in.

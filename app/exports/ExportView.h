@@ -39,9 +39,9 @@ inline constexpr auto kEnumTable<ExportView> = std::to_array<EnumRow<ExportView>
 
 /// Whether it is the large 3-D view.
 [[nodiscard]] constexpr bool isSpatial(ExportView view) { return view <= ExportView::Section; }
-/// Whether it can be drawn.
+/// Returns true: every view can be drawn.
 [[nodiscard]] constexpr bool isPicture(ExportView /*view*/) { return true; }
-/// Whether it is a surface with values at its points.
+/// Returns whether a view is a surface with values at its points.
 [[nodiscard]] constexpr bool isField(ExportView view) { return view == ExportView::Deformation; }
 /// Whether it consists of lines and letters alone.
 [[nodiscard]] constexpr bool isPlot(ExportView view) { return view >= ExportView::Forces; }

@@ -12,14 +12,14 @@
 
 namespace asperity {
 
-/// Whether a file's extension is that of a video.
+/// Returns whether a file's extension is that of a video.
 [[nodiscard]] bool isVideo(const std::filesystem::path& file);
 /// The extensions of videos.
 [[nodiscard]] std::vector<std::string> videoExtensions();
 /// The same for people: ".mp4 or .webm".
 [[nodiscard]] std::string videoExtensionList();
 
-/// Whether ffmpeg is installed, without which there is no VideoFile.
+/// Returns whether ffmpeg is installed; a VideoFile needs it.
 [[nodiscard]] bool haveVideoEncoder();
 
 /// A video that the program ffmpeg encodes while its frames are drawn. Whole or not at all: without

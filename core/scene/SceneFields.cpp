@@ -121,7 +121,7 @@ std::vector<SceneField> truthFields() {
                 [](auto& scene) -> auto& { return scene.truth.signalNoise; }),
             at(
                 kGroup, "noise_seed", {"Noise seed", "Another seed, other random numbers"},
-                {0.0, 9e15, "be a whole number from 0 on"},
+                {0.0, 9e15, "be a whole number from 0 to 9e15"},
                 [](auto& scene) -> auto& { return scene.truth.noiseSeed; }),
             at(
                 kGroup, "temperature_k",
