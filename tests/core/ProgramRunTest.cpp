@@ -164,26 +164,6 @@ TEST(ProgramRun, TheWholeGroupEndsInTime) {
     EXPECT_TRUE(isGone(numberIn(folder.file("child"))));
 }
 
-/// Nobody would end it: its deadline is watched by the process that started it.
-TEST(ProgramRun, AProgramEndsWithTheProcessThatStartedIt) {
-    const ScratchFolder folder;
-    const pid_t starter = fork();
-    if (starter == 0) {
-        (void)runProgram(shell(folder, "echo $$ >begun; mv begun self; exec sleep 100", 100s));
-        _exit(0);
-    }
-    ASSERT_GT(starter, 0);
-    while (!std::filesystem::exists(folder.file("self"))) {
-        ASSERT_EQ(waitpid(starter, nullptr, WNOHANG), 0) << "it ended before it was killed";
-        std::this_thread::sleep_for(10ms);
-    }
-    kill(starter, SIGKILL);
-    waitpid(starter, nullptr, 0);
-    const pid_t program = numberIn(folder.file("self"));
-    EXPECT_TRUE(isGone(program));
-    kill(program, SIGKILL);  // where that failed
-}
-
 TEST(ProgramRun, WhatAProgramLeavesBehindEndsWithIt) {
     const ScratchFolder folder;
     const auto begin = std::chrono::steady_clock::now();
