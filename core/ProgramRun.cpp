@@ -314,7 +314,8 @@ void RunningProgram::takeOutput() {
     }
 }
 
-/// Returns whether the program has ended by itself. It stays a zombie, so that its number is its own.
+/// Returns whether the program has ended by itself. It stays a zombie, so that its number is its
+/// own.
 bool RunningProgram::hasEnded() {
     siginfo_t status{};
     if (waitid(P_PID, static_cast<id_t>(process_), &status, WEXITED | WNOHANG | WNOWAIT) == 0) {
