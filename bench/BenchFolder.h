@@ -6,7 +6,7 @@
 
 namespace asperity {
 
-/// A temporary folder that goes with all that is in it.
+/// A temporary folder, removed with all that is in it.
 class BenchFolder {
 public:
     BenchFolder() { std::filesystem::create_directory(path_); }

@@ -25,7 +25,7 @@ struct BenchRow {
     }
 };
 
-/// What every program of measurements takes.
+/// Options of every program of measurements.
 struct BenchOptions {
     std::string rows;    ///< file for the rows; empty: none
     bool quick = false;  ///< fewer repeats, smaller maps

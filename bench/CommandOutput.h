@@ -7,7 +7,7 @@
 
 namespace asperity {
 
-/// What a command prints to standard output.
+/// The standard output of a command.
 inline std::string outputOf(const std::string& command) {
     // NOLINTNEXTLINE(cert-env33-c): a program of a benchmark's own, run on purpose
     const std::unique_ptr<FILE, int (*)(FILE*)> pipe(popen(command.c_str(), "r"), pclose);

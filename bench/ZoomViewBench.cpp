@@ -2,10 +2,10 @@
 // beside four nearly empty QVTK widgets. Display: xvfb-run -a -s "-screen 0 1600x1000x24" PROGRAM.
 #include "bench/BenchMain.h"
 #include "bench/BenchRows.h"
+#include "core/haptics/DevicePath.h"
 #include "core/haptics/HapticLoop.h"
-#include "core/haptics/ScriptedDevice.h"
+#include "core/scene/BelievedModel.h"
 #include "core/scene/Scene.h"
-#include "core/scene/SceneTruth.h"
 #include "core/surface/synthetic/SyntheticSurface.h"
 #include "ui/view/ContactPlot.h"
 #include "ui/view/ZoomView.h"
@@ -45,7 +45,7 @@ constexpr double kWarmUp = 1.0;         // [s]
 constexpr double kDuration = 5.0;       // of one measurement [s]
 constexpr double kQuickDuration = 2.0;  // [s]
 
-/// What was measured of one way to draw.
+/// Measurements of one way to draw.
 struct Timing {
     double framesPerSecond = 0.0;
     std::vector<double> calls;  ///< time that each drawing call took, rising [s]

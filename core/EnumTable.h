@@ -10,7 +10,7 @@
 
 namespace asperity {
 
-/// All there is to say of a value of an enum in most cases.
+/// The usual row of an enum: a value with its key and name.
 template <class Value>
 struct EnumRow {
     Value value;
@@ -25,7 +25,7 @@ struct NamedRow {
     const char* name;
 };
 
-/// The rows of an enum, in the order in which lists show them; it stands beside the enum, which
+/// The rows of an enum, in the order in which lists show them; it is beside the enum, which
 /// specializes this with an array. A row has `value`, `key`, `name`, or what else there is to say.
 template <class Value>
 inline constexpr auto kEnumTable = nullptr;
@@ -43,7 +43,7 @@ inline constexpr auto kValues = [] {
     return values;
 }();
 
-/// Whether an enum has such a value: only then does the compiler know it by a name.
+/// Returns whether an enum has such a value: only then does the compiler know it by a name.
 template <auto value>
 [[nodiscard]] consteval bool isNamed() {
     constexpr std::string_view kBefore = "value = ";
@@ -51,7 +51,7 @@ template <auto value>
     return text[text.rfind(kBefore) + kBefore.size()] != '(';
 }
 
-/// Whether each value of an enum, which count from 0, has a row.
+/// Returns whether each value of an enum, which count from 0, has a row.
 template <class Value>
 [[nodiscard]] consteval bool isComplete() {
     constexpr std::size_t kRows = kEnumTable<Value>.size();
@@ -63,7 +63,7 @@ template <class Value>
     return std::is_same_v<Value, bool> || !isNamed<static_cast<Value>(kRows)>();
 }
 
-/// What the table says of a value; null where it is none of the table.
+/// Returns the row of a value; null where the table has none.
 template <HasEnumTable Value>
 [[nodiscard]] constexpr const auto* rowOf(Value value) noexcept {
     static_assert(isComplete<Value>());
@@ -75,14 +75,14 @@ template <HasEnumTable Value>
     return static_cast<decltype(kEnumTable<Value>.data())>(nullptr);
 }
 
-/// As files, logs and options call it: "near_singular".
+/// Returns its key in files, logs and options: "near_singular".
 template <HasEnumTable Value>
 [[nodiscard]] constexpr const char* keyOf(Value value) noexcept {
     const auto* const row = rowOf(value);
     return row != nullptr ? row->key : "unknown";
 }
 
-/// For people: "van der Waals tail".
+/// Returns the name for people: "van der Waals tail".
 template <HasEnumTable Value>
 [[nodiscard]] constexpr const char* nameOf(Value value) noexcept {
     const auto* const row = rowOf(value);

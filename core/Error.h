@@ -24,15 +24,14 @@ public:
     FileError(const std::string& file, const std::string& what) : Error(file + ": " + what) {}
 };
 
-/// An input that cannot be read: names the file, the place in it and what was expected there.
+/// An input that cannot be read: names the file, the location in it and what was expected there.
 class InputError : public FileError {
 public:
     /// @param file  path as the user gave it
-    /// @param place where in the file ("line 12", "[sample] youngs_modulus_pa", "byte 4096"); may
-    /// be empty
+    /// @param location "line 12", "[sample] youngs_modulus_pa", "byte 4096"; may be empty
     /// @param what  what was found and what was expected instead
-    InputError(const std::string& file, const std::string& place, const std::string& what)
-        : FileError(file, (place.empty() ? "" : place + ": ") + what) {}
+    InputError(const std::string& file, const std::string& location, const std::string& what)
+        : FileError(file, (location.empty() ? "" : location + ": ") + what) {}
 };
 
 }  // namespace asperity

@@ -12,7 +12,7 @@
 
 namespace asperity {
 
-/// Writes the latest of many values in a thread of its own: who hands one over waits for no disk,
+/// Writes the latest of many values in a thread of its own: who passes one waits for no disk,
 /// and values that come faster than the disk writes are left out. One that cannot be written is
 /// tried again, or a later one in its place, from time to time and when this ends.
 template <typename Value>
@@ -39,7 +39,7 @@ public:
         }
         waiting_.notify_one();
     }
-    /// Why values cannot be written, once until one is written again; empty: they can.
+    /// Returns why values cannot be written, once until one is written again; empty: they can.
     [[nodiscard]] std::string takeFailure() {
         const std::lock_guard lock(mutex_);
         return std::exchange(failure_, {});

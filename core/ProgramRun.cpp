@@ -48,7 +48,7 @@ Pipe openPipe(const ProgramCall& call) {
     return pipe;
 }
 
-/// Pointers to texts, as exec takes them.
+/// Pointers to texts, for exec.
 std::vector<char*> pointersTo(std::vector<std::string>& texts) {
     std::vector<char*> pointers;
     pointers.reserve(texts.size() + 1);
@@ -75,7 +75,7 @@ struct Start {
 };
 
 /// Ends this process with the one that started it, however that ends: the kernel does, when the
-/// thread ends that started it. Where that is gone already, returns false with `errno` ESRCH.
+/// thread ends that started it. Where that has ended already, returns false with `errno` ESRCH.
 bool endWith(pid_t starter, int signal) {
     if (prctl(PR_SET_PDEATHSIG, signal) != 0) {
         return false;
@@ -97,7 +97,7 @@ void resetSignals() {
     sigprocmask(SIG_SETMASK, &none, nullptr);
 }
 
-/// The program's streams and the place for a failure alone stay open. Streams 0 to 2 are open in
+/// The program's streams and the one for a failure alone stay open. Streams 0 to 2 are open in
 /// this process before (openClosedStandardStreams()), so that a file has the number of a stream
 /// only where it is that stream or the last one.
 /// @param failure is moved behind the streams
@@ -184,11 +184,12 @@ int failureOf(const FileDescriptor& failure) {
     return read(failure.get(), &error, sizeof error) == sizeof error ? error : 0;
 }
 
-void limit(pid_t process, __rlimit_resource resource, std::uint64_t most) {
+/// @param grace between the bound that a signal reports and the one that ends the process
+void limit(pid_t process, __rlimit_resource resource, std::uint64_t most, std::uint64_t grace = 0) {
     struct rlimit now {};
     if (prlimit(process, resource, nullptr, &now) == 0) {
         const rlimit lower{std::min<rlim_t>(now.rlim_cur, most),
-                           std::min<rlim_t>(now.rlim_max, most)};
+                           std::min<rlim_t>(now.rlim_max, most + grace)};
         (void)prlimit(process, resource, &lower, nullptr);
     }
 }
@@ -196,8 +197,11 @@ void limit(pid_t process, __rlimit_resource resource, std::uint64_t most) {
 /// Within the first moments of the program; it has not read its input by then.
 void bound(pid_t process, const ProgramCall& call) {
     // With this program the kernel ends that one alone: what it has started ends by this limit.
-    const auto seconds = std::chrono::ceil<std::chrono::seconds>(call.deadline - Clock::now());
-    limit(process, RLIMIT_CPU, static_cast<std::uint64_t>(std::max<long>(seconds.count(), 0)) + 1);
+    const auto left = std::chrono::ceil<std::chrono::seconds>(call.deadline - Clock::now());
+    const long seconds =
+        std::min(std::max<long>(left.count(), 0) + 1, call.maxProcessorTime.count());
+    // The first bound ends it by SIGXCPU, which says why; the second does where it ignores that.
+    limit(process, RLIMIT_CPU, static_cast<std::uint64_t>(seconds), 1);
     limit(process, RLIMIT_FSIZE, call.maxFile);
     limit(process, RLIMIT_AS, call.maxMemory);
     limit(process, RLIMIT_CORE, 0);
@@ -333,7 +337,9 @@ ProgramOutcome RunningProgram::outcome(ProgramEnd reason) {
     const int status = end();
     ProgramOutcome outcome{.end = reason, .output = std::move(text_)};
     if (reason == ProgramEnd::Exited) {
-        outcome.end = WIFEXITED(status) ? ProgramEnd::Exited : ProgramEnd::Killed;
+        outcome.end = WIFEXITED(status)             ? ProgramEnd::Exited
+                      : WTERMSIG(status) == SIGXCPU ? ProgramEnd::TimedOut
+                                                    : ProgramEnd::Killed;
         outcome.exitCode = WIFEXITED(status) ? WEXITSTATUS(status) : 0;
     }
     return outcome;

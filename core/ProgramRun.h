@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/FileDescriptor.h"
+#include "core/GrowingFile.h"
 
 #include <chrono>
 #include <csignal>
@@ -16,7 +16,7 @@
 
 namespace asperity {
 
-/// Where a program's standard output or errors go.
+/// Destination of a program's standard output or errors.
 enum class ProgramStream : std::uint8_t {
     Read,  ///< into ProgramOutcome::output
     Dropped,
@@ -35,6 +35,9 @@ struct ProgramCall {
     bool hasReplies = false;  ///< its descriptor 3 is open, and what it writes there is read, too
     int endSignal = SIGKILL;  ///< that ends it when this process no longer needs it, or has ended
     std::chrono::steady_clock::time_point deadline = std::chrono::steady_clock::time_point::max();
+    /// It and each that it starts may compute for: unlike the deadline it does not depend on what
+    /// else the machine does.
+    std::chrono::seconds maxProcessorTime = std::chrono::seconds::max();
     std::uint64_t maxOutput = std::uint64_t{1} << 20U;  ///< that is read [bytes]
     std::uint64_t maxFile = std::uint64_t{1} << 31U;    ///< each that it writes [bytes]
     std::uint64_t maxMemory = std::uint64_t{1} << 33U;  ///< its address space [bytes]
@@ -47,15 +50,15 @@ struct ProgramCall {
 
 enum class ProgramEnd : std::uint8_t {
     Exited,
-    Killed,  ///< by a signal, as when it crashed or wrote too large a file
-    TimedOut,
+    Killed,    ///< by a signal, as when it crashed or wrote too large a file
+    TimedOut,  ///< at its deadline, or with its processor time used up
     WroteTooMuch
 };
 
 struct ProgramOutcome {
     ProgramEnd end = ProgramEnd::Exited;
     int exitCode = 0;    ///< of one that exited
-    std::string output;  ///< what was read of it, as it came
+    std::string output;  ///< read so far, unchanged
 };
 
 /// A program that was started without a shell, in a process group of its own. No process of the
@@ -81,7 +84,7 @@ public:
     /// @return how it ended, by itself or at a bound of its call; then this is not called again
     /// @throw Error when it cannot be waited for
     [[nodiscard]] std::optional<ProgramOutcome> look();
-    /// What was read of it until now.
+    /// Returns the output that was read until now.
     [[nodiscard]] const std::string& output() const { return text_; }
 
 private:
@@ -94,7 +97,7 @@ private:
     ProgramCall call_;
     FileDescriptor input_{-1};
     FileDescriptor output_{-1};       ///< -1: nothing more comes
-    std::chrono::milliseconds look_;  ///< how long to wait for what comes
+    std::chrono::milliseconds look_;  ///< wait for input
     std::string text_;
     pid_t process_ = -1;
 };
@@ -103,7 +106,7 @@ private:
 /// @throw Error when it cannot be started or waited for
 [[nodiscard]] ProgramOutcome runProgram(const ProgramCall& call);
 
-/// Whether a path leads to a file that this process may run.
+/// Returns whether a path leads to a file that this process may run.
 [[nodiscard]] bool isProgram(const std::filesystem::path& path);
 /// Returns the first program of this name in folders that a list names, as PATH does; empty: none.
 /// A folder that is not absolute is left out: it would depend on the one that the user is in.

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "core/AllowedCores.h"
 #include "core/Progress.h"
 
 #include <algorithm>
@@ -12,10 +11,14 @@
 
 namespace asperity {
 
-/// How much of the work that several threads share is done, as its Progress is told.
+/// Cores that this process may use, at least 1: a launcher such as mpirun binds its processes to
+/// some of the machine's.
+[[nodiscard]] int allowedCores() noexcept;
+
+/// Reports to a Progress how much of the work that several threads share is done.
 class ShareReport {
 public:
-    /// @param progress may be null; is told on this thread alone
+    /// @param progress may be null; is used on this thread alone
     /// @param done pieces, of `count`; all must outlive this
     ShareReport(Progress* progress, const std::atomic<int>& done, int count)
         : progress_(progress), done_(done), count_(count) {}
@@ -41,7 +44,7 @@ private:
 /// ten times a second.
 class CancelCheck {
 public:
-    /// Of work that nothing cancels.
+    /// Makes a check for work that nothing cancels.
     CancelCheck() = default;
     /// @param asked may be null; is asked on this thread alone @param ended what all threads share
     /// @param report of the thread that asks, else null; all must outlive this
@@ -79,7 +82,7 @@ inline void waitFor(std::future<void>& share, const CancelCheck& check) {
 
 /// Calls work(index, check) for 0..count - 1. Work that takes long calls `check`, a const
 /// CancelCheck&, now and then.
-/// @param progress may be null; told and asked by the calling thread alone
+/// @param progress may be null; used by the calling thread alone
 /// @param most threads; 0: as many as the process may use cores
 /// @throw Canceled, what work throws
 template <class Work>

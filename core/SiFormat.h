@@ -9,7 +9,7 @@
 
 namespace asperity {
 
-/// A unit with its SI prefix, and the factor that takes an SI value there.
+/// A unit with its SI prefix, and the factor from an SI value to it.
 struct SiScale {
     double factor = 1.0;  ///< shown value = factor * SI value
     std::string unit;     ///< "nm", "µN"; UTF-8
@@ -23,7 +23,7 @@ struct SiScale {
                                                               "",  "k", "M", "G", "T"};
     int power = 0;
     if (std::isfinite(magnitude) && magnitude != 0.0) {
-        // 999.5 and above read "1000" with three digits: they take the next prefix.
+        // 999.5 and above read "1000" with three digits: they get the next prefix.
         const double digits = std::log10(std::abs(magnitude) * (1000.0 / 999.5));
         power = std::clamp(static_cast<int>(std::floor(digits / 3.0)), kMin,
                            kMin + static_cast<int>(kPrefixes.size()) - 1);

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <cstring>
 
-/// A function compiled twice, for any x86-64 processor and for those with AVX2; the loader picks.
-/// What it calls must be inlined into it. Not for sanitizers: they are not yet at work when the
+/// Compiles a function twice, for any x86-64 processor and for those with AVX2; the loader picks.
+/// All that it calls must be inlined into it. Not for sanitizers: they are not yet at work when the
 /// loader picks.
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) &&                             \
     !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
@@ -37,7 +37,7 @@ ASPERITY_INLINE double least(double a, double b) { return std::min(a, b); }
 ASPERITY_INLINE double most(double a, double b) { return std::max(a, b); }
 ASPERITY_INLINE double magnitude(double a) { return std::abs(a); }
 
-/// As many elements as the vector has lanes, from anywhere.
+/// Loads as many elements as the vector has lanes, from anywhere.
 template <class Vector, class Element>
 ASPERITY_INLINE Vector loaded(const Element* from) {
     Vector vector;

@@ -1,5 +1,5 @@
 // Force curve of a silicon tip on polystyrene: where it snaps in, how hard it must be pulled off.
-#include "core/contact/Material.h"
+#include "core/contact/ContactState.h"
 #include "core/contact/laws/ContactModel.h"
 #include "core/contact/laws/ForceCurve.h"
 

@@ -3,7 +3,7 @@
 #include "core/haptics/VirtualRun.h"
 #include "core/io/loading/SceneOnSample.h"
 #include "core/io/scene/SceneFile.h"
-#include "core/scene/SceneTruth.h"
+#include "core/scene/BelievedModel.h"
 
 #include <cmath>
 #include <cstdio>

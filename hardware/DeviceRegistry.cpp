@@ -1,9 +1,10 @@
 #include "hardware/DeviceRegistry.h"
 
-#include "hardware/hid/HidList.h"
-#include "hardware/piloted/PilotedDrivers.h"
-#include "hardware/spacemouse/SpaceMouseDriver.h"
-#include "hardware/woodenhaptics/WoodenHapticsDriver.h"
+#include "core/haptics/bench/VirtualBench.h"
+#include "core/haptics/device/HapticDevice.h"
+#include "hardware/hid/HidapiTransport.h"
+#include "hardware/spacemouse/SpaceMouse.h"
+#include "hardware/woodenhaptics/WoodenHaptics.h"
 
 #include <algorithm>
 #include <array>
@@ -35,6 +36,35 @@ std::vector<DeviceDescription> listDevices(const DeviceSite& site) {
         add(std::move(device), nullptr);
     }
     return all;
+}
+
+const DeviceDriver& pointerDriver() {
+    static const DeviceDriver driver{
+        .key = "window",
+        .label = "Mouse and keyboard",
+        .senses = {"x", "y", "z", "buttons"},
+        .list = [](const DeviceSite&) -> std::vector<ListedDevice> {
+            return {{.name = "mouse and keyboard"}};
+        },
+        .open = [](const DeviceSite& site) -> std::unique_ptr<HapticDevice> {
+            return std::make_unique<PointerDevice>(site.start);
+        }};
+    return driver;
+}
+
+const DeviceDriver& simulatedDriver() {
+    static const DeviceDriver driver{
+        .key = "simulated",
+        .label = "Simulated device",
+        .senses = {"x", "y", "z"},
+        .rendersForce = true,
+        .list = [](const DeviceSite&) -> std::vector<ListedDevice> {
+            return {{.name = "simulated device"}};
+        },
+        .open = [](const DeviceSite&) -> std::unique_ptr<HapticDevice> {
+            return std::make_unique<SimulatedDevice>(Vector3::Zero());
+        }};
+    return driver;
 }
 
 }  // namespace asperity

@@ -16,8 +16,14 @@ struct DeviceDescription : ListedDevice {
     const DeviceDriver* driver = nullptr;  ///< null: none knows the device
 };
 
-/// What each driver lists, driver by driver; then the HID devices that no driver knows.
+/// Lists the devices of each driver, driver by driver; then the HID devices that no driver knows.
 /// @throw Error when the system cannot list them
 [[nodiscard]] std::vector<DeviceDescription> listDevices(const DeviceSite& site);
+
+/// Returns the driver of mouse and keyboard themselves.
+[[nodiscard]] const DeviceDriver& pointerDriver();
+
+/// Returns the driver of the simulated haptic device, which mouse and keyboard pilot.
+[[nodiscard]] const DeviceDriver& simulatedDriver();
 
 }  // namespace asperity

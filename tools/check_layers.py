@@ -4,166 +4,125 @@ that no rule names, and on folders that include each other in a circle.
 Usage: check_layers.py [TREE]"""
 
 import collections
+import functools
+import graphlib
 import pathlib
 import re
 import sys
 
-# folder -> folders that its sources may include besides itself; "core/io/": with all below it.
-# A new folder is a new line: a rule holds for the folder that it names, for none below.
-CONTACT = "core core/surface/"
-LAWS = f"{CONTACT} core/contact core/contact/numerics"
-PROBE = f"{CONTACT} core/contact/"
-SCENE = f"{PROBE} core/probe"
-LOOP = f"{SCENE} core/scene core/realtime"
-ENGINE = f"{LOOP} core/deformation core/haptics/"
-MODEL = f"{ENGINE} core/fidelity"
-FILES = "core core/io"
-READERS = f"{FILES} core/surface/ core/io/heightmap"
-RUNS = f"{SCENE} core/scene core/haptics/ core/io core/io/tables"
-DRIVER = f"{MODEL} core/io/scene core/words hardware/driver hardware/hid"
-WINDOW = f"{MODEL} core/studies/ core/words vtkplugins/ ui"
-BELOW_APP = "core/ vtkplugins/ hardware/ ui/"
-PRODUCT = f"{BELOW_APP} app/"
-BENCH = f"{PRODUCT} tests/ tools/"
-TESTS = f"{BENCH} bench/"
-RULES = {
+# folder -> the folders on which it stands: it includes these, and all on which they stand. "a/*": each
+# folder right in a that has no line of its own; none includes another one, or is included but by name.
+ARROWS = {
     "core": "",
     "core/realtime": "core",
-    "core/surface": "core",
     "core/curves": "core",
-    "core/surface/closest": "core core/surface",
-    "core/surface/deformation": "core core/surface core/surface/closest",
-    "core/surface/fit": "core core/surface",
-    "core/surface/imaging": "core core/surface",
-    "core/surface/leveling": "core core/surface",
-    "core/surface/measure": "core core/surface core/surface/fit",
-    "core/surface/nurbs": "core core/surface core/surface/closest",
-    "core/surface/synthetic": "core core/surface",
-    "core/surface/sample": "core core/surface core/surface/closest core/surface/nurbs",
-    "core/contact": CONTACT,
-    "core/contact/numerics": CONTACT,
-    "core/contact/halfspace": CONTACT,
-    "core/contact/maugis": LAWS,
-    "core/contact/laws": f"{LAWS} core/contact/maugis",
-    "core/contact/displacement": f"{LAWS} core/contact/laws",
-    "core/probe": PROBE,
-    "core/scene": SCENE,
-    "core/deformation": f"{SCENE} core/scene",
-    "core/map": f"{SCENE} core/scene core/uncertainty",
-    "core/uncertainty": f"{SCENE} core/scene core/haptics/cycle",
-    "core/haptics/cycle": LOOP,
-    "core/haptics/device": LOOP,
-    "core/haptics/governor": LOOP,
-    "core/haptics/mapping": LOOP,
-    "core/haptics/fixtures": f"{LOOP} core/haptics/mapping",
-    "core/haptics/coupling": f"{LOOP} core/haptics/device core/haptics/mapping",
-    "core/haptics": f"{LOOP} core/haptics/device core/haptics/governor core/haptics/mapping"
-                    " core/haptics/fixtures core/haptics/coupling core/haptics/cycle",
-    "core/haptics/bench": f"{LOOP} core/haptics core/haptics/device",
-    "core/haptics/blackbox": f"{LOOP} core/haptics",
-    "core/experiment": f"{LOOP} core/haptics/",
-    "core/fidelity": f"{ENGINE} core/map",
-    "core/studies": MODEL,
-    "core/studies/extremes": f"{MODEL} core/studies",
+    "core/surface": "core",
+    "core/surface/closest": "core/surface",
+    "core/surface/deformation": "core/surface/closest",
+    "core/surface/fit": "core/surface",
+    "core/surface/imaging": "core/surface",
+    "core/surface/leveling": "core/surface",
+    "core/surface/measure": "core/surface/fit",
+    "core/surface/nurbs": "core/surface/closest",
+    "core/surface/synthetic": "core/surface",
+    "core/surface/sample": "core/surface/nurbs",
+    "core/contact": "core",
+    "core/contact/numerics": "core",
+    "core/contact/halfspace": "core",
+    "core/contact/maugis": "core/contact core/contact/numerics",
+    "core/contact/laws": "core/contact/maugis",
+    "core/contact/displacement": "core/contact/laws core/surface",
+    "core/probe": "core/contact/laws core/surface/sample",
+    "core/scene": "core/contact/displacement core/probe core/surface/deformation core/surface/imaging"
+                  " core/surface/leveling core/surface/measure core/surface/synthetic",
+    "core/deformation": "core/contact/halfspace core/scene",
+    "core/haptics/cycle": "core/scene",
+    "core/haptics/device": "core/realtime core/scene",
+    "core/haptics/governor": "core/scene",
+    "core/haptics/mapping": "core/scene",
+    "core/haptics/fixtures": "core/haptics/mapping",
+    "core/haptics/coupling": "core/haptics/device core/haptics/mapping",
+    "core/haptics": "core/haptics/coupling core/haptics/cycle core/haptics/fixtures core/haptics/governor",
+    "core/haptics/bench": "core/haptics/device",
+    "core/haptics/blackbox": "core/haptics",
+    "core/uncertainty": "core/haptics/cycle",
+    "core/map": "core/uncertainty",
+    "core/experiment": "core/haptics core/haptics/bench",
+    "core/fidelity": "core/deformation core/haptics core/map",
+    "core/studies": "core/fidelity",
+    "core/studies/extremes": "core/fidelity core/haptics/bench",
+    "core/words": "core/fidelity",
     "core/io": "core",
-    "core/io/tables": FILES,
-    "core/io/curves": f"{FILES} core/curves core/io/heightmap",
-    "core/io/fields": f"{FILES} core/surface/",
-    "core/io/hdf5": FILES,
-    "core/io/hdf5/reader": f"{FILES} core/io/hdf5",
-    "core/io/zip": FILES,
-    "core/io/heightmap": f"{FILES} core/surface/",
-    "core/io/heightmap/bcr": READERS,
-    "core/io/heightmap/digitalsurf": READERS,
-    "core/io/heightmap/exr": READERS,
-    "core/io/heightmap/gsf": READERS,
-    "core/io/heightmap/gwy": READERS,
-    "core/io/heightmap/gwyddion": READERS,
-    "core/io/heightmap/igor": READERS,
-    "core/io/heightmap/jpk": f"{READERS} core/io/heightmap/tiff",
-    "core/io/heightmap/jpkarchive": f"{READERS} core/io/heightmap/jpk core/io/zip",
-    "core/io/heightmap/nanonis": READERS,
-    "core/io/heightmap/nanoscope": READERS,
-    "core/io/heightmap/nanosurf": READERS,
-    "core/io/heightmap/nexus": f"{READERS} core/io/hdf5",
-    "core/io/heightmap/park": f"{READERS} core/io/heightmap/tiff",
-    "core/io/heightmap/picoview": READERS,
-    "core/io/heightmap/png": READERS,
-    "core/io/heightmap/sdf": READERS,
-    "core/io/heightmap/text": READERS,
-    "core/io/heightmap/tiff": READERS,
-    "core/io/heightmap/vti": READERS,
-    "core/io/heightmap/wsxm": READERS,
-    "core/io/heightmap/x3p": f"{READERS} core/io/zip",
-    "core/io/materials": f"{SCENE} core/scene core/io core/io/heightmap",
-    "core/io/loading": f"{SCENE} core/scene core/io core/io/heightmap core/io/materials",
-    "core/io/scene": RUNS,
-    "core/io/experiment": f"{RUNS} core/experiment core/io/scene",
-    "core/io/recording": f"{RUNS} core/io/hdf5",
-    "core/words": "core/",
-    "vtkplugins/module": MODEL,
-    "vtkplugins/io": f"{MODEL} core/io/heightmap",
-    "vtkplugins/paraview/module": f"{MODEL} core/map core/io core/io/heightmap core/io/loading"
-                                  " core/io/scene vtkplugins/module",
-    "vtkplugins/pictures": f"{MODEL} vtkplugins/module",
-    "hardware/driver": f"{MODEL} core/io/scene core/words",
-    "hardware/hid": f"{MODEL} core/io/scene core/words hardware/driver",
-    "hardware/piloted": DRIVER,
-    "hardware/spacemouse": DRIVER,
-    "hardware/woodenhaptics": DRIVER,
-    "hardware": f"{DRIVER} hardware/",
-    "ui": f"{MODEL} core/studies/ core/words vtkplugins/",
-    "ui/help": f"{WINDOW} ui/panels ui/view",
-    "ui/panels": f"{WINDOW} core/uncertainty",
-    "ui/view": WINDOW,
-    "ui/measure": f"{WINDOW} core/map core/uncertainty ui/panels",
-    "ui/playback": f"{WINDOW} ui/panels ui/measure",
-    "ui/experiment": f"{WINDOW} ui/panels ui/measure",
-    "ui/window": f"{WINDOW} ui/help ui/panels ui/view",
-    "app/program": "core/",
-    "app/runs": "core/ app/program",
-    "app/recording": "core/ app/program app/runs",
-    "app/loading": "core/ app/program app/runs app/recording",
-    "app/reports/page": "core/ vtkplugins/pictures",
-    "app/reports": f"{BELOW_APP} app/program app/runs",
-    "app/exports": f"{BELOW_APP} app/program app/runs app/reports app/recording app/loading",
-    "app/experiment": f"{BELOW_APP} app/program app/runs app/recording app/loading app/exports",
-    "app/maps": f"{BELOW_APP} app/program app/exports",
-    "app/session": f"{BELOW_APP} app/program app/runs app/reports app/recording app/loading"
-                   " app/exports app/experiment app/maps",
-    "app/commands": f"{BELOW_APP} app/program app/runs app/reports/ app/recording app/loading"
-                    " app/exports app/experiment app/maps app/session",
-    "app/reports/run": f"{BELOW_APP} app/program app/runs app/reports app/reports/page",
-    "app": PRODUCT,  # main
-}
-RULES |= {f"tests/{folder}": TESTS for folder in RULES} | {
-    "tests/app/window": TESTS,
-    "tests/bench": TESTS,
-    "tests/bench/scaling": TESTS,
-    "tests/fuzz": TESTS,
-    "tests/support": TESTS,
-    "tests/vtkplugins": TESTS,
-    "bench": BENCH,
-    "bench/contact": f"{BENCH} bench",
-    "bench/fidelity": f"{BENCH} bench",
-    "bench/haptics": f"{BENCH} bench",
-    "bench/io": f"{BENCH} bench",
-    "bench/map": f"{BENCH} bench",
-    "bench/probe": f"{BENCH} bench",
-    "bench/program": f"{BENCH} bench",
-    "bench/scaling": f"{BENCH} bench bench/surface",
-    "bench/surface": f"{BENCH} bench",
-    "tools/samples": PRODUCT,
-    "tools/screenshots": PRODUCT,
-    "examples": "core/",
+    "core/io/tables": "core/io",
+    "core/io/zip": "core/io",
+    "core/io/hdf5": "core/io",
+    "core/io/hdf5/reader": "core/io/hdf5",
+    "core/io/fields": "core/surface/deformation",
+    "core/io/heightmap": "core/io core/surface",
+    "core/io/heightmap/*": "core/io/heightmap",
+    "core/io/heightmap/jpk": "core/io/heightmap/tiff",
+    "core/io/heightmap/jpkarchive": "core/io/heightmap/jpk core/io/zip",
+    "core/io/heightmap/nexus": "core/io/heightmap core/io/hdf5",
+    "core/io/heightmap/park": "core/io/heightmap/tiff",
+    "core/io/heightmap/x3p": "core/io/heightmap core/io/zip",
+    "core/io/curves": "core/curves core/io/heightmap",
+    "core/io/materials": "core/io/heightmap core/scene",
+    "core/io/loading": "core/io/materials",
+    "core/io/scene": "core/haptics core/io/tables",
+    "core/io/experiment": "core/experiment core/io/scene",
+    "core/io/recording": "core/haptics core/io/hdf5 core/io/tables",
+    "vtkplugins/module": "core/surface/deformation",
+    "vtkplugins/io": "core/io/heightmap core/surface/deformation",
+    "vtkplugins/pictures": "vtkplugins/module",
+    "vtkplugins/paraview/module": "core/deformation core/io/loading core/io/scene core/map vtkplugins/module",
+    "hardware/driver": "core/haptics/device core/words",
+    "hardware/*": "hardware/driver",
+    "hardware/spacemouse": "hardware/hid",
+    "hardware/woodenhaptics": "core/io/scene hardware/hid",
+    "hardware": "core/haptics/bench hardware/piloted hardware/spacemouse hardware/woodenhaptics",
+    "ui/widgets": "core/words vtkplugins/pictures",
+    "ui/plot": "ui/widgets",
+    "ui/view": "ui/plot",
+    "ui/shell": "ui/view",
+    "app/program": "core/io core/words",
+    "app/runs": "app/program core/haptics/blackbox core/io/recording core/io/scene",
+    "app/recording": "app/runs core/io/heightmap core/io/zip",
+    "app/loading": "app/recording core/io/loading",
+    "app/charts": "core/io vtkplugins/pictures",
+    "app/reports": "app/charts app/runs core/io/fields core/studies core/studies/extremes ui/view",
+    "app/reports/page": "app/charts",
+    "app/reports/run": "app/reports app/reports/page",
+    "app/exports": "app/loading app/reports vtkplugins/io",
+    "app/experiment": "app/exports core/io/experiment",
+    "app/maps": "app/exports core/io/heightmap/exr core/io/heightmap/gwy core/io/heightmap/vti",
+    "app/window/live": "ui/shell",
+    "app/window": "app/exports app/window/live",
+    "app/window/*": "app/window",
+    "app/window/curve": "app/window core/io/curves",
+    "app/window/device": "app/window hardware",
+    "app/window/map": "app/maps app/window",
+    "app/window/study": "app/experiment app/window hardware/driver",
+    "app/window/lab": "app/window/curve app/window/device app/window/export app/window/fidelity"
+                      " app/window/map app/window/measure app/window/recording app/window/scene"
+                      " app/window/session app/window/study",
+    "app/commands": "app/reports/run app/window/lab",
+    "app": "app/commands",  # main
+    "tools/samples": "app",
+    "tools/screenshots": "app",
+    "examples": "core/fidelity core/io/loading core/io/scene core/studies",
     "cmake": "",  # sources that CMake adds to programs
 }
+# folders that include whatever they measure or test; beside them each folder of the product has its tests
+FREE = re.compile(r"bench(/(contact|fidelity|haptics|io|map|probe|program|scaling|surface))?"
+                  r"|tests/(bench(/scaling)?|fuzz|support|vtkplugins)")
 
 # headers of others that belong to some places only
 FOREIGN = {
     r"mpi\.h": "app/maps",
     r"(vtk|QVTK)": "vtkplugins/ ui/ bench/ tests/ tools/",
-    r"Q[A-Z]": "ui/ app/exports app/session app/commands app/reports/page bench/ tests/ tools/",
+    r"(Q[A-Z]|Qt|q[a-z]+\.h|qwt_)": "ui/ app/charts app/exports app/window/ app/commands app/reports/ bench/ tests/"
+               " tools/",
+    r"(thread|mutex|fstream)$": "core/ app/ hardware/ vtkplugins/ bench/ tests/ tools/ examples/",
     r"hidapi": "hardware/ tests/",
     r"(Imf|OpenEXR)": "core/io/heightmap/ core/io/fields bench/ tests/",
     r"(tiff|png)": "core/io/heightmap/ app/ tests/",
@@ -176,8 +135,32 @@ FOREIGN = {
     r"CLI/": "app/ bench/ tests/ tools/",
 }
 GENERATED = {"vtkAsperityModule.h", "vtkAsperityParaViewModule.h"}  # by CMake, included by its name alone
-SOURCES = {".h", ".hpp", ".inl", ".c", ".cc", ".cpp", ".cxx"}
-INCLUDE = re.compile(r'^\s*#\s*include\b\s*(?:(["<])([^">]+)[">])?')
+SOURCES = {".h", ".hpp", ".inl", ".tpp", ".ipp", ".c", ".cc", ".cpp", ".cxx"}
+# Other ways of writing it (import, %:, a broken line) name no file that this reads, and are refused.
+INCLUDE = re.compile(r'^\s*(?:#|%:)\s*(?:include(?:_next)?\b\s*(?:(["<])([^">]+)[">])?|import\b|in[a-z]*\\$)')
+COMMENT = re.compile(r"/\*.*?\*/")
+
+
+def line_of(folder):
+    """The folders on which this one stands; None: no line names it."""
+    line = ARROWS.get(folder, ARROWS.get(folder.rpartition("/")[0] + "/*"))
+    return None if line is None else line.split()
+
+
+@functools.cache
+def beneath(folder):
+    """All folders that this one may include."""
+    return set(line_of(folder)).union(*map(beneath, line_of(folder)))
+
+
+def is_free(folder):
+    """Whether a folder may include all others."""
+    tested = re.sub("^tests/", "", folder)
+    return bool(FREE.fullmatch(folder)) or (tested != folder and line_of(tested) is not None)
+
+
+def is_known(folder):
+    return is_free(folder) or line_of(folder) is not None
 
 
 def is_in(folder, places):
@@ -197,7 +180,7 @@ def sources_of(tree):
 def includes_of(file):
     """(line number, is quoted, target or None) of each include."""
     for number, line in enumerate(file.read_text(errors="replace").splitlines(), 1):
-        match = INCLUDE.match(line)
+        match = INCLUDE.match(COMMENT.sub("", line))
         if match:
             yield number, match.group(1) == '"', match.group(2)
 
@@ -212,18 +195,18 @@ def fault_of(tree, own, quoted, target):
         places = next((p for start, p in FOREIGN.items() if re.match(start, target)), None)
         return None if places is None or is_in(own, places) else f"{target} belongs to {places}"
     other, _, name = target.rpartition("/")
-    if other not in RULES or not (tree / target).is_file() or not quoted:
+    if not is_known(other) or not (tree / target).is_file() or not quoted:
         return f'no source "{target}": quote its path from the top folder'
     if pathlib.Path(name).suffix not in SOURCES:
         return f"{target} has no suffix of a source"
-    if other != own and not is_in(other, RULES[own]):
+    if other != own and not is_free(own) and other not in beneath(own):
         return f"{own} must not include {other}"
     return None
 
 
 def violations(tree, name):
     own = name.rpartition("/")[0]
-    if own not in RULES:
+    if not is_known(own):
         yield f"{name}: no rule names this folder"
         return
     for number, quoted, target in includes_of(tree / name):
@@ -232,44 +215,26 @@ def violations(tree, name):
             yield f"{name}:{number}: {fault}"
 
 
-def folder_graph(tree, names):
-    """folder -> {folder that it includes: the first include that does}"""
-    graph = collections.defaultdict(dict)
+def circle(tree, names):
+    """One sentence where folders include each other in a circle."""
+    graph = collections.defaultdict(dict)  # folder -> {folder that it includes: the first include that does}
     for name in names:
         own = name.rpartition("/")[0]
         for number, quoted, target in includes_of(tree / name):
-            other = target.rpartition("/")[0] if quoted else None
-            if other and other != own:
+            other = target.rpartition("/")[0] if quoted and target else own
+            if other != own:
                 graph[own].setdefault(other, f"{name}:{number}")
-    return graph
-
-
-def circles(graph):
-    """One sentence for each pair of folders that reach each other, by their shortest way back."""
-    for start in sorted(graph):
-        way = {start: None}
-        queue = collections.deque([start])
-        while queue:
-            folder = queue.popleft()
-            for other in graph.get(folder, {}):
-                if other not in way:
-                    way[other] = folder
-                    queue.append(other)
-        for back in sorted(f for f in way if start in graph.get(f, {}) and f != start):
-            steps = [start]
-            folder = back
-            while folder:
-                steps.insert(1, folder)
-                folder = way[folder] if way[folder] != start else None
-            if start == min(steps):
-                yield (f"{graph[back][start]}: folders include each other in a circle: "
-                       f"{' -> '.join(steps)} -> {start}")
+    try:
+        graphlib.TopologicalSorter(graph).prepare()
+    except graphlib.CycleError as error:
+        way = error.args[1][::-1]
+        yield f"{graph[way[0]][way[1]]}: folders include each other in a circle: {' -> '.join(way)}"
 
 
 def main(tree):
     names = list(sources_of(tree))
     found = [line for name in names for line in violations(tree, name)]
-    found += circles(folder_graph(tree, names))
+    found += circle(tree, names)
     print("\n".join(found) if found else f"{len(names)} files keep to the layers")
     return 1 if found or not names else 0
 

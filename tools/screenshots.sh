@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Makes pictures in docs/pictures anew: of the live window, from the scene that comes with the
+# Makes the pictures of docs/pictures again: of the live window, from the scene that comes with the
 # program, or from the scan named, in both window sizes of docs/window.md, of its fidelity panel and
 # with the simulated device; of the first window, measuring, dark, and on a large screen; of cycles;
 # and of deformed surfaces, docs/deformation.md, on samples made up for them.

@@ -68,7 +68,7 @@ configure() {
 stage "configuring the gates" configure
 stage "sources alone" "$top/tools/compile_alone.py" "$top/build/dev"
 stage "building release" "$top/tools/build.sh" release
-stage "building benchmarks" "$top/tools/build.sh" release asperity_benchmarks
+stage "building benchmarks, pictures" "$top/tools/build.sh" release asperity_benchmarks asperity_picture_tools
 stage "building asan-gate" "$top/tools/build.sh" asan-gate asperity_gate
 stage "building tsan-gate" "$top/tools/build.sh" tsan-gate asperity_gate
 

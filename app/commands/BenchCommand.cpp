@@ -1,12 +1,10 @@
-#include "app/commands/BenchCommand.h"
-
+#include "app/commands/Commands.h"
 #include "app/commands/OptionChecks.h"
 #include "app/commands/VirtualDisplay.h"
-#include "app/program/CancelOnSignal.h"
+#include "app/program/EndSignals.h"
 #include "app/program/JsonText.h"
 #include "core/Error.h"
 #include "core/FormattedText.h"
-#include "core/PrivateFolder.h"
 #include "core/ProgramRun.h"
 #include "core/Progress.h"
 #include "core/TemporaryFile.h"
@@ -26,7 +24,7 @@ namespace asperity {
 
 namespace {
 
-/// What is measured, by a program of its own beside this one: some are linked with programs that
+/// A measurement, by a program of its own beside this one: some are linked with programs that
 /// ours is compared with, whose licenses differ from ours.
 struct Measurement {
     const char* name;
@@ -72,7 +70,7 @@ std::vector<Measurement> wantedOf(const BenchRequest& options) {
         if (options.only.empty() ||
             std::ranges::find(options.only, measurement.name) != options.only.end()) {
             wanted.push_back(measurement);
-            (void)programOf(measurement);  // what is missing is told before the work
+            (void)programOf(measurement);  // what is missing is reported before the work
         }
     }
     return wanted;

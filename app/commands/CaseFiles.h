@@ -9,7 +9,7 @@
 
 namespace asperity {
 
-/// Where a command that works through a table of cases reads and writes.
+/// Files of a command that works through a table of cases.
 struct CaseFiles {
     std::string cases;
     std::string out;  ///< empty: standard output
@@ -28,7 +28,7 @@ using TableWriting = std::function<void(std::ostream&, Progress* progress)>;
 /// no name is fine. @throw Error
 void requireWritableTable(const std::string& out, const std::vector<std::string>& inputs);
 
-/// Hands the stream of the file, which takes its place only when all is written and shows on the
+/// Passes the stream of the file, which takes its place only when all is written and shows on the
 /// terminal how far it is, or standard output where there is no name.
 /// @throw Error when the file cannot be written; Canceled
 void writeTable(const std::string& out, const TableWriting& write);

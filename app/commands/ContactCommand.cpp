@@ -1,21 +1,22 @@
-#include "app/commands/ContactCommand.h"
-
 #include "app/commands/CaseFiles.h"
+#include "app/commands/Commands.h"
+#include "app/commands/OptionChecks.h"
 #include "core/Error.h"
 #include "core/Version.h"
 #include "core/contact/Within.h"
 #include "core/contact/laws/ContactModel.h"
-#include "core/contact/laws/LawChoice.h"
 #include "core/haptics/cycle/CurveBranch.h"
+#include "core/io/scene/ProbeFile.h"
 #include "core/io/tables/CaseTable.h"
-#include "core/scene/ContactValidity.h"
-#include "core/scene/LawRange.h"
+#include "core/scene/TipValidity.h"
 
+#include <CLI/CLI.hpp>
 #include <array>
 #include <cmath>
 #include <limits>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace asperity {
@@ -36,7 +37,7 @@ struct ContactCase {
     ContactBranch branch = ContactBranch::Far;
 };
 
-/// What comes of it.
+/// The result.
 struct ContactAnswer {
     std::string status;
     std::optional<ContactState> state = {};  ///< none where there is no answer
@@ -55,7 +56,7 @@ constexpr auto kDeviations = std::to_array<DeviationColumn>(
      {"work_of_adhesion_deviation", &ContactPair::workOfAdhesion, "work_of_adhesion"}});
 using CaseDeviations = std::array<double, kDeviations.size()>;
 
-/// What they leave open in the force.
+/// The deviation of the force that they cause.
 struct ForceDeviation {
     double sigma = 0.0;       ///< [N]
     std::string by = "none";  ///< the number with the largest share
@@ -67,7 +68,7 @@ double numberOr(const CsvTable& table, std::size_t row, const std::string& colum
     return table.has(column) ? table.number(row, column) : otherwise;
 }
 
-/// What a cell stands for. @throw InputError when it is none of the words that the column may hold
+/// Returns a cell's value. @throw InputError when it is none of the words that the column may hold
 template <class Value>
 Value wordIn(const CsvTable& table, std::size_t row, const std::string& column,
              const std::optional<Value>& value, const std::string& words) {
@@ -203,7 +204,7 @@ ForceDeviation forceDeviation(const ContactCase& asked, const CaseDeviations& de
     return all;
 }
 
-/// None where the table states none. @throw InputError where one is no share
+/// Returns none where the table states none. @throw InputError where one is no share
 std::optional<CaseDeviations> readDeviations(const CsvTable& table, std::size_t row) {
     CaseDeviations deviations{};
     bool any = false;
@@ -273,6 +274,37 @@ void contact(const CaseFiles& files) {
     });
 }
 
+constexpr const char* kCasesHelp =
+    "The cases are a CSV table with the columns\n"
+    "  nx,ny,nz                 surface normal out of the sample, of any length\n"
+    "  vx,vy,vz                 velocity of the tip relative to the sample [m/s]\n"
+    "  alpha_rad,theta_rad      bending and torsion signal, with their standard deviations\n"
+    "  sigma_alpha_rad,sigma_theta_rad\n"
+    "  friction_coefficient,shear_strength_pa,contact_area_m2\n"
+    "  normal_force_model_n,normal_force_sigma_n\n"
+    "                           normal force of a contact model, with its standard deviation\n"
+    "normal_deviation_rad, which a table need not have, is the standard deviation of the normal's\n"
+    "direction about each axis across it; without it the normal counts as exact.\n"
+    "With inv_ols_m_v and lateral_sensitivity_rad_v in the probe file, vertical_v,lateral_v,\n"
+    "sigma_vertical_v,sigma_lateral_v may replace the four columns in radians.\n"
+    "All vectors and the covariance are in the lab frame. Added are fx_n,fy_n,fz_n,cxx_n2,cyy_n2,\n"
+    "czz_n2,cxy_n2,cxz_n2,cyz_n2,condition,case; the case is regular, near_singular, no_sliding\n"
+    "or invalid_input (a NaN, a normal without direction, a deviation that is not positive: the\n"
+    "numbers are then nan), followed by implausibilities: |pushes_along |excess_friction\n"
+    "|contradicts_model.";
+
+struct DecoupleOptions {
+    std::string probe;
+    CaseFiles files;
+};
+
+void decouple(const DecoupleOptions& options) {
+    requireWritableTable(options.files.out, {options.files.cases, options.probe});
+    writeTable(options.files.out, [&](std::ostream& out, Progress* progress) {
+        writeForceEstimates(options.probe, options.files.cases, out, progress);
+    });
+}
+
 }  // namespace
 
 void addContactCommand(CLI::App& program) {
@@ -287,13 +319,26 @@ void addContactCommand(CLI::App& program) {
         keyList<CurveBranch>() +
         "). Of a film on a "
         "rigid base, too: film_thickness_m (0: a half-space),\npoisson_ratio (0 to 0.5). Of a tip "
-        "whose sphere goes on as a cone (sneddon, jkr_sphere, md_sphere, split_sphere), too:\n"
+        "whose sphere continues as a cone (sneddon, jkr_sphere, md_sphere, split_sphere), too:\n"
         "cone_half_angle_rad (0: no cone).\nWith relative standard deviations, radius_deviation, "
         "e_star_deviation, work_of_adhesion_deviation\n(0 to 1), force_sigma_n and force_sigma_by "
-        "are added: what they leave open in the force, and which most.");
+        "are added: the resulting deviation of the force, and its main source.");
     const auto files = std::make_shared<CaseFiles>();
     addCaseFiles(*command, *files);
     command->callback([files] { contact(*files); });
+}
+
+void addDecoupleCommand(CLI::App& program) {
+    const auto options = std::make_shared<DecoupleOptions>();
+    CLI::App* command = program.add_subcommand(
+        "decouple",
+        "Compute 3-D forces with covariance from lever signals, for each case of a table");
+    command->footer(kCasesHelp);
+    command->add_option("--probe", options->probe, "probe file (TOML)")
+        ->required()
+        ->check(notEmpty());
+    addCaseFiles(*command, options->files);
+    command->callback([options] { decouple(*options); });
 }
 
 }  // namespace asperity

@@ -1,17 +1,18 @@
 #include "app/commands/ConvertMap.h"
 
-#include "app/commands/ConvertTargets.h"
 #include "app/commands/ProgressLine.h"
 #include "app/exports/SurfaceFile.h"
 #include "core/SiFormat.h"
 #include "core/io/TextValue.h"
+#include "core/io/heightmap/HeightMapWriter.h"
+#include "core/io/heightmap/PhysicalUnit.h"
 #include "core/io/heightmap/ScanFile.h"
-#include "core/surface/Residual.h"
+#include "core/io/heightmap/ScanImage.h"
 #include "core/surface/fit/BSplineFit.h"
 #include "core/surface/fit/GaussianFilter.h"
 #include "core/surface/imaging/TipErosion.h"
 #include "core/surface/leveling/Leveling.h"
-#include "core/words/LevelingWords.h"
+#include "core/words/SceneWords.h"
 
 #include <algorithm>
 #include <cmath>
@@ -53,7 +54,7 @@ void noteHoles(const ConvertOptions& options, const ConvertedFile& files, const 
     }
 }
 
-/// Whether a file will hold the heights in single precision.
+/// Returns whether a file will hold the heights in single precision.
 bool isSinglePrecision(const ConvertOptions& options, const std::string& file) {
     const std::string extension = lowerCase(std::filesystem::path(file).extension().string());
     const bool isTiff = extension == ".tif" || extension == ".tiff";
@@ -82,7 +83,7 @@ void noteSteps(const ConvertOptions& options, const ConvertedFile& files, const 
     }
 }
 
-/// What was asked for is noted; that nothing was is not.
+/// Notes each request; that there was none is not noted.
 template <class Map>
 Map leveledAsAsked(const ConvertOptions& options, Map map, std::vector<std::string>& notes) {
     ProgressLine line("leveling");
@@ -126,7 +127,7 @@ std::string certaintyNote(const ScanReconstruction& known) {
            " pixels, elsewhere the surface may lie below the heights written";
 }
 
-/// The surface under the map; on the way, the certainty map is written.
+/// Returns the surface under the map, and writes the certainty map.
 ScanMap withoutTip(const ConvertOptions& options, ScanMap level, const HeightMapMeta& meta,
                    std::vector<std::string>& notes) {
     ScanReconstruction known = [&] {
@@ -140,7 +141,7 @@ ScanMap withoutTip(const ConvertOptions& options, ScanMap level, const HeightMap
     return std::move(known.surface);
 }
 
-/// Heights that are computed anew, in single precision.
+/// Heights that are computed again, in single precision.
 Converted convertFiltered(const ConvertOptions& options, const ConvertedFile& files) {
     HeightMapMeta meta;
     HeightScan scan = [&] {
@@ -185,11 +186,67 @@ Converted convertPlainly(const ConvertOptions& options, const ConvertedFile& fil
     return {summaryOf(channel.name, rows, map.invalid), std::move(file.notes)};
 }
 
+/// The name, and the direction where the name does not say it: channels of both differ by it.
+std::string titleOf(const ScanChannel& channel) {
+    const bool isSaid =
+        channel.direction.empty() || directionFromName(channel.name) == channel.direction;
+    return isSaid ? channel.name : channel.name + " (" + channel.direction + ")";
+}
+
+/// Values in a unit without prefix: the format has none.
+HeightRows inBaseUnit(HeightRows rows, double factor) {
+    if (factor == 1.0) {
+        return rows;
+    }
+    rows.readRow = [read = std::move(rows.readRow), factor,
+                    columns = rows.columns](int row, double* values) {
+        read(row, values);
+        for (int column = 0; column < columns; ++column) {
+            values[column] *= factor;
+        }
+    };
+    return rows;
+}
+
+WrittenImage imageOf(const ScanFile& file, const ScanChannel& channel) {
+    const PhysicalUnit unit = parseUnit(channel.unit);
+    return {.rows = inBaseUnit(file.rowsOf(channel), unit.factor),
+            .meta = {.title = titleOf(channel),
+                     .originX = channel.originX,
+                     .originY = channel.originY,
+                     .unit = unit.base,
+                     .metadata = channel.metadata},
+            .lateralUnit = channel.lateralUnit};
+}
+
+std::string summaryOf(const HeightMapFile& file) {
+    std::string text = std::to_string(file.channels.size()) +
+                       (file.channels.size() == 1 ? " channel:" : " channels:");
+    for (const ScanChannel& channel : file.channels) {
+        text += (&channel == file.channels.data() ? " '" : ", '") + titleOf(channel) + "'";
+    }
+    return text;
+}
+
 }  // namespace
 
 Converted convertMap(const ConvertOptions& options, const ConvertedFile& file) {
     return options.residual || options.tipRadius > 0.0 ? convertFiltered(options, file)
                                                        : convertPlainly(options, file);
+}
+
+Converted convertAll(const ConvertOptions& options, const ConvertedFile& files) {
+    const ScanFile file(files.input, options.scale);
+    std::vector<WrittenImage> images;
+    Converted converted{.summary = summaryOf(file.contents()), .notes = file.contents().notes};
+    for (const ScanChannel& channel : file.contents().channels) {
+        images.push_back(imageOf(file, channel));
+        const std::vector<std::string> notes = ownNotes(channel);
+        converted.notes.insert(converted.notes.end(), notes.begin(), notes.end());
+    }
+    ProgressLine line("writing");
+    writeHeightMaps(files.output, images, &line);
+    return converted;
 }
 
 }  // namespace asperity

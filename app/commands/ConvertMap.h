@@ -1,13 +1,13 @@
 #pragma once
 
-#include "app/commands/ConvertOptions.h"
+#include "app/commands/ConvertTargets.h"
 
 #include <string>
 #include <vector>
 
 namespace asperity {
 
-/// What was written, for people.
+/// Result of a conversion, for people.
 struct Converted {
     std::string summary;             ///< "'Height', 256 x 256 pixels"
     std::vector<std::string> notes;  ///< on the file that was read and what was done to it

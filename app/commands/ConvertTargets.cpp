@@ -16,7 +16,7 @@ namespace asperity {
 namespace {
 
 constexpr int kCountBits = 16;
-/// Those that hold counts of 16 bits where floats are usual.
+/// Formats that hold counts of 16 bits where floats are usual.
 constexpr std::array<const HeightMapFormat*, 1> kCountFormats{&kTiffCountsFormat};
 
 std::string extensionsOf(HeightMapFormats formats) {

@@ -1,26 +1,27 @@
-#include "app/commands/CurveCommand.h"
-
+#include "app/charts/ChartFile.h"
 #include "app/commands/CaseFiles.h"
-#include "app/commands/CurveCases.h"
+#include "app/commands/Commands.h"
 #include "app/commands/OptionChecks.h"
-#include "app/commands/SetpointOption.h"
 #include "app/commands/VirtualDisplay.h"
+#include "app/program/DataFolder.h"
+#include "core/Error.h"
 #include "core/FormattedText.h"
 #include "core/PrintableText.h"
 #include "core/TemporaryFile.h"
 #include "core/Version.h"
+#include "core/contact/laws/ContactModel.h"
 #include "core/contact/laws/ForceCurve.h"
-#include "core/contact/laws/LawChoice.h"
 #include "core/haptics/cycle/CurveBranch.h"
+#include "core/io/scene/SceneFile.h"
 #include "core/io/tables/CsvWriter.h"
-#include "core/scene/AttractionValidity.h"
-#include "core/scene/ContactValidity.h"
-#include "core/scene/FlagOrder.h"
-#include "core/scene/SampleHardness.h"
-#include "core/uncertainty/PlaceBudgets.h"
+#include "core/scene/SampleMaterials.h"
+#include "core/scene/SceneDescription.h"
+#include "core/scene/TipValidity.h"
+#include "core/scene/Validity.h"
+#include "core/uncertainty/LandmarkBudgets.h"
 #include "core/words/BudgetWords.h"
+#include "core/words/ModelWords.h"
 #include "core/words/SceneWords.h"
-#include "vtkplugins/pictures/Charts.h"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -30,10 +31,169 @@
 #include <limits>
 #include <memory>
 #include <numbers>
+#include <string>
+#include <vector>
 
 namespace asperity {
 
 namespace {
+
+/// Options of `asperity curve`; empty or zero: as the scene, or the default scene, says.
+struct CurveRequest {
+    std::string scene;
+    std::vector<std::string> materials;  ///< files, or names of files in the data folder
+    std::string law;
+    double radius = 0.0;     ///< [m]
+    double stiffness = 0.0;  ///< along the normal [N/m]
+    double modulus = 0.0;    ///< reduced, of tip and sample [Pa]
+};
+
+/// One curve to be made.
+struct CurveCase {
+    SceneDescription scene;  ///< with the material
+    SampleMaterial material;
+    ContactModel model;
+    double compliance = 0.0;  ///< along the normal [m/N]
+    std::string why;          ///< why this law
+};
+
+constexpr double kMinStiffness = 1e-6;       // [N/m]
+constexpr double kMaxStiffness = 1e12;       // [N/m]
+constexpr double kMinReducedModulus = 1.0;   // [Pa]
+constexpr double kMaxReducedModulus = 1e13;  // [Pa]
+
+/// A material by the path of its file or by its name in the data folder.
+SampleMaterial findMaterial(const std::string& given) {
+    if (std::filesystem::exists(given)) {
+        return readMaterialFile(given);
+    }
+    const std::filesystem::path known = dataFolder() / "materials" / (given + ".toml");
+    if (std::filesystem::exists(known)) {
+        return readMaterialFile(known);
+    }
+    std::string names;
+    for (const auto& file : dataFiles("materials")) {
+        names += (names.empty() ? "" : ", ") + file.stem().string();
+    }
+    throw InputError(given, "", "expected a material file or one of " + names);
+}
+
+std::vector<std::string> lawNames() {
+    std::vector<std::string> names{"auto"};
+    for (const ContactLaw law : kValues<ContactLaw>) {
+        names.emplace_back(keyOf(law));
+    }
+    return names;
+}
+
+/// A tip whose own part of any reduced modulus is below rounding.
+constexpr Elastic kRigidTip{.youngsModulus = 1e30, .poissonRatio = 0.0};
+
+/// The material with the modulus that gives this reduced one under a rigid tip: of another modulus,
+/// another hardness.
+SampleMaterial withReducedModulus(SampleMaterial material, double reducedModulus) {
+    const double ratio = material.elastic.poissonRatio;
+    material.elastic.youngsModulus = reducedModulus * (1.0 - ratio * ratio);
+    material.hardness = 0.0;
+    return material;
+}
+
+CurveCase caseOf(const SceneDescription& scene, ContactLaw law, const std::string& why,
+                 double compliance) {
+    const SampleMaterial& material = scene.sample.material;
+    const ContactPair pair = contactPair(scene, material);
+    return {scene, material, ContactModel(law, pair, contactOptions(scene, material)), compliance,
+            why};
+}
+
+/// The case of the scene's material, and another for comparison where the law is not the usual one.
+void addCases(const SceneDescription& scene, double compliance, std::vector<CurveCase>& cases) {
+    checkScene(scene);
+    if (scene.sample.material.maps.any()) {
+        throw Error("a curve is of one material, and this sample has maps of several: give a "
+                    "--material, or take one pixel by `asperity map --region`");
+    }
+    const LawChoice choice =
+        chooseLaw(scene.choices.law, contactPair(scene, scene.sample.material),
+                  scene.sample.material.filmThickness, scene.tip.coneHalfAngle);
+    cases.push_back(caseOf(scene, choice.law, whyOf(choice), compliance));
+    if (!scene.choices.law && choice.law == ContactLaw::SphereSplit) {
+        cases.push_back(caseOf(scene, ContactLaw::Split,
+                               "for comparison: formally, as for a paraboloid", compliance));
+    }
+}
+
+CLI::Validator within(double low, double high, const std::string& words) {
+    return {[low, high, words](const std::string& text) {
+                const double value = std::strtod(text.c_str(), nullptr);
+                return value >= low && value <= high ? std::string() : "expected " + words;
+            },
+            ""};
+}
+
+/// The options that make up a request.
+void addCurveRequest(CLI::App& command, CurveRequest& request) {
+    command.add_option("SCENE", request.scene, "scene.toml (default: the default scene)");
+    command
+        .add_option("--material", request.materials,
+                    "material file or the name of one in data/materials; may be given again")
+        ->allow_extra_args(false);
+    command.add_option("--law", request.law, "contact law (default: as in the scene, or auto)")
+        ->check(CLI::IsMember(lawNames()));
+    command.add_option("--radius", request.radius, "tip radius [m]")
+        ->check(finiteNumber())
+        ->check(within(kMinTipRadius, kMaxTipRadius, "1e-12 to 1 m"));
+    command
+        .add_option("--reduced-modulus", request.modulus,
+                    "reduced modulus E* of tip and sample [Pa], instead of those of the materials")
+        ->check(finiteNumber())
+        ->check(within(kMinReducedModulus, kMaxReducedModulus, "1 to 1e13 Pa"));
+    command
+        .add_option("--stiffness", request.stiffness,
+                    "stiffness of the lever along the normal [N/m]")
+        ->check(finiteNumber())
+        ->check(within(kMinStiffness, kMaxStiffness, "1e-6 to 1e12 N/m"));
+}
+
+/// One case a material. Where `auto` takes another law than Maugis-Dugdale with its tail, that one
+/// follows for comparison. @throw InputError for files that cannot be read, Error for values out of
+/// range
+std::vector<CurveCase> curveCases(const CurveRequest& request) {
+    SceneDescription scene = request.scene.empty() ? defaultScene() : sceneFromInput(request.scene);
+    scene.tip.radius = request.radius > 0.0 ? request.radius : scene.tip.radius;
+    if (request.modulus > 0.0) {
+        scene.tip.elastic = kRigidTip;
+    }
+    if (!request.law.empty()) {
+        scene.choices.law = fromKey<ContactLaw>(request.law);  // none: "auto"
+    }
+    const double compliance = request.stiffness > 0.0 ? 1.0 / request.stiffness
+                                                      : Cantilever(scene.probe).compliance()(2, 2);
+    std::vector<SampleMaterial> materials;
+    for (const std::string& given : request.materials) {
+        materials.push_back(findMaterial(given));
+    }
+    if (materials.empty()) {
+        materials.push_back(scene.sample.material);
+    }
+    std::vector<CurveCase> cases;
+    for (std::size_t i = 0; i < materials.size(); ++i) {
+        scene.sample.material = request.modulus > 0.0
+                                    ? withReducedModulus(materials[i], request.modulus)
+                                    : materials[i];
+        try {
+            addCases(scene, compliance, cases);
+        } catch (const Error& error) {
+            const std::string file =
+                request.materials.empty() ? request.scene : request.materials[i];
+            if (file.empty()) {
+                throw;  // no file's fault
+            }
+            throw InputError(file, "", error.what());
+        }
+    }
+    return cases;
+}
 
 /// Base positions that a curve is asked to cover [m].
 struct BaseRange {
@@ -54,7 +214,7 @@ struct CurveOptions {
 struct CurveResult {
     CurveCase asked;
     ForceCurve curve;
-    PlaceBudgets budgets;
+    LandmarkBudgets budgets;
 };
 
 /// "-20nm:5nm", from far to deep; none where it is not that.
@@ -188,8 +348,8 @@ std::vector<std::string> summary(const CurveResult& result) {
     return lines;
 }
 
-void writeWay(CsvWriter& csv, const CurveResult& result, CurveBranch branch,
-              const std::vector<ForceCurvePoint>& points) {
+void writeBranch(CsvWriter& csv, const CurveResult& result, CurveBranch branch,
+                 const std::vector<ForceCurvePoint>& points) {
     for (const ForceCurvePoint& point : points) {
         const ContactState& state = point.state;
         csv.add(result.asked.material.name).add(keyOf(result.asked.model.law())).add(keyOf(branch));
@@ -218,8 +378,8 @@ void writeCurves(std::ostream& out, const std::vector<CurveResult>& results, Pro
     double done = 0.0;
     for (const CurveResult& result : results) {
         reportTo(progress, done++ / static_cast<double>(results.size()));
-        writeWay(csv, result, CurveBranch::Approach, result.curve.approach);
-        writeWay(csv, result, CurveBranch::Retract, result.curve.retract);
+        writeBranch(csv, result, CurveBranch::Approach, result.curve.approach);
+        writeBranch(csv, result, CurveBranch::Retract, result.curve.retract);
     }
     reportTo(progress, 1.0);
     csv.close();
@@ -249,7 +409,9 @@ void drawFigure(const std::string& path, const std::vector<CurveResult>& results
     }
     const int columns = std::min<int>(3, static_cast<int>(charts.size()));
     const int rows = (static_cast<int>(charts.size()) + columns - 1) / columns;
-    writeCharts(path, charts, columns, {.width = 640 * columns, .height = 520 * rows});
+    writePng(path, layOut(charts, {.width = 640.0 * columns,
+                                   .height = 520.0 * rows,
+                                   .columns = static_cast<std::size_t>(columns)}));
 }
 
 /// @throw Error where the law does not reach the setpoint
@@ -276,10 +438,8 @@ void curve(const CurveOptions& options) {
     std::vector<std::string> inputs = options.request.materials;
     inputs.push_back(options.request.scene);
     requireWritableTable(options.out, inputs);
-    std::optional<VirtualDisplay> display;  // before anything is written
     if (!options.figure.empty()) {
         requireWritable(options.figure);
-        display.emplace();
     }
     std::vector<CurveResult> results;
     for (const CurveCase& asked : curveCases(options.request)) {
@@ -299,6 +459,7 @@ void curve(const CurveOptions& options) {
     writeTable(options.out,
                [&](std::ostream& out, Progress* progress) { writeCurves(out, results, progress); });
     if (!options.figure.empty()) {
+        const OffscreenApplication qt;
         drawFigure(options.figure, results);
     }
 }

@@ -1,5 +1,4 @@
-#include "app/commands/DevicesCommand.h"
-
+#include "app/commands/Commands.h"
 #include "app/program/JsonText.h"
 #include "core/PrintableText.h"
 #include "hardware/DeviceRegistry.h"
@@ -27,7 +26,7 @@ nlohmann::json textOrNull(const std::string& text) {
     return text.empty() ? nlohmann::json() : nlohmann::json(text);
 }
 
-/// What a device does not have is null: the mouse has no path, an unknown device no driver.
+/// A property that a device lacks is null: the mouse has no path, an unknown device no driver.
 nlohmann::json deviceJson(const DeviceDescription& device) {
     const bool hid = !device.path.empty();
     const DeviceDriver* const driver = device.driver;

@@ -1,15 +1,12 @@
-#include "app/commands/ExperimentCommand.h"
-
-#include "app/commands/OffscreenApplication.h"
+#include "app/commands/Commands.h"
 #include "app/commands/OptionChecks.h"
 #include "app/commands/ProgressLine.h"
-#include "app/experiment/OperatorStudy.h"
-#include "app/experiment/StudyAidsTable.h"
-#include "app/experiment/StudyFigures.h"
+#include "app/commands/VirtualDisplay.h"
+#include "app/experiment/OpenStudy.h"
 #include "app/experiment/StudyResults.h"
 #include "app/program/DataFolder.h"
 #include "core/Error.h"
-#include "core/experiment/StudyChecks.h"
+#include "core/experiment/Study.h"
 #include "core/io/experiment/StudyFile.h"
 
 #include <CLI/CLI.hpp>
@@ -53,7 +50,7 @@ FolderUse useOf(const ExperimentOptions& options) {
     return options.resume ? FolderUse::Resume : options.force ? FolderUse::Replace : FolderUse::New;
 }
 
-/// @throw InputError in place of what only the study's scenes can tell
+/// @throw InputError for all but the faults that only the study's scenes show
 StudyScenes scenesOf(const ExperimentOptions& options, const Study& study) {
     try {
         ProgressLine line("loading");
@@ -120,12 +117,12 @@ void addExperimentCommand(CLI::App& program) {
         ->capture_default_str();
     addOutputFolder(*command, options->out, "folder for trials, tables and figures");
     command->add_flag("--aids", options->aids,
-                      "do the study again without coupling, without forces, without the picture of "
-                      "the deformation, and with a guide, each in a folder of its own");
+                      "repeat the study without coupling, without forces, without the picture of "
+                      "the deformation, and with a guide, each in its own folder");
     command->add_flag("--record", options->run.record,
                       "keep every tick of each trial, for asperity replay");
-    CLI::Option* const resume = command->add_flag(
-        "--resume", options->resume, "go on with the study in that folder where it was ended");
+    CLI::Option* const resume = command->add_flag("--resume", options->resume,
+                                                  "continue the interrupted study in that folder");
     command->add_flag("--force", options->force, "replace a study in that folder")
         ->excludes(resume);
     command->callback([options] { experiment(*options); });

@@ -1,33 +1,26 @@
-#include "app/commands/ExploreCommand.h"
-
-#include "app/commands/CropOption.h"
-#include "app/commands/FormatOption.h"
+#include "app/commands/Commands.h"
 #include "app/commands/LevelingOption.h"
 #include "app/commands/OptionChecks.h"
 #include "app/commands/ProgressLine.h"
 #include "app/commands/ScaleOption.h"
-#include "app/commands/SetpointOption.h"
 #include "app/commands/VirtualDisplay.h"
 #include "app/loading/SceneLoader.h"
-#include "app/program/CancelOnSignal.h"
+#include "app/program/EndSignals.h"
 #include "app/recording/RunPacking.h"
-#include "app/reports/RunCurves.h"
 #include "app/reports/RunPictures.h"
 #include "app/runs/OutputFolder.h"
 #include "app/runs/RunFolder.h"
-#include "app/runs/RunSummary.h"
 #include "core/Error.h"
 #include "core/FormattedText.h"
 #include "core/PrintableText.h"
 #include "core/SiFormat.h"
-#include "core/haptics/ApproachDevice.h"
 #include "core/haptics/DevicePath.h"
-#include "core/haptics/RunEvents.h"
+#include "core/haptics/SetpointApproach.h"
 #include "core/haptics/VirtualRun.h"
 #include "core/io/scene/DevicePathFile.h"
 #include "core/io/scene/SceneFile.h"
 #include "core/scene/BelievedModel.h"
-#include "core/scene/FlagOrder.h"
+#include "core/scene/Validity.h"
 #include "core/uncertainty/CycleBudgets.h"
 #include "core/words/BudgetWords.h"
 
@@ -66,7 +59,7 @@ struct ExploreOptions {
     SceneOverrides overrides;
 };
 
-/// How the base moves: as planned, or down to a setpoint.
+/// Motion of the base: as planned, or down to a setpoint.
 using Motion = std::variant<DevicePath, PlannedApproach>;
 
 Motion planned(PlannedPath path, const Scene& scene, const PathPlan& asked) {
@@ -115,7 +108,7 @@ void requireApproach(const ExploreOptions& options) {
     }
 }
 
-/// Everything that is kept of a run while it goes on.
+/// Everything that is kept of a run while it runs.
 struct RunKeeper {
     RunRecorder recorder;
     RunEventRecorder events;
@@ -131,10 +124,10 @@ struct RunKeeper {
 /// A setpoint that an approach did not reach.
 struct MissedSetpoint {
     double force = 0.0;      ///< [N]
-    bool isBlocked = false;  ///< since tip and lever had no equilibrium on the way
+    bool isBlocked = false;  ///< tip and lever had no equilibrium before its end
 };
 
-/// What is left of a run when its scene is gone.
+/// The results of a run that outlive its scene.
 struct FinishedRun {
     RunEvents events;
     RunCurves curves;
@@ -216,15 +209,15 @@ Prepared prepare(const ExploreOptions& options) {
 
 /// Says why no more than the noise is known of what a cycle shows.
 void takeUnknown(const ContactCycle& cycle, std::vector<std::string>& remarks) {
-    const std::string touch = formatted("touch at %.4g s", cycle.touchTime);
+    const std::string at = formatted("force cycle at %.4g s", cycle.touchTime);
     if (cycle.contacts > 1) {
-        remarks.push_back(touch + formatted(": up to %d contacts at once; what model and "
-                                            "calibration leave open is known of one contact only",
-                                            cycle.contacts));
+        remarks.push_back(at + formatted(": up to %d contacts at once; the uncertainty from model "
+                                         "and calibration is known of one contact only",
+                                         cycle.contacts));
     }
     if (cycle.interrupted) {
-        remarks.push_back(touch + ": ticks without a state of the model are left out, and the "
-                                  "touch may have been stronger there");
+        remarks.push_back(at + ": ticks without a state of the model are left out, and the "
+                               "force may have been larger there");
     }
 }
 
@@ -278,8 +271,10 @@ void explore(const ExploreOptions& options) {
     requireApproach(options);
     const CancelOnSignal cancel;  // between one piece of work and the next, too
     std::optional<VirtualDisplay> display;
-    if (!options.noPictures) {
-        display.emplace();  // before anything is written: pictures need it at the end
+    std::optional<OffscreenApplication> qt;
+    if (!options.noPictures) {  // before anything is written: pictures need them at the end
+        display.emplace();
+        qt.emplace();
     }
     std::optional<Prepared> prepared(prepare(options));
     OutputFolder out(options.out, exploredRun(), options.force);

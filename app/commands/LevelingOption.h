@@ -32,16 +32,16 @@ void addLevelingOptions(CLI::App& command, Steps& steps, std::optional<LevelPoin
         .add_option_function<std::vector<double>>(
             "--level-points",
             [&points](const std::vector<double>& values) {
-                LevelPoints places;
-                for (std::size_t i = 0; i < places.size(); ++i) {
-                    places[i] = {values[2 * i], values[2 * i + 1]};
+                LevelPoints three;
+                for (std::size_t i = 0; i < three.size(); ++i) {
+                    three[i] = {values[2 * i], values[2 * i + 1]};
                 }
-                if (const std::string refusal = refusalOf(places); !refusal.empty()) {
+                if (const std::string refusal = refusalOf(three); !refusal.empty()) {
                     throw CLI::ValidationError("--level-points", refusal);
                 }
-                points = places;
+                points = three;
             },
-            "three places of three_point: x1,y1,x2,y2,x3,y3, from the lower left corner [m]")
+            "three points of three_point: x1,y1,x2,y2,x3,y3, from the lower left corner [m]")
         ->delimiter(',')
         ->expected(6);
 }

@@ -1,26 +1,25 @@
-#include "app/commands/LoopCommand.h"
-
-#include "app/commands/CropOption.h"
-#include "app/commands/FormatOption.h"
+#include "app/commands/Commands.h"
 #include "app/commands/OptionChecks.h"
 #include "app/commands/ProgressLine.h"
 #include "app/commands/ScaleOption.h"
 #include "app/commands/VirtualDisplay.h"
-#include "app/program/CancelOnSignal.h"
 #include "app/program/DataFolder.h"
-#include "app/recording/RecordingThread.h"
-#include "app/reports/AlternatingBlocks.h"
+#include "app/program/EndSignals.h"
+#include "app/recording/RunRecording.h"
 #include "app/reports/LoopReport.h"
-#include "app/runs/BeginningRun.h"
-#include "app/session/ActiveDevice.h"
-#include "app/session/LiveWindow.h"
+#include "app/runs/OutputFolder.h"
+#include "app/window/Stage.h"
+#include "app/window/ViewControl.h"
+#include "app/window/device/DeviceControl.h"
+#include "app/window/device/PathControl.h"
+#include "app/window/lab/LiveWindow.h"
+#include "app/window/recording/RecordingControl.h"
 #include "core/Error.h"
-#include "core/haptics/ScriptedDevice.h"
-#include "hardware/piloted/PilotedDrivers.h"
-#include "ui/window/MainWindow.h"
-#include "ui/window/MeasureMenu.h"
-#include "ui/window/SecondView.h"
-#include "ui/window/WindowMenus.h"
+#include "core/haptics/DevicePath.h"
+#include "hardware/DeviceRegistry.h"
+#include "ui/shell/MainWindow.h"
+#include "ui/shell/Menus.h"
+#include "ui/view/SecondView.h"
 
 #include <QAction>
 
@@ -47,7 +46,7 @@ struct LoopOptions {
     double duration = 10.0;             // [s]
     std::string record;                 // folder; empty: nothing is recorded
     RunFormat format = RunFormat::Csv;  // of the recording
-    bool force = false;                 // an earlier run in that folder may go
+    bool force = false;                 // an earlier run in that folder may be deleted
     bool simulatedDevice = false;
     bool window = false;
     bool json = false;
@@ -66,7 +65,7 @@ LoadedScene loadForLoop(const LoopOptions& options) {
     return loaded;
 }
 
-/// The same approach again and again; the way back from its end leads high over the sample.
+/// The same approach again and again; the path back from its end is high over the sample.
 DevicePath repeatedApproach(const Scene& scene, double duration) {
     const DevicePath once = slidePath(scene, {.duration = kOnePath});
     DevicePath path = once;
@@ -91,7 +90,7 @@ bool isDone(const AlternatingBlocks& blocks, double begin, const LoopOptions& op
            static_cast<double>(blocks.pairs()) >= std::floor(0.5 * options.duration);
 }
 
-/// What was measured with and written meanwhile.
+/// Results of a measurement.
 struct LoopMeasurement {
     const AlternatingBlocks& blocks;
     double elapsed = 0.0;         ///< [s]
@@ -125,7 +124,7 @@ std::unique_ptr<RecordingThread> startRecording(const LoopOptions& options, Live
     }
     run.fetch([](const TickSample&) {});  // what a device begins with is not of the recording
     return std::make_unique<RecordingThread>(
-        RecordingPlace{options.record, options.force, options.format}, run.loaded(),
+        RecordingTarget{options.record, options.force, options.format}, run.loaded(),
         run.loop().memory(), run.device().delay());
 }
 
@@ -134,7 +133,7 @@ std::unique_ptr<RecordingThread> startRecording(const LoopOptions& options, Live
                 "; what was written until then is kept, and can be replayed");
 }
 
-/// @return what it took to write a tick [s]
+/// @return the time to write a tick [s]
 double finish(RecordingThread& recording) {
     try {
         recording.finish();
@@ -191,15 +190,12 @@ void runBare(const LoopOptions& options) {
 }
 
 /// The second view in 3-D, which costs most, and the pages of all tools.
-void openEverything(MainWindow& window) {
-    SecondViewSettings settings = window.second().settings();
+void openEverything(LiveWindow& live) {
+    SecondViewSettings settings = live.panels().second().settings();
     settings.content = SecondContent::Space;
-    window.second().setSettings(settings);
-    const WindowMenus& menus = window.menus();
-    const MeasureMenu& measure = menus.measure();
-    for (QAction* const entry :
-         {menus.secondView, measure.markers, measure.touches, measure.roughness, measure.profile}) {
-        entry->trigger();
+    live.panels().second().setSettings(settings);
+    for (const char* const name : {"secondView", "markers", "touches", "roughness", "profile"}) {
+        live.window().menus().entry(name).trigger();
     }
 }
 
@@ -207,14 +203,16 @@ void runInWindow(const LoopOptions& options) {
     requireFreeFolder(options);
     const VirtualDisplay display;
     LiveWindow live;
-    Session& session = live.session();
-    openEverything(live.window());
-    RecordingControl& recordings = session.recordings();
-    session.runs().use(loadForLoop(options));
-    LiveRun& run = *session.run();
+    Stage& stage = live.stage();
+    openEverything(live);
+    RecordingControl& recordings = stage.get<RecordingControl>();
+    stage.runs().use(loadForLoop(options));
+    LiveRun& run = *stage.run();
+    live.panels().lock();
     live.window().lock();  // another scene would end the run that is measured
     const DevicePath path = repeatedApproach(run.scene(), options.duration);
-    options.simulatedDevice ? session.devices().pilotDevice(path) : session.paths().follow(path);
+    options.simulatedDevice ? stage.get<DeviceControl>().pilotDevice(path)
+                            : stage.get<PathControl>().follow(path);
     if (!options.record.empty()) {
         recordings.start({options.record, options.force, options.format});
     }
@@ -235,7 +233,8 @@ void runInWindow(const LoopOptions& options) {
     if (!recordings.failure().isEmpty()) {
         failRecording(options.record, recordings.failure().toStdString());
     }
-    print(options, run, {blocks, elapsed, recordings.writingTime(), session.views().rates()});
+    print(options, run,
+          {blocks, elapsed, recordings.writingTime(), stage.get<ViewControl>().rates()});
 }
 
 }  // namespace
@@ -249,7 +248,7 @@ void addLoopCommand(CLI::App& program) {
     addScaleOptions(*command, options->scale);
     addCropOption(*command, options->crop);
     command->add_option("--rate", options->rate, "tick rate [Hz]; default: as in the scene")
-        ->check(CLI::Range(100.0, 20000.0))
+        ->check(CLI::Range(kMinTickRate, kMaxTickRate))
         ->check(finiteNumber());
     command
         ->add_option(
@@ -261,7 +260,7 @@ void addLoopCommand(CLI::App& program) {
         ->check(finiteNumber());
     command
         ->add_option("--record", options->record,
-                     "folder: record every tick meanwhile, and report the cost")
+                     "folder: also record every tick, and report the cost")
         ->check(notEmpty());
     addFormatOption(*command, options->format, "how the tables of the recording are kept")
         ->needs("--record");
@@ -270,7 +269,7 @@ void addLoopCommand(CLI::App& program) {
                       "drive the tip with a simulated force-feedback device, not a script: with "
                       "coupling, governor and workspace edge");
     command->add_flag("--window", options->window,
-                      "open the window with all views and tools, and draw them meanwhile");
+                      "open the window with all views and tools, and draw them during the loop");
     command->add_flag("--json", options->json, "print JSON");
     command->callback([options] { options->window ? runInWindow(*options) : runBare(*options); });
 }

@@ -1,27 +1,28 @@
-#include "app/commands/MapCommand.h"
-
-#include "app/commands/MapOptions.h"
+#include "app/commands/Commands.h"
+#include "app/commands/LevelingOption.h"
+#include "app/commands/OptionChecks.h"
 #include "app/commands/ProgressLine.h"
 #include "app/commands/VirtualDisplay.h"
 #include "app/loading/SceneLoader.h"
 #include "app/maps/ComparisonReport.h"
-#include "app/maps/ComparisonSheets.h"
+#include "app/maps/MapFiles.h"
 #include "app/maps/MapJob.h"
-#include "app/maps/MapKey.h"
-#include "app/maps/MapRun.h"
-#include "app/maps/MapSheets.h"
-#include "app/maps/UnknownDeviations.h"
-#include "app/program/ToldError.h"
+#include "app/program/EndSignals.h"
 #include "core/Error.h"
 #include "core/FormattedText.h"
 #include "core/PrintableText.h"
 #include "core/TemporaryFile.h"
-#include "core/scene/SceneFiles.h"
+#include "core/io/TextValue.h"
+#include "core/map/MapPlan.h"
+#include "core/scene/SceneDescription.h"
 
+#include <CLI/CLI.hpp>
 #include <chrono>
 #include <iostream>
+#include <limits>
 #include <memory>
 #include <optional>
+#include <string>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -29,6 +30,155 @@
 namespace asperity {
 
 namespace {
+
+/// Options of `asperity map`.
+struct MapOptions {
+    std::string scene;
+    std::string out;
+    MapRequest request;
+    std::vector<std::string> channels;  ///< of the scan, or of the measured file if there is one
+    std::string compare;                ///< measured file; empty: none
+    int threads = 0;                    ///< 0: as many as the machine has cores
+    bool resume = false;
+    bool force = false;
+    bool noPictures = false;
+};
+
+/// "512x256" as columns and rows; empty where it is anything else.
+std::optional<MapGrid> parseGrid(const std::string& text) {
+    const std::size_t cross = text.find('x');
+    if (cross == std::string::npos) {
+        return std::nullopt;
+    }
+    const auto columns = parseInteger(text.substr(0, cross));
+    const auto rows = parseInteger(text.substr(cross + 1));
+    constexpr long long kMax = std::numeric_limits<int>::max();
+    if (!columns || !rows || *columns < 0 || *rows < 0 || *columns > kMax || *rows > kMax) {
+        return std::nullopt;
+    }
+    return MapGrid{static_cast<int>(*columns), static_cast<int>(*rows)};
+}
+
+CLI::Validator gridText() {
+    return {[](const std::string& text) {
+                return parseGrid(text)
+                           ? std::string()
+                           : "expected WIDTHxHEIGHT in pixels, such as 128x128, not '" + text + "'";
+            },
+            "WxH"};
+}
+
+CLI::Validator meters() {
+    return {[](const std::string& text) {
+                const std::optional<double> number = parseNumber(text);
+                return number && std::isfinite(*number)
+                           ? std::string()
+                           : "expected x0,y0,x1,y1 in meters, such as 0,0,1e-7,1e-7, not '" + text +
+                                 "'";
+            },
+            ""};
+}
+
+CLI::Validator gwyName() {
+    return {[](const std::string& text) {
+                return lowerCase(std::filesystem::path(text).extension().string()) == ".gwy"
+                           ? std::string()
+                           : "expected the name of a .gwy file, not '" + text + "'";
+            },
+            ""};
+}
+
+CLI::Validator modeName() {
+    std::vector<std::string> keys;
+    keys.reserve(kValues<MapMode>.size());
+    for (const MapMode mode : kValues<MapMode>) {
+        keys.emplace_back(keyOf(mode));
+    }
+    return CLI::IsMember(keys);
+}
+
+void addRequest(CLI::App& command, MapRequest& request) {
+    command
+        .add_option_function<std::string>(
+            "--grid", [&request](const std::string& text) { request.grid = parseGrid(text); },
+            "pixels of the map; default: those of the scan in the region")
+        ->check(gridText());
+    command
+        .add_option_function<std::vector<double>>(
+            "--region",
+            [&request](const std::vector<double>& corners) {
+                request.region = MapRegion{corners[0], corners[1], corners[2], corners[3]};
+            },
+            "part of the scan between the corners x0,y0 and x1,y1, from its lower left corner [m]; "
+            "default: all of it")
+        ->delimiter(',')
+        ->expected(4)
+        ->check(meters());
+    addSetpointOption(command, request.setpoint);
+    command
+        .add_option_function<std::string>(
+            "--mode",
+            [&request](const std::string& key) {
+                request.mode = fromKey<MapMode>(key).value_or(MapMode::Approach);
+            },
+            "approach: approach and retract at each pixel (default); contact: a raster at constant "
+            "force, trace and retrace")
+        ->check(modeName());
+    command
+        .add_option("--quantities", request.quantities,
+                    "channels, separated by commas (docs/maps.md); default: all of the mode but "
+                    "deviations")
+        ->delimiter(',');
+    command.add_flag(
+        "--uncertainty", request.deviations,
+        "standard deviations of adhesion, work, indentation and stiffness by model and "
+        "calibration, too (docs/uncertainty.md)");
+    command.add_flag("--truth", request.truth,
+                     "map the simulated true instrument, section [truth] of the scene, instead of "
+                     "the model");
+}
+
+void addCompare(CLI::App& command, MapOptions& options) {
+    CLI::Option* const channel =
+        command
+            .add_option("--channel", options.channels,
+                        "channel of the height-map file SCENE; default: as in the scene. With "
+                        "--compare: channel of that file, as NAME or NAME:QUANTITY, once for each")
+            ->allow_extra_args(false);
+    command
+        .add_option("--compare", options.compare,
+                    "measured maps of the same area, in any format of height maps; writes "
+                    "difference, correlation and the share of variance that the prediction "
+                    "explains of each --channel")
+        ->needs(channel)
+        ->check(notEmpty());
+}
+
+/// The options that make them up. @param options outlive the parse
+void addMapOptions(CLI::App& command, MapOptions& options) {
+    command.add_option("SCENE", options.scene, "scene.toml or a height-map file")
+        ->required()
+        ->check(notEmpty());
+    command
+        .add_option("--out", options.out,
+                    "map to write (.gwy); .vti, .exr and pictures (.png) go beside it")
+        ->required()
+        ->check(gwyName());
+    addRequest(command, options.request);
+    addCompare(command, options);
+    command
+        .add_option("--threads", options.threads, "threads; default: as many as there are cores")
+        ->check(CLI::Range(1, 1024));
+    CLI::Option* const resume =
+        command.add_flag("--resume", options.resume,
+                         "continue an interrupted map: its finished rows are in OUT.gwy.part");
+    command
+        .add_flag("--force", options.force,
+                  "replace files of these names, and restart an unfinished map")
+        ->excludes(resume);
+    command.add_flag("--no-pictures", options.noPictures,
+                     "draw no sheets of pictures: no display is needed");
+}
 
 /// For rank 0 to say what went wrong everywhere.
 constexpr std::chrono::milliseconds kPatience(500);
@@ -70,7 +220,7 @@ std::vector<std::filesystem::path> targetsOf(const MapOptions& options, const Ma
 }
 
 /// Refuses files that cannot be written, or that the user may want to keep, before long work is
-/// done for them. An unfinished map's own files may go.
+/// done for them. An unfinished map's own files may be deleted.
 void requireTargets(const MapOptions& options, const MapFiles& files, const MapPlan& plan,
                     const SceneDescription& scene) {
     if (useOf(options) == PartUse::New) {
@@ -111,7 +261,7 @@ bool compute(const MapOptions& options, const MpiJob& job, const Scene& scene, c
     }
 }
 
-/// What all ranks begin with.
+/// The input of all ranks.
 struct MapInput {
     LoadedScene loaded;
     MapPlan plan;
@@ -183,13 +333,12 @@ std::string speedText(const MapPlan& plan, int rows, double seconds) {
 [[noreturn]] void endCanceled(const MpiJob& job, const MapFiles& files, const MapPart& part) {
     const std::string count =
         formatted("canceled: %d of %d rows are in ", part.count(), part.rows());
-    throw Error(job.hasLauncher()
-                    ? count + files.part().string() + "; --resume goes on with the map"
-                    : count + files.gwy().string() +
-                          ", the others hold no data; --resume goes on with the map");
+    throw Error(job.hasLauncher() ? count + files.part().string() + "; --resume continues the map"
+                                  : count + files.gwy().string() +
+                                        ", the others have no data; --resume continues the map");
 }
 
-/// Of rank 0, or of the only process.
+/// Runs on rank 0, or in the only process.
 void lead(const MapOptions& options, const MpiJob& job) {
     const MapFiles files(options.out);
     const MapInput input = loadedInput(options);
@@ -204,8 +353,10 @@ void lead(const MapOptions& options, const MpiJob& job) {
     requireTargets(options, files, plan, loaded.scene.description);
     MeasuredFile measured = measuredInput(options, input);
     std::optional<VirtualDisplay> display;  // before long work is done
+    std::optional<OffscreenApplication> qt;
     if (!options.noPictures) {
         display.emplace();
+        qt.emplace();
     }
     const std::string key = mapKey(loaded, plan);
     MapPart part(files.part(), plan, key, useOf(options));
@@ -230,7 +381,7 @@ void lead(const MapOptions& options, const MpiJob& job) {
     std::cout << speedText(plan, part.rows() - before, took.count()) << '\n';
 }
 
-/// Of the other ranks: they say nothing.
+/// Runs on the other ranks: they print nothing.
 void follow(const MapOptions& options, const MpiJob& job) {
     SilentProgress progress;
     const auto [loaded, plan] = inputOf(options, progress);
@@ -253,7 +404,7 @@ void map(const MapOptions& options) {
             std::this_thread::sleep_for(kPatience);
             std::cerr << "rank " << job.rank() << ": ";
         }
-        job.abort(tellError(std::current_exception()));
+        job.abort(reportError(std::current_exception()));
     }
 }
 

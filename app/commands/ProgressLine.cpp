@@ -1,6 +1,6 @@
 #include "app/commands/ProgressLine.h"
 
-#include "core/DurationText.h"
+#include "core/FormattedText.h"
 
 #include <cmath>
 #include <iostream>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/loading/SceneLoader.h"
-#include "app/program/CancelOnSignal.h"
+#include "app/program/EndSignals.h"
 #include "core/Progress.h"
 
 #include <chrono>

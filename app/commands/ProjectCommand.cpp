@@ -1,7 +1,5 @@
-#include "app/commands/ProjectCommand.h"
-
 #include "app/commands/CaseFiles.h"
-#include "app/commands/CropOption.h"
+#include "app/commands/Commands.h"
 #include "app/commands/LevelingOption.h"
 #include "app/commands/OptionChecks.h"
 #include "app/commands/ProgressLine.h"
@@ -24,7 +22,8 @@ namespace {
 constexpr const char* kPointsHelp =
     "The points are a CSV table with the columns x_m,y_m,z_m, in the world frame of the leveled\n"
     "map (x right, y up, origin at the lower left corner). Added are\n"
-    "  foot_x_m,foot_y_m,foot_z_m   closest point on the surface\n"
+    "  closest_x_m,closest_y_m,closest_z_m\n"
+    "                               closest point on the surface\n"
     "  nx,ny,nz                     the surface's unit normal there, out of the sample\n"
     "  distance_m                   < 0: the point lies below the surface\n"
     "  u,v                          closest point in the surface's own coordinates, 0..1\n"
@@ -137,8 +136,8 @@ void project(const ProjectOptions& options) {
     const LoadedScene loaded = loadSceneOnTerminal(options.input, overridesFor(options));
     const Scene& scene = loaded.scene;
     const CaseAnswers answers{.comments = commentsFor(loaded, options),
-                              .columns = {"foot_x_m", "foot_y_m", "foot_z_m", "nx", "ny", "nz",
-                                          "distance_m", "u", "v", "iterations", "certified",
+                              .columns = {"closest_x_m", "closest_y_m", "closest_z_m", "nx", "ny",
+                                          "nz", "distance_m", "u", "v", "iterations", "certified",
                                           "proof", "inside", "measured", "curvature_1_per_m",
                                           "curvature_2_per_m"},
                               .add = [&](CsvWriter& csv, std::size_t row) {

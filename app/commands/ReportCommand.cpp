@@ -1,26 +1,18 @@
-#include "app/commands/ReportCommand.h"
-
-#include "app/commands/OffscreenApplication.h"
+#include "app/commands/Commands.h"
 #include "app/commands/OptionChecks.h"
 #include "app/commands/ProgressLine.h"
 #include "app/commands/VirtualDisplay.h"
 #include "app/loading/SceneLoader.h"
-#include "app/program/CancelOnSignal.h"
+#include "app/program/EndSignals.h"
 #include "app/recording/Bundle.h"
 #include "app/recording/Replay.h"
-#include "app/recording/RunPlace.h"
 #include "app/reports/RunPictures.h"
-#include "app/reports/page/HtmlPage.h"
-#include "app/reports/page/PageNames.h"
-#include "app/reports/page/PdfPage.h"
-#include "app/reports/run/ReportFolder.h"
-#include "app/reports/run/RunIndex.h"
+#include "app/reports/page/ReportPage.h"
 #include "app/reports/run/RunPage.h"
 #include "app/runs/RunFolder.h"
 #include "core/Error.h"
 #include "core/PrintableText.h"
 #include "core/io/FileBytes.h"
-#include "core/io/FileHash.h"
 
 #include <CLI/CLI.hpp>
 #include <iostream>
@@ -41,17 +33,17 @@ struct ReportOptions {
 
 constexpr PictureSize kPicture{1100, 760};  // its texts can be read on paper
 
-/// A run on its way to its page.
+/// A run that a page is made of.
 struct Task {
     std::filesystem::path folder;  ///< as the user gave it
     std::string page;              ///< name of its files
     std::string parent;            ///< name of the page that lists it; empty: none
 };
 
-/// What is left of a page when it is written.
+/// The facts of a page that are kept when it is written.
 struct Written {
     IndexedRun run;
-    std::string note;  ///< what is wrong with the run, a clause; empty: nothing
+    std::string note;  ///< fault of the run, a clause; empty: nothing
 };
 
 void writePage(const std::filesystem::path& folder, const ReportPage& page) {
@@ -84,7 +76,7 @@ void draw(ReportedRun& run, const std::filesystem::path& scratch, Progress* prog
     reportTo(progress, 1.0);
 }
 
-/// Of the files of a run. @param shown what their names begin with on the page
+/// Hashes the files of a run. @param shown start of their names on the page
 std::vector<HashedFile> hashesOf(const std::filesystem::path& folder,
                                  const std::filesystem::path& shown) {
     std::vector<HashedFile> hashes;
@@ -98,9 +90,9 @@ std::vector<HashedFile> hashesOf(const std::filesystem::path& folder,
     return hashes;
 }
 
-/// The files that the page tells of, by names that outlive it: those of a bundle are unpacked into
-/// a folder that goes.
-void addFiles(ReportedRun& run, const RunPlace& input) {
+/// The files that the page lists, by names that outlive it: those of a bundle are unpacked into
+/// a folder that is deleted.
+void addFiles(ReportedRun& run, const RunLocation& input) {
     run.scan = run.loaded.sha256.empty() ? "" : run.loaded.scene.description.sample.file;
     if (input.isBundle()) {
         run.bundle = {sha256Of(FileBytes(run.folder)), run.folder.string()};
@@ -118,19 +110,20 @@ std::string noteOn(const ReportedRun& run) {
 }
 
 /// Reads, replays and draws a run, and writes its page.
-Written writeRun(const Task& task, const RunPlace& input, const std::filesystem::path& folder,
+Written writeRun(const Task& task, const RunLocation& input, const std::filesystem::path& folder,
                  Progress* progress) {
     const RecordedRun recorded = readSomeTicks(input.folder());
     ProgressPart loading(progress, 0.0, 0.4);
     const LoadedScene loaded = loadScene(input.folder() / run_files::kScene, {}, &loading);
-    requireSameScan(loaded, input.folder());
+    requireSameScan(loaded, recorded.scan);
+    const RunRecord record = readRecord(input.folder());
     ReportedRun run{.name = task.page,
                     .folder = task.folder,
                     .scan = {},
                     .loaded = loaded,
                     .history = {},
-                    .program = programOf(input.folder()),
-                    .summary = readSummary(input.folder()),
+                    .program = record.program,
+                    .summary = record.summary,
                     .state = sentenceOf(recorded.state),
                     .difference = {},
                     .bundle = {},
@@ -143,7 +136,7 @@ Written writeRun(const Task& task, const RunPlace& input, const std::filesystem:
         loaded.scene, recorded, folder / "replay",
         [&run](const TickSample& sample) { run.history.take(sample); }, &replaying);
     if (!run.difference.empty()) {
-        run.difference = failureOfReplay(run.difference, loaded, input.folder());
+        run.difference = failureOfReplay(run.difference, loaded, recorded.scan);
     }
     ProgressPart drawing(progress, 0.6, 0.95);
     draw(run, folder / "picture.png", &drawing);
@@ -179,10 +172,10 @@ void requireRuns(const std::vector<Task>& tasks) {
         if (isBundle(task.folder)) {
             continue;
         }
-        const RunPlace place(task.folder);  // as other commands say it
-        const bool isPacked = isThere(place.folder() / run_files::kTables);
+        const RunLocation named(task.folder);  // as other commands say it
+        const bool isPacked = isThere(named.folder() / run_files::kTables);
         for (const char* name : {run_files::kScene, run_files::kInput, run_files::kLog}) {
-            if (!isThere(place.folder() / name) && !(isPacked && name != run_files::kScene)) {
+            if (!isThere(named.folder() / name) && !(isPacked && name != run_files::kScene)) {
                 throw InputError(task.folder.string(), "",
                                  std::string("holds no run: there is no ") + name);
             }
@@ -199,7 +192,7 @@ std::vector<Written> writeAll(const std::vector<Task>& tasks, const std::filesys
     for (const Task& task : tasks) {
         const auto done = static_cast<double>(written.size());
         ProgressPart part(&line, done / count, (done + 1.0) / count);
-        const RunPlace input(task.folder);
+        const RunLocation input(task.folder);
         written.push_back(input.read([&] { return writeRun(task, input, folder, &part); }));
         runs.push_back(written.back().run);
     }
@@ -241,8 +234,8 @@ void report(const ReportOptions& options) {
 
 void addReportCommand(CLI::App& program) {
     CLI::App* command = program.add_subcommand(
-        "report", "Write a page on each recorded run, as HTML and PDF: curves, touches, pictures, "
-                  "parameters, validity");
+        "report", "Write a page on each recorded run, as HTML and PDF: curves, force cycles, "
+                  "pictures, parameters, validity");
     const auto options = std::make_shared<ReportOptions>();
     command
         ->add_option("RUN", options->runs,

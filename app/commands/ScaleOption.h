@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/surface/GivenScale.h"
+#include "core/surface/HeightMap.h"
 
 #include <CLI/CLI.hpp>
 #include <optional>
@@ -19,5 +20,11 @@ namespace asperity {
 /// The options --size, --z-unit and --z-scale of a command that reads a height map.
 /// @param scale outlives the parse
 void addScaleOptions(CLI::App& command, GivenScale& scale);
+
+/// "20,30,100,80" as column, row, columns and rows; empty where it is anything else.
+[[nodiscard]] std::optional<PixelRectangle> parseCrop(const std::string& text);
+
+/// The option --crop of a command that loads a height map. @param crop outlives the parse
+void addCropOption(CLI::App& command, std::optional<PixelRectangle>& crop);
 
 }  // namespace asperity

@@ -3,8 +3,12 @@
 #include "core/Error.h"
 #include "vtkplugins/pictures/Display.h"
 
+#include <QGuiApplication>
+
+#include <clocale>
 #include <csignal>
 #include <cstdlib>
+#include <iostream>
 
 namespace asperity {
 
@@ -39,6 +43,16 @@ std::string displayNumber(RunningProgram& server) {
     return server.output().substr(0, server.output().find('\n'));
 }
 
+char kProgram[] = "asperity";
+char kPlatformOption[] = "-platform";
+char kPlatform[] = "offscreen";
+
+void showIfFatal(QtMsgType type, const QMessageLogContext& /*context*/, const QString& message) {
+    if (type == QtFatalMsg) {
+        std::cerr << message.toStdString() << '\n';
+    }
+}
+
 }  // namespace
 
 VirtualDisplay::VirtualDisplay() {
@@ -65,5 +79,16 @@ VirtualDisplay::~VirtualDisplay() {
     before_.empty() ? unsetenv("DISPLAY")                     // NOLINT(concurrency-mt-unsafe)
                     : setenv("DISPLAY", before_.c_str(), 1);  // NOLINT(concurrency-mt-unsafe)
 }
+
+OffscreenApplication::OffscreenApplication()
+    : argumentCount_(3), arguments_{kProgram, kPlatformOption, kPlatform, nullptr} {
+    // It complains of folders of a desktop session, which drawing does not need.
+    const QtMessageHandler before = qInstallMessageHandler(showIfFatal);
+    application_ = std::make_unique<QGuiApplication>(argumentCount_, arguments_);
+    qInstallMessageHandler(before);
+    std::setlocale(LC_NUMERIC, "C");  // NOLINT(concurrency-mt-unsafe): Qt has set the user's
+}
+
+OffscreenApplication::~OffscreenApplication() = default;
 
 }  // namespace asperity

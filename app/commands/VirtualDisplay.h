@@ -1,9 +1,13 @@
 #pragma once
 
+#include "app/program/DataFolder.h"
 #include "core/ProgramRun.h"
 
+#include <memory>
 #include <optional>
 #include <string>
+
+class QGuiApplication;
 
 namespace asperity {
 
@@ -20,6 +24,21 @@ public:
 private:
     std::string before_;  ///< DISPLAY
     std::optional<RunningProgram> server_;
+};
+
+/// Qt application that can draw letters without a display: the only one while this object lives.
+class OffscreenApplication {
+public:
+    OffscreenApplication();
+    ~OffscreenApplication();
+    OffscreenApplication(const OffscreenApplication&) = delete;
+    OffscreenApplication& operator=(const OffscreenApplication&) = delete;
+
+private:
+    RuntimeFolder runtime_;
+    int argumentCount_;
+    char* arguments_[4];
+    std::unique_ptr<QGuiApplication> application_;
 };
 
 }  // namespace asperity

@@ -1,18 +1,18 @@
 #include "app/commands/WindowCommand.h"
 
-#include "app/commands/CropOption.h"
-#include "app/commands/FormatOption.h"
 #include "app/commands/LevelingOption.h"
 #include "app/commands/OptionChecks.h"
 #include "app/commands/ProgressLine.h"
 #include "app/commands/ScaleOption.h"
 #include "app/program/DataFolder.h"
-#include "app/runs/BeginningRun.h"
-#include "app/session/LiveWindow.h"
-#include "app/session/ShippedScene.h"
-#include "app/session/StartTimes.h"
+#include "app/runs/OutputFolder.h"
+#include "app/window/Stage.h"
+#include "app/window/lab/Features.h"
+#include "app/window/lab/LiveWindow.h"
+#include "app/window/recording/RecordingControl.h"
+#include "app/window/scene/SceneControl.h"
+#include "app/window/session/SessionControl.h"
 #include "core/Error.h"
-#include "ui/window/WindowMenus.h"
 #include "vtkplugins/pictures/Display.h"
 
 #include <QAction>
@@ -40,11 +40,11 @@ CLI::Validator noMistypedCommand() {
 }
 
 /// Records the first scene that is shown.
-void recordFromTheStart(Session& session, const RecordingPlace& place) {
-    auto* const once = new QObject(&session);
-    QObject::connect(&session.runs(), &RunControl::begun, once, [&session, once, place] {
+void recordFromTheStart(Stage& stage, const RecordingTarget& target) {
+    auto* const once = new QObject(&stage);
+    QObject::connect(&stage.runs(), &RunControl::begun, once, [&stage, once, target] {
         once->deleteLater();
-        session.recordings().start(place);
+        stage.get<RecordingControl>().start(target);
     });
 }
 
@@ -52,26 +52,25 @@ void recordFromTheStart(Session& session, const RecordingPlace& place) {
 /// the scale is all that is missing: the window asks for it. From then on the window stays,
 /// whatever a user opens in it.
 /// @param reason why the program ends
-void openOrQuit(Session& session, std::exception_ptr& reason) {
-    SceneControl& scenes = session.scenes();
+void openOrQuit(Stage& stage, std::exception_ptr& reason) {
+    SceneControl& scenes = stage.get<SceneControl>();
     const auto quits = QObject::connect(&scenes, &SceneControl::openFailed, [&scenes, &reason] {
         reason = scenes.openError();
         QApplication::quit();
     });
     const auto goOn = [quits] { QObject::disconnect(quits); };
-    QObject::connect(&session.runs(), &RunControl::begun, goOn);
+    QObject::connect(&stage.runs(), &RunControl::begun, goOn);
     QObject::connect(&scenes, &SceneControl::openCanceled, goOn);
     QObject::connect(&scenes, &SceneControl::scaleAsked, goOn);
-    showShippedInstead(session);
+    showShippedInstead(stage);
 }
 
 /// The same for a run that is recorded: there is no other scene to record.
-void recordOrQuit(Session& session, const std::filesystem::path& input,
-                  std::exception_ptr& reason) {
-    SceneControl& scenes = session.scenes();
-    auto* const once = new QObject(&session);
-    const auto quit = [&session, once, &reason](const std::exception_ptr& why) {
-        if (session.run() == nullptr) {
+void recordOrQuit(Stage& stage, const std::filesystem::path& input, std::exception_ptr& reason) {
+    SceneControl& scenes = stage.get<SceneControl>();
+    auto* const once = new QObject(&stage);
+    const auto quit = [&stage, once, &reason](const std::exception_ptr& why) {
+        if (stage.run() == nullptr) {
             reason = why;
             QApplication::quit();
         }
@@ -83,30 +82,30 @@ void recordOrQuit(Session& session, const std::filesystem::path& input,
         quit(std::make_exception_ptr(
             InputError(input.string(), "", "it was not opened; nothing is recorded")));
     });
-    QObject::connect(&session.runs(), &RunControl::begun, once, &QObject::deleteLater);
+    QObject::connect(&stage.runs(), &RunControl::begun, once, &QObject::deleteLater);
 }
 
-/// Where the last session cannot be opened any more, the scene that comes with the program is.
-void openLastSession(Session& session) {
-    auto* const once = new QObject(&session);
-    QObject::connect(&session.scenes(), &SceneControl::openFailed, once, [&session, once] {
+/// Opens the program's own scene where the last session cannot be opened any more.
+void openLastSession(Stage& stage) {
+    auto* const once = new QObject(&stage);
+    QObject::connect(&stage.get<SceneControl>(), &SceneControl::openFailed, once, [&stage, once] {
         once->deleteLater();
         const std::filesystem::path shipped = defaultSceneFile();
-        if (session.run() == nullptr && !shipped.empty()) {
-            session.scenes().open(shipped);
+        if (stage.run() == nullptr && !shipped.empty()) {
+            stage.get<SceneControl>().open(shipped);
         }
     });
-    QObject::connect(&session.runs(), &RunControl::begun, once, &QObject::deleteLater);
-    showShippedInstead(session);
-    session.saving().openLast();
+    QObject::connect(&stage.runs(), &RunControl::begun, once, &QObject::deleteLater);
+    showShippedInstead(stage);
+    stage.get<SessionControl>().openLast();
 }
 
 int execWith(LiveWindow& live, const std::filesystem::path& input, const SceneOverrides& overrides,
              bool isRecorded) {
     std::exception_ptr reason;
-    live.session().scenes().setFit(isRecorded ? ModelFit::Now : ModelFit::Later);
-    isRecorded ? recordOrQuit(live.session(), input, reason) : openOrQuit(live.session(), reason);
-    live.session().scenes().open(input, overrides);
+    live.stage().get<SceneControl>().setFit(isRecorded ? ModelFit::Now : ModelFit::Later);
+    isRecorded ? recordOrQuit(live.stage(), input, reason) : openOrQuit(live.stage(), reason);
+    live.stage().get<SceneControl>().open(input, overrides);
     const int status = live.exec();
     if (reason) {
         std::rethrow_exception(reason);
@@ -116,10 +115,8 @@ int execWith(LiveWindow& live, const std::filesystem::path& input, const SceneOv
 
 /// Without a file: the last session, or the scene that comes with the program.
 int execAsBefore(LiveWindow& live) {
-    const SessionFolder* const kept = live.session().saving().folder();
-    if (kept != nullptr && !kept->last().empty() &&
-        live.window().menus().startWithSession->isChecked()) {
-        openLastSession(live.session());
+    if (live.stage().get<SessionControl>().startsWithLast()) {
+        openLastSession(live.stage());
         return live.exec();
     }
     const std::filesystem::path shipped = defaultSceneFile();
@@ -178,11 +175,11 @@ int openWindow(const WindowOptions& options) {
     }
     LiveWindow live;
     live.remember(userSettings());
-    live.session().recordings().recoverCutOff();
+    live.stage().get<RecordingControl>().recoverCutOff();
     if (!options.record.empty()) {
-        recordFromTheStart(live.session(), {options.record, options.force, options.format});
+        recordFromTheStart(live.stage(), {options.record, options.force, options.format});
     }
-    live.session().keepIn(sessionFolder());
+    keepSession(live.stage(), sessionFolder());
     std::optional<StartTimes> times;
     if (options.timeStart) {
         times.emplace(live);

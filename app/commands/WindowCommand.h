@@ -1,8 +1,8 @@
 #pragma once
 
-#include "app/runs/RunFormat.h"
+#include "app/runs/RunFolder.h"
 #include "core/surface/GivenScale.h"
-#include "core/surface/PixelRectangle.h"
+#include "core/surface/HeightMap.h"
 #include "core/surface/leveling/LevelingStep.h"
 
 #include <memory>
@@ -15,7 +15,7 @@ class App;
 
 namespace asperity {
 
-/// What `asperity [FILE or SCENE.toml]` was given.
+/// Options of `asperity [FILE or SCENE.toml]`.
 struct WindowOptions {
     std::string input;                      ///< empty: the scene that comes with the program
     std::string channel;                    ///< of the input's height map; empty: as the scene says
@@ -25,7 +25,7 @@ struct WindowOptions {
     std::optional<PixelRectangle> crop;      ///< the part of the map that is loaded
     std::string record;  ///< folder for a recording from the first tick on; empty: none
     RunFormat format = RunFormat::Csv;  ///< of the recording
-    bool force = false;                 ///< an earlier run in that folder may go
+    bool force = false;                 ///< an earlier run in that folder may be deleted
     bool timeStart = false;             ///< print how soon the window shows something, and end
 };
 

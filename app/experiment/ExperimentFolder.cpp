@@ -3,8 +3,7 @@
 #include "core/Error.h"
 #include "core/FormattedText.h"
 #include "core/io/experiment/StudyFile.h"
-#include "core/io/experiment/TrialTable.h"
-#include "core/scene/SceneFiles.h"
+#include "core/scene/SceneDescription.h"
 
 #include <algorithm>
 #include <utility>
@@ -74,7 +73,7 @@ void ExperimentFolder::take(FolderUse use) {
     };
     if (isThere && use != FolderUse::Replace) {
         throw Error(path().string() +
-                    ": holds a study; --resume goes on with it, --force replaces it");
+                    ": contains a study; --resume continues it, --force replaces it");
     }
     if (!isThere && std::ranges::any_of(kOwn, isOwn)) {  // of a run, or somebody's
         throw Error(path().string() + ": holds files of the names of a study's, and no study");
@@ -88,19 +87,19 @@ void ExperimentFolder::take(FolderUse use) {
 void ExperimentFolder::requireSameStudy() const {
     if (!holdsStudy(path(), study_)) {
         throw Error((path() / kStudy).string() +
-                    ": is another study; --resume goes on with the same one only");
+                    ": is another study; --resume continues only the same one");
     }
 }
 
-std::filesystem::path ExperimentFolder::placeOf(const PlannedTrial& trial) const {
+std::filesystem::path ExperimentFolder::folderOf(const PlannedTrial& trial) const {
     const std::string name = formatted("%03d", trial.number);
     return path() / kTrials /
            (trial.attempt == 1 ? name : name + "_" + std::to_string(trial.attempt));
 }
 
 std::filesystem::path ExperimentFolder::stagingOf(const PlannedTrial& trial) const {
-    const std::filesystem::path place = placeOf(trial);
-    return place.parent_path() / ("." + place.filename().string());
+    const std::filesystem::path folder = folderOf(trial);
+    return folder.parent_path() / ("." + folder.filename().string());
 }
 
 std::optional<PlannedTrial> ExperimentFolder::nextAttempt(const PlannedTrial& trial) const {
@@ -127,14 +126,14 @@ std::filesystem::path ExperimentFolder::begin(const PlannedTrial& trial) const {
 void ExperimentFolder::keep(const DoneTrial& trial) {
     writeMoments(stagingOf(trial.record.plan) / kMoments, trial.moments);
     const std::lock_guard lock(mutex_);
-    std::filesystem::remove_all(placeOf(trial.record.plan));
-    std::filesystem::rename(stagingOf(trial.record.plan), placeOf(trial.record.plan));
+    std::filesystem::remove_all(folderOf(trial.record.plan));
+    std::filesystem::rename(stagingOf(trial.record.plan), folderOf(trial.record.plan));
     std::vector<TrialRecord> trials = trials_;
     trials.insert(std::ranges::upper_bound(trials, trial.record, isBefore), trial.record);
     writeTable(std::move(trials));
 }
 
-/// What cannot be written is not kept here either.
+/// Trials that cannot be written are not kept here either.
 void ExperimentFolder::writeTable(std::vector<TrialRecord> trials) {
     writeTrials(path() / kTable, study_, trials);
     trials_ = std::move(trials);
@@ -152,7 +151,7 @@ void ExperimentFolder::strikeOut(const PlannedTrial& trial, const std::string& w
 }
 
 std::vector<TrialMoment> ExperimentFolder::momentsOf(const TrialRecord& trial) const {
-    return readMoments(placeOf(trial.plan) / kMoments);
+    return readMoments(folderOf(trial.plan) / kMoments);
 }
 
 bool holdsStudy(const std::filesystem::path& folder) {

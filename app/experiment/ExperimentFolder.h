@@ -1,7 +1,7 @@
 #pragma once
 
-#include "app/runs/ClaimedFolder.h"
-#include "core/experiment/TrialRecord.h"
+#include "app/runs/OutputFolder.h"
+#include "core/experiment/TrialPlan.h"
 
 #include <filesystem>
 #include <mutex>
@@ -12,15 +12,15 @@
 
 namespace asperity {
 
-/// Whether a folder begins anew, goes on with a study, or gives way to another one.
+/// Use of a folder for a study: it begins one, continues the one in it, or replaces that.
 enum class FolderUse : std::uint8_t { New, Resume, Replace };
 
 /// The folder of a study: study.toml and what it names, trials.csv, trials/NNN. Each trial is in
 /// its place when it ends: whatever ends the program, at most one of each thread is lost.
 class ExperimentFolder {
 public:
-    /// @throw Error where a study is in the folder and none goes on or gives way, or the one that
-    /// is there is another study; FileError
+    /// @throw Error where a study is in the folder and none continues or is replaced, or the one
+    /// that is there is another study; FileError
     ExperimentFolder(std::filesystem::path folder, const Study& study, FolderUse use);
     /// Trials that began and were not kept leave nothing.
     ~ExperimentFolder();
@@ -40,7 +40,7 @@ public:
     /// gets its row. Any thread. @throw Error, FileError
     void keep(const DoneTrial& trial);
 
-    /// A trial that is there does not count, and comes again. Any thread.
+    /// A trial that is there does not count, and is repeated. Any thread.
     /// @param why in one line @throw Error without such a trial; FileError
     void strikeOut(const PlannedTrial& trial, const std::string& why);
 
@@ -52,7 +52,7 @@ private:
     void removeHalfTrials() const noexcept;
     void requireSameStudy() const;
     void writeTable(std::vector<TrialRecord> trials);
-    [[nodiscard]] std::filesystem::path placeOf(const PlannedTrial& trial) const;
+    [[nodiscard]] std::filesystem::path folderOf(const PlannedTrial& trial) const;
     [[nodiscard]] std::filesystem::path stagingOf(const PlannedTrial& trial) const;
 
     ClaimedFolder claim_;
@@ -61,10 +61,10 @@ private:
     std::vector<TrialRecord> trials_;
 };
 
-/// Whether a study lies in a folder.
+/// Returns whether a study lies in a folder.
 [[nodiscard]] bool holdsStudy(const std::filesystem::path& folder);
 
-/// Whether it is this one. @throw InputError where it cannot be read
+/// Returns whether it is this study. @throw InputError where it cannot be read
 [[nodiscard]] bool holdsStudy(const std::filesystem::path& folder, const Study& study);
 
 /// The first trial that is none of these planned ones: of another seed or number of participants;

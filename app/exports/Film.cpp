@@ -1,7 +1,5 @@
 #include "app/exports/Film.h"
 
-#include "app/exports/MomentCaption.h"
-#include "app/exports/PictureFile.h"
 #include "app/exports/VideoFile.h"
 #include "app/runs/OutputFolder.h"
 #include "app/runs/RunFolder.h"
@@ -69,7 +67,7 @@ bool isFrameName(const std::string& name) {
     return std::regex_match(name, pattern);
 }
 
-/// What a film leaves, and all that an earlier one may have left.
+/// The files of a film, and all that an earlier one may have left.
 FolderContent filmFiles(const std::filesystem::path& folder, std::size_t frames) {
     FolderContent content{.marks = {kFrameTable}, .own = {}, .guarded = {}};
     for (std::size_t i = 0; i < frames; ++i) {

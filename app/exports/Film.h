@@ -1,7 +1,7 @@
 #pragma once
 
+#include "app/exports/PictureFile.h"
 #include "app/exports/RunMoment.h"
-#include "app/exports/SpatialLook.h"
 #include "app/recording/RunPlayback.h"
 
 #include <filesystem>
@@ -25,7 +25,7 @@ struct FilmRequest {
 
 inline constexpr std::size_t kMaxFilmFrames = 99'999;
 
-/// Who draws the frames of a film, with one scale through all of them: all are foreseen first.
+/// Draws the frames of a film, with one scale through all of them: all are foreseen first.
 class FilmArtist {
 public:
     virtual ~FilmArtist() = default;
@@ -41,12 +41,12 @@ public:
 [[nodiscard]] std::unique_ptr<FilmArtist> filmArtist(const Scene& scene,
                                                      const OffscreenZoomLook& look);
 
-/// Which ticks the frames of a film show.
+/// Returns the ticks that the frames of a film show.
 /// @throw Error where the part is empty, or has too many frames; Canceled
 [[nodiscard]] std::vector<std::size_t> filmTicks(RunPlayback& run, const FilmRequest& request,
                                                  Progress* progress = nullptr);
 
-/// What a film shows, and who draws it.
+/// Content of a film, and the artist that draws it.
 struct FilmWork {
     RunPlayback& run;
     FilmArtist& artist;
@@ -58,7 +58,7 @@ struct FilmWork {
 
 /// Draws the frames as PNG into a folder, and frames.csv with what each shows. Earlier frames in it
 /// go. All or nothing.
-/// @param force earlier frames may go
+/// @param force earlier frames may be deleted
 /// @throw Error; Canceled
 void writeFrames(const FilmWork& film, const FilmRequest& request,
                  const std::filesystem::path& folder, bool force, Progress* progress = nullptr);

@@ -1,13 +1,12 @@
 #include "app/exports/PictureExport.h"
 
 #include "app/exports/CurveTables.h"
-#include "app/exports/FieldFile.h"
-#include "app/exports/MomentCaption.h"
-#include "app/exports/PlotFile.h"
-#include "app/reports/ContactView.h"
+#include "app/exports/SurfaceFile.h"
+#include "app/reports/RunPictures.h"
+#include "app/runs/RunFolder.h"
 #include "core/Error.h"
 #include "core/FormattedText.h"
-#include "core/surface/fit/CoarserSurface.h"
+#include "core/surface/fit/BSplineFit.h"
 #include "core/words/SceneWords.h"
 #include "vtkplugins/pictures/OffscreenPicture.h"
 
@@ -22,11 +21,11 @@ constexpr int kOverviewPixels = 1024;  // twice as many as the overview draws
 
 std::string timeText(double time) { return formatted("t = %.3f s", time); }
 
-/// Of a picture with a panel around its scene.
+/// Returns the look of a picture with a panel around its scene.
 PictureLook panelLook(const PictureSpec& spec) {
-    constexpr double kLeastWidth = 640.0;  // in pixels of letters
-    constexpr double kLeastHeight = 480.0;
-    return spec.look(kLeastWidth, kLeastHeight);
+    constexpr double kMinWidth = 640.0;  // in pixels of letters
+    constexpr double kMinHeight = 480.0;
+    return spec.look(kMinWidth, kMinHeight);
 }
 
 std::string titleOf(const PictureRequest& request, const TickSample& sample) {
@@ -43,7 +42,7 @@ RasterImage spatialImage(const ExportInput& input, const PictureRequest& request
     return zoom.draw(sample, isOfRun ? caption.of(sample) : std::string());
 }
 
-/// Where the tip went, no denser than it can be drawn.
+/// Returns the path of the tip, no denser than it can be drawn.
 std::vector<Vector3> pathOf(RunPlayback& run, double size, Progress* progress) {
     constexpr double kSeen = 1.0 / 4000.0;
     std::vector<Vector3> path;
@@ -116,6 +115,34 @@ void writePlot(RunPlayback& run, const PictureRequest& request, const std::files
         : writePlotPage(path, {{cycleChart(cycle, run.at(tick))}}, request.spec, format);
 }
 
+constexpr const char* kUsualName = "{file}_{view}_{n}.png";
+
+/// @throw Error for a placeholder that there is not
+std::string filled(const std::string& text, const OutputNameParts& parts, int number) {
+    std::string name;
+    for (std::size_t at = 0; at < text.size();) {
+        if (text[at] != '{') {
+            name += text[at++];
+            continue;
+        }
+        const std::size_t end = text.find('}', at);
+        const std::string placeholder =
+            text.substr(at, end == std::string::npos ? end : end - at + 1);
+        if (placeholder == "{file}") {
+            name += parts.file;
+        } else if (placeholder == "{view}") {
+            name += parts.view;
+        } else if (placeholder == "{n}") {
+            name += std::to_string(number);
+        } else {
+            throw Error("'" + placeholder +
+                        "' is no placeholder of a name: expected {file}, {view} or {n}");
+        }
+        at += placeholder.size();
+    }
+    return name;
+}
+
 }  // namespace
 
 void requireDrawable(const PictureRequest& request, bool hasRun) {
@@ -154,6 +181,30 @@ void writeExport(ExportInput& input, const PictureRequest& request,
                                   ? deformationImage(input, request, sample)
                                   : spatialImage(input, request, sample, input.run() != nullptr);
     writePicture(path, image, format, request.spec.dpi);
+}
+
+std::filesystem::path namedPath(const std::filesystem::path& folder, const std::string& name,
+                                const OutputNameParts& parts) {
+    const bool counts = name.find("{n}") != std::string::npos;
+    for (int number = 1;; ++number) {
+        std::filesystem::path path = folder / filled(name, parts, number);
+        if (!counts || !isThere(path)) {
+            return path;
+        }
+    }
+}
+
+std::filesystem::path filledPath(const std::filesystem::path& out, const OutputNameParts& parts) {
+    return namedPath(out.parent_path(), out.filename().string(), parts);
+}
+
+std::filesystem::path outputPath(const std::string& out, const OutputNameParts& parts, bool force) {
+    std::error_code unknown;
+    const bool isFolder = out.ends_with('/') || std::filesystem::is_directory(out, unknown);
+    std::filesystem::path path =
+        isFolder ? namedPath(out, kUsualName, parts) : filledPath(out, parts);
+    requireFree(path, force);
+    return path;
 }
 
 }  // namespace asperity

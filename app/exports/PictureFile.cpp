@@ -1,9 +1,13 @@
 #include "app/exports/PictureFile.h"
 
+#include "app/charts/ChartFile.h"
 #include "core/Error.h"
+#include "core/FormattedText.h"
 #include "core/TemporaryFile.h"
 
-#include <algorithm>
+#include <QImage>
+
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <memory>
@@ -14,6 +18,29 @@
 namespace asperity {
 
 namespace {
+
+// In pixels of letters.
+constexpr double kMinWidth = 480.0;
+constexpr double kMinHeight = 360.0;
+
+std::optional<ViewDirection> sideOf(ExportView view) {
+    switch (view) {
+    case ExportView::Front:
+        return ViewDirection::Front;
+    case ExportView::Back:
+        return ViewDirection::Back;
+    case ExportView::Right:
+        return ViewDirection::Right;
+    case ExportView::Left:
+        return ViewDirection::Left;
+    case ExportView::Top:
+        return ViewDirection::Top;
+    case ExportView::Bottom:
+        return ViewDirection::Bottom;
+    default:
+        return std::nullopt;
+    }
+}
 
 bool isOpaque(const RasterImage& image) {
     for (std::size_t at = 3; at < image.pixels.size(); at += RasterImage::kChannels) {
@@ -128,7 +155,26 @@ void writeTiff(const std::filesystem::path& path, const RasterImage& image, doub
     }
 }
 
+constexpr std::array<JournalColumn, 8> kColumns{{{"single", 85.0},
+                                                 {"double", 174.0},
+                                                 {"nature", 89.0},
+                                                 {"nature-double", 183.0},
+                                                 {"elsevier", 90.0},
+                                                 {"elsevier-double", 190.0},
+                                                 {"aps", 86.0},
+                                                 {"aps-double", 178.0}}};
+
 }  // namespace
+
+OffscreenZoomLook spatialLook(ExportView view, const PictureSpec& spec) {
+    return {.size = spec.size,
+            .look = spec.look(kMinWidth, kMinHeight),
+            .parts = spec.parts,
+            .side = sideOf(view),
+            .section = view == ExportView::Section,
+            .width = spec.width,
+            .heightScale = spec.heightScale.value_or(1.0)};
+}
 
 void writePicture(const std::filesystem::path& path, const RasterImage& image, ExportFormat format,
                   double dpi) {
@@ -140,6 +186,66 @@ void writePicture(const std::filesystem::path& path, const RasterImage& image, E
         throw Error(path.string() + ": " + error.what());
     }
     file.commit();
+}
+
+RasterImage rasterOf(const QImage& image) {
+    const QImage pixels = image.convertToFormat(QImage::Format_RGBA8888);
+    RasterImage raster{.width = pixels.width(), .height = pixels.height(), .pixels = {}};
+    raster.pixels.reserve(raster.rowBytes() * static_cast<std::size_t>(raster.height));
+    for (int row = 0; row < raster.height; ++row) {
+        const std::uint8_t* line = pixels.constScanLine(row);
+        raster.pixels.insert(raster.pixels.end(), line, line + raster.rowBytes());
+    }
+    return raster;
+}
+
+QImage imageOf(const RasterImage& raster) {
+    return QImage(raster.pixels.data(), raster.width, raster.height,
+                  static_cast<int>(raster.rowBytes()), QImage::Format_RGBA8888)
+        .copy();
+}
+
+ChartPage plotPage(std::span<const Chart> charts, const PictureSpec& spec) {
+    return layOut(charts, {.width = spec.size.width / spec.pixelRatio(),
+                           .height = spec.size.height / spec.pixelRatio(),
+                           .parts = spec.parts});
+}
+
+RasterImage drawnPage(const ChartPage& page, const PictureSpec& spec) {
+    return rasterOf(drawn(page, spec.pixelRatio(), spec.transparent));
+}
+
+void writePlotPage(const std::filesystem::path& path, std::span<const Chart> charts,
+                   const PictureSpec& spec, ExportFormat format) {
+    const ChartPage page = plotPage(charts, spec);
+    if (format == ExportFormat::Svg) {
+        writeSvg(path, page, spec.transparent);
+    } else if (format == ExportFormat::Pdf) {
+        writePdf(path, page, spec.transparent);
+    } else {
+        writePicture(path, drawnPage(page, spec), format, spec.dpi);
+    }
+}
+
+std::span<const JournalColumn> journalColumns() { return kColumns; }
+
+const JournalColumn& journalColumn(const std::string& name) {
+    const auto* const found = std::ranges::find(kColumns, name, &JournalColumn::name);
+    if (found == kColumns.end()) {
+        throw Error("'" + name + "' is no column of a journal: expected one of " +
+                    journalColumnList());
+    }
+    return *found;
+}
+
+std::string journalColumnList() {
+    std::string list;
+    for (const JournalColumn& column : kColumns) {
+        list.append(list.empty() ? "" : ", ")
+            .append(column.name)
+            .append(formatted(" (%.0f mm)", column.width));
+    }
+    return list;
 }
 
 }  // namespace asperity

@@ -1,5 +1,7 @@
 #include "app/exports/SurfaceFile.h"
 
+#include "app/exports/CurveTables.h"
+#include "core/io/fields/PatchExr.h"
 #include "vtkplugins/io/VtkFormats.h"
 
 namespace asperity {
@@ -22,6 +24,19 @@ std::vector<std::string> surfaceExtensions() {
         }
     }
     return extensions;
+}
+
+void writeField(const std::filesystem::path& path, const SurfacePatch& patch, ExportFormat format) {
+    switch (format) {
+    case ExportFormat::Exr:
+        return writePatchExr(path, patch);
+    case ExportFormat::Vtp:
+        return writePatchVtp(path, patch);
+    case ExportFormat::Vts:
+        return writePatchVts(path, patch);
+    default:
+        return writePatchTable(path, patch);
+    }
 }
 
 }  // namespace asperity

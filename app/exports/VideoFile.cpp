@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <optional>
 #include <span>
-#include <vector>
 
 namespace asperity {
 
@@ -31,7 +30,7 @@ const std::vector<VideoFormat>& videoFormats() {
     return formats;
 }
 
-/// The format that a file's extension stands for; null: none.
+/// Returns the format of a file's extension; null: none.
 const VideoFormat* videoFormat(const std::filesystem::path& file) {
     const std::string extension = lowerCase(file.extension().string());
     const auto found = std::ranges::find(videoFormats(), extension, &VideoFormat::extension);

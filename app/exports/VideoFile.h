@@ -3,7 +3,6 @@
 #include "core/ProgramRun.h"
 #include "core/Progress.h"
 #include "core/TemporaryFile.h"
-#include "vtkplugins/pictures/PictureSize.h"
 #include "vtkplugins/pictures/RasterImage.h"
 
 #include <filesystem>
@@ -30,10 +29,10 @@ public:
     /// @throw Error when there is no ffmpeg, or the file cannot be written
     VideoFile(const std::filesystem::path& path, PictureSize size, double fps);
 
-    /// @param progress may be null; asked whether to give up while ffmpeg takes its time
+    /// @param progress may be null; asked whether to give up while ffmpeg works
     /// @throw Error with what ffmpeg says, when it has ended; Canceled
     void add(const RasterImage& frame, const Progress* progress);
-    /// @throw likewise
+    /// @throw the same
     void commit(const Progress* progress);
 
 private:

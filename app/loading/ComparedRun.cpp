@@ -1,8 +1,9 @@
 #include "app/loading/ComparedRun.h"
 
-#include "app/loading/RunWithScene.h"
-#include "app/recording/RunPlace.h"
-#include "app/recording/RunSurvey.h"
+#include "app/loading/SceneLoader.h"
+#include "app/recording/Bundle.h"
+#include "app/recording/Replay.h"
+#include "app/runs/RunFolder.h"
 #include "core/PrintableText.h"
 
 namespace asperity {
@@ -27,10 +28,10 @@ std::string lastNames(const std::filesystem::path& run, int count) {
 
 ComparedRun readComparedRun(const std::filesystem::path& input, Progress* progress) {
     constexpr double kLoaded = 0.3;  // about the share of the time
-    const RunPlace place(input);
+    const RunLocation named(input);
     ProgressPart loading(progress, 0.0, kLoaded);
     ProgressPart running(progress, kLoaded, 1.0);
-    RunWithScene read = place.read([&] { return readRunWithScene(place.folder(), &loading); });
+    RunWithScene read = named.read([&] { return readRunWithScene(named.folder(), &loading); });
     RunPlayback playback(read.loaded.scene, std::move(read.run.inputs));
     return {.note = std::move(read.note),
             .conditions = conditionsOf(read.loaded),
@@ -41,12 +42,23 @@ std::string runName(const std::filesystem::path& run) { return lastNames(run, 1)
 
 std::pair<std::string, std::string> runNames(const std::filesystem::path& first,
                                              const std::filesystem::path& second) {
-    constexpr int kMost = 3;
+    constexpr int kMax = 3;
     int count = 1;
-    while (count < kMost && lastNames(first, count) == lastNames(second, count)) {
+    while (count < kMax && lastNames(first, count) == lastNames(second, count)) {
         ++count;
     }
     return {lastNames(first, count), lastNames(second, count)};
+}
+
+RunWithScene readRunWithScene(const std::filesystem::path& folder, Progress* progress) {
+    RunOnDisk run = readRunInputs(folder);
+    LoadedScene loaded = loadScene(folder / run_files::kScene, {}, progress);
+    requireSameScan(loaded, run.scan);
+    std::string note = sentenceOf(run.state);
+    if (const std::string correction = correctionOfScan(loaded, run.scan); !correction.empty()) {
+        note += (note.empty() ? "" : "; ") + correction;
+    }
+    return {.loaded = std::move(loaded), .run = std::move(run), .note = std::move(note)};
 }
 
 }  // namespace asperity

@@ -1,7 +1,8 @@
 #pragma once
 
-#include "app/recording/ForceTrace.h"
-#include "app/recording/RunDifferences.h"
+#include "app/program/LoadedScene.h"
+#include "app/recording/RunComparison.h"
+#include "app/recording/RunPlayback.h"
 #include "core/Progress.h"
 
 #include <filesystem>
@@ -22,11 +23,22 @@ struct ComparedRun {
 [[nodiscard]] ComparedRun readComparedRun(const std::filesystem::path& input,
                                           Progress* progress = nullptr);
 
-/// What a run is called: its folder, or the bundle.
+/// Returns the name of a run: its folder's, or the bundle's.
 [[nodiscard]] std::string runName(const std::filesystem::path& run);
-/// What two runs are called beside each other: their folders, with those that they are in where
-/// they are called the same.
+/// Returns the names of two runs beside each other: their folders', with those of the parent
+/// folders where both are the same.
 [[nodiscard]] std::pair<std::string, std::string> runNames(const std::filesystem::path& first,
                                                            const std::filesystem::path& second);
+
+/// A recorded run and the scene that it was made on.
+struct RunWithScene {
+    LoadedScene loaded;
+    RunOnDisk run;
+    std::string note;  ///< on a run that is cut off, or may not be what was recorded; empty: none
+};
+
+/// @throw InputError where one of them cannot be read, or the scan has changed since; Canceled
+[[nodiscard]] RunWithScene readRunWithScene(const std::filesystem::path& folder,
+                                            Progress* progress = nullptr);
 
 }  // namespace asperity

@@ -1,9 +1,8 @@
 #include "app/loading/ScanPreview.h"
 
 #include "core/Error.h"
-#include "core/io/heightmap/CroppedChannel.h"
-#include "core/io/heightmap/DefaultChannel.h"
-#include "core/io/heightmap/MissingScale.h"
+#include "core/io/heightmap/ImageScale.h"
+#include "core/io/heightmap/ScanFile.h"
 #include "core/io/scene/SceneFile.h"
 #include "core/scene/ShapeSample.h"
 #include "core/surface/leveling/Leveling.h"
@@ -29,7 +28,7 @@ const ScanChannel& channelToShow(const ScanFile& file, const std::filesystem::pa
                         : channelNamed(contents, path, name);
 }
 
-/// Of several with one name, the one that the name stands for.
+/// Lists, of several with one name, the one that the name opens.
 std::vector<PreviewedChannel> channelsOf(const HeightMapFile& file,
                                          const std::filesystem::path& path) {
     std::vector<PreviewedChannel> channels;
@@ -64,7 +63,7 @@ std::string channelRefusal(const HeightMapFile& file, const std::filesystem::pat
     return {};
 }
 
-/// Where the size of the scan is not known yet, leveling takes its pixels to be 1 m wide.
+/// Makes pixels of unknown size 1 m wide, for leveling.
 HeightMap levelable(HeightMap map) {
     if (!(map.pitchX > 0.0 && map.pitchY > 0.0)) {
         map.pitchX = 1.0;
@@ -99,7 +98,7 @@ ScanPreview shapePreview(const SampleDescription& sample) {
 
 }  // namespace
 
-/// What was read of a file.
+/// Data read of a file.
 struct ScanPreviewer::Source {
     std::filesystem::path path;
     std::filesystem::file_time_type time;
@@ -118,7 +117,7 @@ struct ScanPreviewer::Source {
 
 private:
     void describe(const HeightMapFile& file, const ScanChannel& shown);
-    /// What the file and its scene do not say; none where the channel cannot be opened anyway.
+    /// Returns the missing scale, if any; none where the channel cannot be opened anyway.
     [[nodiscard]] std::optional<ScaleGap> findGap() const;
 };
 
@@ -148,7 +147,7 @@ std::optional<ScaleGap> ScanPreviewer::Source::findGap() const {
         (void)heightChannel(file.contents(), path, channel);
     } catch (const MissingScale& missing) {
         return missing.gap();
-    } catch (const InputError&) {  // told as the refusal
+    } catch (const InputError&) {  // reported as the refusal
     }
     return std::nullopt;
 }

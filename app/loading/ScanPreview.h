@@ -2,7 +2,7 @@
 
 #include "app/loading/SceneLoader.h"
 #include "core/io/heightmap/ThinnedMap.h"
-#include "core/surface/ScaleGap.h"
+#include "core/surface/GivenScale.h"
 
 #include <filesystem>
 #include <memory>
@@ -22,13 +22,13 @@ struct PreviewedChannel {
     bool opens = false;  ///< it is a height, or may be one
 };
 
-/// Heights with what is told of them.
+/// Heights with the facts shown of them.
 struct PreviewedHeights {
     HeightMap map;  ///< in the channel's unit
     HeightStatistics statistics;
 };
 
-/// What a file holds and what would be opened of it, before it is opened.
+/// Content of a file, and what would be opened of it, before it is opened.
 struct ScanPreview {
     std::string format;  ///< for people; "shape" without a file
     std::vector<PreviewedChannel> channels;
@@ -38,15 +38,15 @@ struct ScanPreview {
     int rows = 0;
     double sizeX = 0.0;           ///< [m]; 0: not known
     double sizeY = 0.0;           ///< [m]; 0: not known
-    std::optional<ScaleGap> gap;  ///< what the file and its scene do not say, given or not
+    std::optional<ScaleGap> gap;  ///< missing scale of file and scene, given or not
     GivenScale scale;             ///< that is used
-    LevelingSteps leveling;       ///< likewise
+    LevelingSteps leveling;       ///< the same
     std::optional<LevelPoints> levelPoints;
     std::optional<PixelRectangle> crop;
     PreviewedHeights whole;    ///< as the file gives them
     PreviewedHeights part;     ///< of the crop, before leveling; empty: there is none
-    PreviewedHeights leveled;  ///< likewise, after it
-    int step = 1;      ///< of so many pixels of the whole along each axis, one was looked at
+    PreviewedHeights leveled;  ///< the same, after it
+    int step = 1;      ///< distance of the pixels read, along each axis of the whole [pixels]
     int partStep = 1;  ///< of the part
     std::vector<std::string> notes;
     std::vector<Provenance> provenance;

@@ -2,11 +2,16 @@
 
 #include "app/program/LoadedScene.h"
 #include "core/Progress.h"
+#include "core/io/heightmap/HeightMapFile.h"
+#include "core/scene/SceneDescription.h"
+#include "core/surface/BSplineSurface.h"
+#include "core/surface/PixelField.h"
 
 #include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace asperity {
 
@@ -25,7 +30,7 @@ struct SceneOverrides {
 [[nodiscard]] SampleDescription withOverrides(SampleDescription sample,
                                               const SceneOverrides& overrides);
 
-/// When the terms are found that a scene requires of its model. Until then it has all of them.
+/// Time at which the terms are found that a scene needs. Until then its model has all of them.
 enum class ModelFit : std::uint8_t { Now, Later };
 
 /// Loads a scene file or a height map, fits the surface, sets up the instrument.
@@ -40,11 +45,28 @@ enum class ModelFit : std::uint8_t { Now, Later };
 
 /// Returns the scene on the same scan with another tip, lever, material or model; the terms of the
 /// model are found now or later.
-/// Reads nothing of the scene's description: that may change meanwhile.
+/// Reads nothing of the scene's description: that may change while it loads.
 /// @throw Error as withDescription(); Canceled
 [[nodiscard]] LoadedScene withDescription(const LoadedScene& loaded,
                                           const SceneDescription& description,
                                           Progress* progress = nullptr,
                                           ModelFit fit = ModelFit::Now);
+
+/// Names of the images of a file that have the pixels of its channel of this name, each once; that
+/// one left out.
+[[nodiscard]] std::vector<std::string> imagesBeside(const HeightMapFile& file,
+                                                    const std::string& channel);
+
+/// The image of this name in the file of a sample, over the pixels of its surface, in the file's
+/// unit. @throw InputError when it cannot be read or has other pixels; Canceled
+[[nodiscard]] PixelField imageBeside(const SampleDescription& sample, const BSplineSurface& surface,
+                                     const std::string& name, Progress* progress = nullptr);
+
+/// Returns the residual, data minus surface, of a scan leveled as the sample says [m].
+/// @param surface of this sample
+/// @throw InputError when the file cannot be read, Error when the surface has another size;
+/// Canceled
+[[nodiscard]] PixelField residualImage(const SampleDescription& sample,
+                                       const BSplineSurface& surface, Progress* progress = nullptr);
 
 }  // namespace asperity

@@ -1,17 +1,24 @@
 #include "app/maps/MapFiles.h"
 
-#include "app/maps/MapKey.h"
-#include "app/maps/UnknownDeviations.h"
+#include "app/program/ProgramParts.h"
 #include "core/Error.h"
+#include "core/FormattedText.h"
 #include "core/SiFormat.h"
 #include "core/TemporaryFile.h"
 #include "core/Version.h"
+#include "core/io/FileBytes.h"
+#include "core/io/TextValue.h"
 #include "core/io/heightmap/ScanFile.h"
 #include "core/io/heightmap/exr/ExrWriter.h"
 #include "core/io/heightmap/gwy/GwyWriter.h"
 #include "core/io/heightmap/vti/VtiWriter.h"
+#include "core/io/scene/SceneFile.h"
+#include "core/map/PixelCycle.h"
+#include "core/scene/BelievedModel.h"
+#include "core/scene/SceneDescription.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <exception>
 #include <limits>
@@ -19,6 +26,34 @@
 #include <utility>
 
 namespace asperity {
+
+namespace {
+
+std::string textOf(const MapPlan& plan) {
+    std::string text = std::string(keyOf(plan.mode)) + (plan.truth ? " truth" : " belief");
+    for (const double value : {plan.region.left, plan.region.bottom, plan.region.right,
+                               plan.region.top, plan.setpoint}) {
+        text += " " + exactText(value);
+    }
+    text += " " + std::to_string(plan.grid.columns) + " " + std::to_string(plan.grid.rows);
+    for (const MapQuantity quantity : plan.quantities) {
+        text += " " + std::string(keyOf(quantity));
+    }
+    return text;
+}
+
+}  // namespace
+
+std::string mapKey(const LoadedScene& loaded, const MapPlan& plan) {
+    SceneDescription scene = settled(loaded.scene.description, loaded.scene.model);
+    forEachFile(scene, [](std::string& file) { file.clear(); });  // contents count, not paths
+    Sha256 hash;
+    for (const std::string& part :
+         {versionWithCommit(), loaded.sha256, sceneText(scene), textOf(plan)}) {
+        hash.add(part + "\n");
+    }
+    return hash.digits();
+}
 
 namespace {
 
@@ -36,7 +71,7 @@ std::map<std::string, std::string> metadataOf(const LoadedScene& loaded, const M
     return texts;
 }
 
-/// What a channel is called in a file.
+/// Name of a channel in a file.
 enum class Naming : std::uint8_t { ByKey, ByName };
 
 /// The channels of a map as images, all of the same pixels.
@@ -149,6 +184,38 @@ void writeMapFiles(const MapFiles& files, const LoadedScene& loaded, const MapPl
     writeImages(files.exr(), byKey, writeExrImages, &second);
     ProgressPart third(progress, 0.6, 1.0);
     writeImages(files.gwy(), byName, writeGwyImages, &third);
+}
+
+std::string unknownDeviations(const MapPlan& plan, const MapPart& part, std::size_t index) {
+    if (!isDeviation(plan.quantities[index])) {
+        return {};
+    }
+    std::vector<double> values(static_cast<std::size_t>(plan.grid.columns));
+    long unknown = 0;
+    long computed = 0;
+    for (int row = 0; row < plan.grid.rows; ++row) {
+        if (part.has(row)) {
+            part.read(row, index, values.data());
+            unknown +=
+                std::ranges::count_if(values, [](double value) { return std::isnan(value); });
+            computed += plan.grid.columns;
+        }
+    }
+    return unknown == 0 ? std::string()
+                        : formatted("unknown in %ld of %ld pixels, not 0: several contacts carry "
+                                    "there, or there is no such value",
+                                    unknown, computed);
+}
+
+std::vector<std::string> unknownDeviations(const MapPlan& plan, const MapPart& part) {
+    std::vector<std::string> sentences;
+    for (std::size_t index = 0; index < plan.quantities.size(); ++index) {
+        const std::string sentence = unknownDeviations(plan, part, index);
+        if (!sentence.empty()) {
+            sentences.push_back(std::string(rowOf(plan.quantities[index])->name) + ": " + sentence);
+        }
+    }
+    return sentences;
 }
 
 }  // namespace asperity

@@ -4,13 +4,19 @@
 #include "app/maps/MapPart.h"
 #include "app/program/LoadedScene.h"
 #include "core/Progress.h"
+#include "core/map/MapPlan.h"
 
 #include <cstddef>
 #include <filesystem>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace asperity {
+
+/// SHA-256 of all that the values of a map depend on: the program's version and commit, the scan's
+/// content, the scene with the model that it is computed with, and the plan; 64 hexadecimal digits.
+[[nodiscard]] std::string mapKey(const LoadedScene& loaded, const MapPlan& plan);
 
 /// The files of a map, all beside its .gwy.
 class MapFiles {
@@ -41,7 +47,7 @@ private:
     std::filesystem::path gwy_;
 };
 
-/// Whether the .gwy of a map stays below its 4 GiB.
+/// Returns whether the .gwy of a map stays below its 4 GiB.
 /// @param compared channels that it is compared with: each adds two
 [[nodiscard]] bool mapFits(const MapPlan& plan, std::size_t compared = 0);
 
@@ -60,5 +66,14 @@ void requireMapFits(const MapPlan& plan, std::size_t compared = 0);
 void writeMapFiles(const MapFiles& files, const LoadedScene& loaded, const MapPlan& plan,
                    const MapPart& part, Progress* progress,
                    std::span<const ComparedMap> compared = {});
+
+/// Returns in how many of the computed pixels a standard deviation is not known, and why, in one
+/// sentence: a blank is no deviation of 0. Empty where all are known, or the quantity is none.
+/// @param index of the quantity in the plan  @throw Error as MapPart::read()
+[[nodiscard]] std::string unknownDeviations(const MapPlan& plan, const MapPart& part,
+                                            std::size_t index);
+
+/// The same of all standard deviations of a map, each with its name.
+[[nodiscard]] std::vector<std::string> unknownDeviations(const MapPlan& plan, const MapPart& part);
 
 }  // namespace asperity

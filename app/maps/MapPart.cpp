@@ -1,5 +1,6 @@
 #include "app/maps/MapPart.h"
 
+#include "app/maps/MapFiles.h"
 #include "core/Error.h"
 #include "core/io/ByteReader.h"
 
@@ -9,6 +10,7 @@
 #include <limits>
 #include <span>
 #include <string_view>
+#include <utility>
 
 // A line of text, then records: the row's number (uint32), a check of the values (uint64), the
 // values (double) of one quantity after the other; numbers in the byte order of the machine, which
@@ -20,7 +22,7 @@ namespace {
 
 constexpr std::uint64_t kRecordHead = sizeof(std::uint32_t) + sizeof(std::uint64_t);
 
-/// FNV-1a: tells a record that a power cut left half written.
+/// FNV-1a: detects a record that a power cut left half written.
 std::uint64_t checkOf(std::uint32_t row, std::string_view values) {
     constexpr std::uint64_t kStart = 14695981039346656037U;
     constexpr std::uint64_t kPrime = 1099511628211U;
@@ -41,15 +43,15 @@ void append(std::string& bytes, Number number) {
     bytes.append(raw.data(), raw.size());
 }
 
-/// Whether all of it was read.
-bool readAt(int file, std::uint64_t place, std::span<char> bytes) {
+/// Returns whether all of it was read.
+bool readAt(int file, std::uint64_t offset, std::span<char> bytes) {
     while (!bytes.empty()) {
-        const ssize_t got = ::pread(file, bytes.data(), bytes.size(), static_cast<off_t>(place));
+        const ssize_t got = ::pread(file, bytes.data(), bytes.size(), static_cast<off_t>(offset));
         if (got <= 0) {
             return false;
         }
         bytes = bytes.subspan(static_cast<std::size_t>(got));
-        place += static_cast<std::uint64_t>(got);
+        offset += static_cast<std::uint64_t>(got);
     }
     return true;
 }
@@ -63,8 +65,8 @@ FileDescriptor opened(const std::filesystem::path& path) {
 void requireNoPart(const std::filesystem::path& path) {
     std::error_code none;
     if (std::filesystem::exists(path, none)) {
-        throw Error(path.string() + ": holds rows of an unfinished map; --resume goes on with it, "
-                                    "--force begins anew");
+        throw Error(path.string() + ": contains rows of an unfinished map; --resume continues it, "
+                                    "--force starts again");
     }
 }
 
@@ -73,7 +75,7 @@ MapPart::MapPart(std::filesystem::path path, const MapPlan& plan, const std::str
     : path_(std::move(path))
     , columns_(static_cast<std::size_t>(plan.grid.columns))
     , quantities_(plan.quantities.size())
-    , places_(static_cast<std::size_t>(plan.grid.rows), kNone) {
+    , starts_(static_cast<std::size_t>(plan.grid.rows), kNone) {
     open("asperity map part 1 " + key + "\n", use);
     reading_ = opened(path_);
 }
@@ -112,20 +114,20 @@ std::uint64_t MapPart::takeRecords(const std::string& head) {
     if (found.size() < head.size()) {
         return 0;  // the program was killed before it had written this much
     }
-    std::uint64_t place = head.size();
+    std::uint64_t offset = head.size();
     std::string record(recordBytes(), '\0');
-    while (readAt(file.get(), place, record)) {
+    while (readAt(file.get(), offset, record)) {
         std::uint32_t row = 0;
         std::uint64_t check = 0;
         std::copy_n(record.data(), sizeof row, reinterpret_cast<char*>(&row));
         std::copy_n(record.data() + sizeof row, sizeof check, reinterpret_cast<char*>(&check));
         const auto values = std::string_view(record).substr(kRecordHead);
-        if (row < places_.size() && check == checkOf(row, values)) {
-            places_[row] = place + kRecordHead;
+        if (row < starts_.size() && check == checkOf(row, values)) {
+            starts_[row] = offset + kRecordHead;
         }  // else it is damaged, and is computed again
-        place += recordBytes();
+        offset += recordBytes();
     }
-    return place;
+    return offset;
 }
 
 std::uint64_t MapPart::recordBytes() const {
@@ -133,7 +135,7 @@ std::uint64_t MapPart::recordBytes() const {
 }
 
 int MapPart::count() const {
-    return static_cast<int>(places_.size()) - static_cast<int>(std::ranges::count(places_, kNone));
+    return static_cast<int>(starts_.size()) - static_cast<int>(std::ranges::count(starts_, kNone));
 }
 
 void MapPart::keep(int row, const std::vector<double>& values) {
@@ -146,7 +148,7 @@ void MapPart::keep(int row, const std::vector<double>& values) {
     record += bytes;
     const std::scoped_lock lock(mutex_);
     file_->append(record);
-    places_[index(row)] = size_ + kRecordHead;
+    starts_[index(row)] = size_ + kRecordHead;
     size_ += record.size();
 }
 
@@ -156,7 +158,7 @@ void MapPart::read(int row, std::size_t quantity, double* values) const {
         return;
     }
     const std::uint64_t bytes = sizeof(double) * columns_;
-    if (!readAt(reading_.get(), places_[index(row)] + (quantity * bytes),
+    if (!readAt(reading_.get(), starts_[index(row)] + (quantity * bytes),
                 {reinterpret_cast<char*>(values), bytes})) {
         throw Error(path_.string() + ": cannot be read again");
     }
@@ -165,6 +167,40 @@ void MapPart::read(int row, std::size_t quantity, double* values) const {
 void MapPart::remove() const {
     std::error_code ignored;
     std::filesystem::remove(path_, ignored);
+}
+
+HeldMap::HeldMap(LoadedScene loaded, const MapPlan& plan)
+    : loaded_(std::move(loaded))
+    , plan_(plan)
+    , part_(folder_.path() / "map.part", plan_, mapKey(loaded_, plan_), PartUse::New) {}
+
+RegionField HeldMap::field(MapQuantity quantity) const {
+    const auto index = static_cast<std::size_t>(std::ranges::find(plan_.quantities, quantity) -
+                                                plan_.quantities.begin());
+    std::vector<double> row(static_cast<std::size_t>(plan_.grid.columns));
+    std::vector<float> values;
+    values.reserve(row.size() * static_cast<std::size_t>(plan_.grid.rows));
+    for (int i = 0; i < plan_.grid.rows; ++i) {
+        part_.read(i, index, row.data());
+        std::ranges::transform(row, std::back_inserter(values),
+                               [](double value) { return static_cast<float>(value); });
+    }
+    const MapRegion& region = plan_.region;
+    return {{region.left, region.bottom, region.right - region.left, region.top - region.bottom},
+            plan_.grid.columns,
+            plan_.grid.rows,
+            std::move(values),
+            rowOf(quantity)->unit};
+}
+
+MapValues HeldMap::valuesAt(int row, int column) const {
+    std::vector<double> line(static_cast<std::size_t>(plan_.grid.columns));
+    MapValues values;
+    for (std::size_t i = 0; i < plan_.quantities.size(); ++i) {
+        part_.read(row, i, line.data());
+        values[plan_.quantities[i]] = line.at(static_cast<std::size_t>(column));
+    }
+    return values;
 }
 
 }  // namespace asperity

@@ -3,7 +3,6 @@
 #include "core/Error.h"
 #include "core/FormattedText.h"
 #include "core/PrintableText.h"
-#include "core/Utf8.h"
 #include "core/io/FileBytes.h"
 #include "core/io/NestedText.h"
 
@@ -13,7 +12,7 @@ namespace asperity {
 
 namespace {
 
-/// The library leaves some of them as they are. Beside line ends, they stand in strings only.
+/// The library leaves some of them as they are. Beside line ends, they occur in strings only.
 std::string withoutCommands(std::string_view text) {
     std::string safe;
     while (!text.empty()) {
@@ -64,6 +63,14 @@ nlohmann::json requiredJson(const std::filesystem::path& file) {
         throw InputError(file.string(), "",
                          "a number in it is larger than any can be; the file is damaged");
     }
+}
+
+nlohmann::ordered_json provenanceJson(const std::vector<Provenance>& entries) {
+    nlohmann::ordered_json list = nlohmann::ordered_json::array();
+    for (const Provenance& entry : entries) {
+        list.push_back({{"what", entry.what}, {"value", entry.value}, {"source", entry.source}});
+    }
+    return list;
 }
 
 }  // namespace asperity

@@ -3,13 +3,9 @@
 #include "app/program/JsonText.h"
 #include "app/recording/RecordedRun.h"
 #include "app/runs/RunFolder.h"
-#include "core/Error.h"
-#include "core/PrivateFolder.h"
-#include "core/TemporaryFile.h"
-#include "core/Utf8.h"
+#include "core/PrintableText.h"
 #include "core/Version.h"
 #include "core/io/FileBytes.h"
-#include "core/io/FileHash.h"
 #include "core/io/scene/SceneFile.h"
 #include "core/io/zip/ZipArchive.h"
 #include "core/io/zip/ZipWriter.h"
@@ -31,8 +27,8 @@ constexpr const char* kBundleFormat = "asperity bundle";
 constexpr int kBundleVersion = 1;
 constexpr const char* kPicture = "picture.png";
 constexpr std::string_view kScanFolder = "scan/";
-constexpr std::uint64_t kMostDirectory = 1U << 20U;  // [byte]
-constexpr std::size_t kMostName = 255;               // that file systems take [byte]
+constexpr std::uint64_t kMaxDirectory = 1U << 20U;  // [byte]
+constexpr std::size_t kMaxName = 255;               // that file systems accept [byte]
 
 struct BundledFile {
     std::string name;            ///< in the bundle
@@ -64,7 +60,7 @@ std::string addInput(const std::string& file, const std::string& sha256,
     return files.back().name;
 }
 
-/// The files of a bundle, but for its directory. The scene, which names another place of the scan,
+/// The files of a bundle, but for its directory. The scene, which names another path of the scan,
 /// is written into `folder`.
 std::vector<BundledFile> filesOf(const std::filesystem::path& run,
                                  const std::filesystem::path& picture,
@@ -77,7 +73,7 @@ std::vector<BundledFile> filesOf(const std::filesystem::path& run,
     }
     SceneDescription scene = readRecordedScene(run / run_files::kScene);
     if (!scene.sample.shape) {
-        scene.sample.file = addInput(scene.sample.file, recordedHash(run), files);
+        scene.sample.file = addInput(scene.sample.file, scanRecord(run).sha256, files);
     }
     for (MaterialSources* maps : {&scene.sample.material.maps, &scene.truth.material.maps}) {
         forEachSource(*maps, [&files](MapSource& source) {
@@ -124,14 +120,14 @@ void requireOwnScans(const nlohmann::ordered_json& directory,
 bool isKnown(const std::string& name) {
     if (name.starts_with(kScanFolder)) {
         const std::string scan = name.substr(kScanFolder.size());
-        return !scan.empty() && scan.size() <= kMostName && scan != "." && scan != ".." &&
+        return !scan.empty() && scan.size() <= kMaxName && scan != "." && scan != ".." &&
                scan.find_first_of(std::string_view("/\\\0", 3)) == std::string::npos;
     }
     const std::vector<std::string>& names = runFileNames();
     return name == kPicture || std::ranges::find(names, name) != names.end();
 }
 
-/// What a bundle says of one of its files.
+/// A bundle's entry on one of its files.
 struct ListedFile {
     std::string name;
     std::uint64_t bytes = 0;
@@ -175,7 +171,7 @@ std::vector<ListedFile> listed(const ZipArchive& archive, const std::string& fil
         throw InputError(file, "", "expected a bundle: there is no bundle.json in it");
     }
     const nlohmann::json json =
-        parsedJson(archive.decoded(*entry, kMostDirectory), file + ": " + kDirectory);
+        parsedJson(archive.decoded(*entry, kMaxDirectory), file + ": " + kDirectory);
     std::vector<ListedFile> files;
     try {
         if (json.at("format") != kBundleFormat || json.at("format_version") != kBundleVersion) {
@@ -225,6 +221,14 @@ bool isZip(const FileBytes& bytes) {
     }
     bytes.read(0, start);
     return start == kZip;
+}
+
+std::string replacedAll(std::string text, const std::string& part, const std::string& by) {
+    for (std::size_t at = text.find(part); at != std::string::npos;
+         at = text.find(part, at + by.size())) {
+        text.replace(at, part.size(), by);
+    }
+    return text;
 }
 
 }  // namespace
@@ -291,9 +295,40 @@ std::filesystem::path keptBundle(const std::filesystem::path& bundle,
         unpackBundle(bundle, folder, &unpacking);
         const FileBytes bytes(bundle);
         const ZipArchive archive(bytes);
-        writeTextFile(mark, archive.decoded(*archive.find(kDirectory), kMostDirectory));
+        writeTextFile(mark, archive.decoded(*archive.find(kDirectory), kMaxDirectory));
     }
     return folder;
+}
+
+RunLocation::RunLocation(const std::filesystem::path& input) : input_(input), folder_(input) {
+    std::error_code unknown;
+    if (std::filesystem::is_regular_file(input, unknown)) {
+        unpacked_.emplace();
+        folder_ = unpacked_->path();
+        unpackBundle(input, folder_);
+    } else if (!std::filesystem::is_directory(input, unknown)) {
+        throw InputError(input.string(), "", "expected the folder of a run, or a bundle");
+    }
+}
+
+void throwAsPartOf(const std::filesystem::path& bundle, const std::filesystem::path& folder,
+                   const FileError& refusal) {
+    const std::string text = refusal.what();
+    const std::string path = printable(folder.string());
+    if (text.find(path) == std::string::npos) {
+        throw;
+    }
+    const std::string name = printable(bundle.string());
+    const std::string named = replacedAll(replacedAll(text, path + "/", name + ", "), path, name);
+    constexpr std::string_view kAfterFile = ": ";
+    const std::size_t end = named.find(kAfterFile);
+    throw InputError(named.substr(0, end), "", named.substr(end + kAfterFile.size()));
+}
+
+std::filesystem::path runOf(const std::filesystem::path& file) {
+    const std::vector<std::string>& names = runFileNames();
+    return std::ranges::find(names, file.filename().string()) == names.end() ? file
+                                                                             : file.parent_path();
 }
 
 }  // namespace asperity

@@ -6,7 +6,6 @@
 #include "core/GrowingFile.h"
 #include "core/io/recording/PackedTables.h"
 #include "core/io/recording/TickLog.h"
-#include "core/io/recording/TickMemoryFile.h"
 #include "core/io/scene/SceneFile.h"
 #include "core/words/SceneWords.h"
 
@@ -17,36 +16,27 @@ namespace asperity {
 
 namespace {
 
-/// The hash of the scan that the run was made on, from its summary.
-std::string summarizedHash(const std::filesystem::path& folder) {
+/// @throw InputError where there is none, or no JSON
+nlohmann::json summaryOf(const std::filesystem::path& folder) {
     const std::filesystem::path path = folder / run_files::kSummary;
     std::error_code unknown;
     if (!std::filesystem::exists(path, unknown)) {
         throw InputError(folder.string(), "",
                          "holds no run: there is neither recording.json nor summary.json");
     }
-    const nlohmann::json summary = requiredJson(path);
+    return requiredJson(path);
+}
+
+std::string hashIn(const nlohmann::json& summary, const std::filesystem::path& folder) {
     const nlohmann::json::json_pointer pointer("/input/sha256");
     if (!summary.contains(pointer) || !summary[pointer].is_string()) {
-        throw InputError(path.string(), "input.sha256", "expected the hash of the scan");
+        throw InputError((folder / run_files::kSummary).string(), "input.sha256",
+                         "expected the hash of the scan");
     }
     return summary[pointer].get<std::string>();
 }
 
-}  // namespace
-
-TickMemory startMemory(const std::filesystem::path& folder) {
-    const std::filesystem::path file = folder / run_files::kMemory;
-    return std::filesystem::exists(file) ? readTickMemory(file) : TickMemory{};
-}
-
-std::string recordedHash(const std::filesystem::path& folder) {
-    const std::optional<RecordingManifest> manifest = readManifest(folder);
-    return manifest ? manifest->sha256 : summarizedHash(folder);
-}
-
-std::optional<Vector2> recordedSize(const std::filesystem::path& folder) {
-    const nlohmann::json summary = readJson(folder / run_files::kSummary);
+std::optional<Vector2> sizeIn(const nlohmann::json& summary) {
     const auto length = [&summary](const char* key) -> std::optional<double> {
         const nlohmann::json::json_pointer pointer(std::string("/input/") + key);
         const bool isThere = summary.is_object() && summary.contains(pointer);
@@ -56,11 +46,26 @@ std::optional<Vector2> recordedSize(const std::filesystem::path& folder) {
     };
     const std::optional<double> x = length("size_x_m");
     const std::optional<double> y = length("size_y_m");
-    if (x && y) {
-        return Vector2(*x, *y);
+    return x && y ? std::optional(Vector2(*x, *y)) : std::nullopt;
+}
+
+}  // namespace
+
+TickMemory startMemory(const std::filesystem::path& folder) {
+    const std::filesystem::path file = folder / run_files::kMemory;
+    return std::filesystem::exists(file) ? readTickMemory(file) : TickMemory{};
+}
+
+ScanRecord scanRecord(const std::filesystem::path& folder) {
+    const std::optional<RecordingManifest> manifest = readManifest(folder);
+    if (manifest && manifest->size) {
+        return {.sha256 = manifest->sha256, .size = manifest->size};
     }
-    const std::optional<RecordingManifest> manifest = readManifest(folder);  // it was cut off
-    return manifest ? manifest->size : std::nullopt;
+    if (manifest) {  // of an earlier version; cut off, it has no summary
+        return {.sha256 = manifest->sha256, .size = sizeIn(readJson(folder / run_files::kSummary))};
+    }
+    const nlohmann::json summary = summaryOf(folder);
+    return {.sha256 = hashIn(summary, folder), .size = sizeIn(summary)};
 }
 
 RunState stateOf(const std::filesystem::path& folder) {
@@ -93,7 +98,7 @@ std::optional<RecordedSample> sampleOf(const std::filesystem::path& folder) {
     }
     try {
         const SampleDescription sample = sceneFromInput(folder / run_files::kScene).sample;
-        return RecordedSample{.sha256 = recordedHash(folder),
+        return RecordedSample{.sha256 = scanRecord(folder).sha256,
                               .channel = sample.channel,
                               .crop = sample.crop,
                               .name = sampleName(sample)};
@@ -116,7 +121,7 @@ RecordedRun readPackedRun(const std::filesystem::path& folder, RunState state) {
     const std::filesystem::path file = folder / run_files::kTables;
     PackedLog log = readPackedLog(file);
     return {.state = state,
-            .sha256 = recordedHash(folder),
+            .scan = scanRecord(folder),
             .memory = startMemory(folder),
             .samples = readTickInputs(readPackedInput(file)),
             .log = std::move(log.rows),
@@ -139,7 +144,7 @@ RecordedRun readRun(const std::filesystem::path& folder) {
         return state == RunState::Complete ? readCsv(file) : readUnfinishedCsv(file);
     };
     RecordedRun run{.state = state,
-                    .sha256 = recordedHash(folder),
+                    .scan = scanRecord(folder),
                     .memory = startMemory(folder),
                     .samples = readTickInputs(table(run_files::kInput)),
                     .log = table(run_files::kLog)};

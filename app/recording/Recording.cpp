@@ -1,16 +1,67 @@
 #include "app/recording/Recording.h"
 
-#include "app/recording/RecordingManifest.h"
+#include "app/recording/RecordingRecovery.h"
 #include "app/recording/RunPacking.h"
-#include "app/runs/RunSummary.h"
 #include "core/GrowingFile.h"
-#include "core/io/recording/TickMemoryFile.h"
+#include "core/Version.h"
+#include "core/io/recording/ColumnList.h"
+#include "core/io/recording/TickLog.h"
 #include "core/io/scene/SceneFile.h"
 #include "core/scene/BelievedModel.h"
 
+#include <string>
 #include <utility>
+#include <vector>
 
 namespace asperity {
+
+namespace {
+
+/// The columns of energy_log.csv.
+template <class Cell>
+void listEnergy(double time, const PassivityObserver& observer, const Cell& cell) {
+    cell({"time_s"}, time);
+    cell({"energy_j"}, observer.energy());
+    cell({"spring_j"}, observer.spring());
+}
+
+}  // namespace
+
+EnergyLog::EnergyLog(std::filesystem::path path, double timeStep, double delay)
+    : path_(std::move(path)), watch_(timeStep, delay) {}
+
+void EnergyLog::take(const TickSample& sample) {
+    watch_.take(sample);
+    const PassivityObserver* const observer = watch_.observer();
+    if (observer == nullptr) {
+        return;
+    }
+    const auto list = [&](const auto& cell) { listEnergy(sample.time, *observer, cell); };
+    if (!csv_) {
+        csv_.emplace(
+            GrowingFile(path_),
+            std::vector<std::string>{
+                std::string("Asperity ") + kVersion + ": energy at the device; docs/haptics.md",
+                "energy_j: from the device into the coupling, minus that stored in its spring and "
+                "that leaked away; below -0.01 the coupling supplies energy of its own",
+                "spring_j: stored by the coupling's spring for the force that acts at the handle"},
+            columnNames(list));
+    }
+    addCells(*csv_, list);
+    csv_->endRow();
+}
+
+void EnergyLog::flush() {
+    if (csv_) {
+        csv_->flush();
+    }
+}
+
+void EnergyLog::sync() const {
+    if (csv_) {
+        csv_->sync();
+    }
+}
 
 namespace {
 
@@ -21,20 +72,20 @@ RecordingManifest manifestOf(const LoadedScene& loaded) {
 
 }  // namespace
 
-// The manifest comes last: where it is, all is there that a replay takes.
-Recording::Recording(const RecordingPlace& place, const LoadedScene& loaded,
+// The manifest comes last: where it is, all is there that a replay needs.
+Recording::Recording(const RecordingTarget& target, const LoadedScene& loaded,
                      const TickMemory& memory, double delay)
-    : begin_(place.folder, place.replace)
+    : begin_(target.folder, target.replace)
     , loaded_(loaded)
-    , format_(place.format)
+    , format_(target.format)
     , recorder_(folder(), loaded.scene.belief.field)
     , energy_(folder() / run_files::kEnergy, loaded.scene.timeStep(), delay) {
     writeTickMemory(folder() / run_files::kMemory, memory);
     writeScene(loaded.scene.settings);
     flush();
     writeManifest(folder(), manifestOf(loaded));
-    if (place.replace) {
-        sync();  // the earlier run goes: a power cut must not take both
+    if (target.replace) {
+        sync();  // the earlier run is deleted: a power cut must not take both
     }
     begin_.keep();
 }

@@ -1,40 +1,62 @@
 #pragma once
 
 #include "app/program/LoadedScene.h"
-#include "app/recording/EnergyLog.h"
-#include "app/runs/BeginningRun.h"
+#include "app/runs/OutputFolder.h"
 #include "app/runs/RunFolder.h"
-#include "app/runs/RunFormat.h"
+#include "core/haptics/EnergyWatch.h"
 #include "core/haptics/HapticTick.h"
-#include "core/haptics/RunEvents.h"
+#include "core/haptics/VirtualRun.h"
+#include "core/io/tables/CsvWriter.h"
 
 #include <filesystem>
+#include <optional>
 
 namespace asperity {
 
-/// Where a recording goes.
-struct RecordingPlace {
+/// Writes energy_log.csv: the trace of the passivity observer, one row a tick that a device with
+/// motors drove the tip. Without such a tick there is no file.
+class EnergyLog {
+public:
+    /// @param timeStep from tick to tick [s]
+    /// @param delay    of the device [s]
+    EnergyLog(std::filesystem::path path, double timeStep, double delay);
+
+    /// @throw Error when the file is there or cannot be made
+    void take(const TickSample& sample);
+    /// Hands all rows so far to the system. @throw Error
+    void flush();
+    /// Waits until the disk holds what was flushed. @throw Error
+    void sync() const;
+
+private:
+    std::filesystem::path path_;
+    EnergyWatch watch_;
+    std::optional<CsvWriter> csv_;  ///< of a GrowingFile; none before the first row
+};
+
+/// Destination of a recording.
+struct RecordingTarget {
     std::filesystem::path folder;
-    bool replace = false;  ///< an earlier run in it may go, once the recording has begun
+    bool replace = false;  ///< deletes an earlier run in it, once the recording has begun
     RunFormat format = RunFormat::Csv;  ///< from its end on: until then it grows as text
 };
 
-/// A stretch of a live run written to a folder that `asperity replay` takes: memory, scene and
+/// A stretch of a live run written to a folder that `asperity replay` reads: memory, scene and
 /// manifest first, then the tables, which grow in their place. Whatever ends it, what was flushed
 /// replays; without finish() its manifest says that it is not complete.
 class Recording {
 public:
-    /// @param memory what its first tick starts from
+    /// @param memory at the start of its first tick
     /// @param delay  of the device [s]
     /// @throw Error when the folder cannot be made or written, or holds a run
-    Recording(const RecordingPlace& place, const LoadedScene& loaded, const TickMemory& memory,
+    Recording(const RecordingTarget& target, const LoadedScene& loaded, const TickMemory& memory,
               double delay);
 
     /// Every tick; from the first one that is missing on, none is taken. @throw Error
     void take(const TickSample& sample);
     /// Ticks were lost: what was taken ends before them.
     [[nodiscard]] bool broken() const noexcept { return broken_; }
-    /// Hands all ticks so far to the system: a killed process loses none of them. @throw Error
+    /// Passes all ticks so far to the system: a killed process loses none of them. @throw Error
     void flush();
     /// Waits until the disk holds what was flushed: a power cut loses none of it. @throw Error
     void sync();
@@ -47,7 +69,7 @@ public:
 private:
     void writeScene(const Settings& start);
 
-    BeginningRun begin_;
+    PendingRunFolder begin_;
     const LoadedScene& loaded_;
     RunFormat format_;
     RunRecorder recorder_;

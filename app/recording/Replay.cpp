@@ -3,6 +3,7 @@
 #include "app/runs/RunFolder.h"
 #include "core/Error.h"
 #include "core/SiFormat.h"
+#include "core/io/FormerKeys.h"
 #include "core/io/TextValue.h"
 #include "core/io/heightmap/ScanFile.h"
 #include "core/io/recording/RowChecks.h"
@@ -22,7 +23,12 @@ namespace {
 /// depends on them.
 constexpr const char* kFlags = "flags";
 
-/// Whether two numbers are the same in single precision.
+/// Returns whether a recorded cell holds what is replayed; the words of flags may be former ones.
+bool isSameCell(const std::string& column, std::string_view before, std::string_view now) {
+    return before == now || (column == kFlags && currentFlags(before) == now);
+}
+
+/// Returns whether two numbers are the same in single precision.
 bool isSameSingle(std::string_view before, std::string_view now) {
     const std::optional<double> one = parseNumber(before);
     const std::optional<double> other = parseNumber(now);
@@ -124,24 +130,24 @@ std::string causeOfSize(const LoadedScene& loaded) {
 
 }  // namespace
 
-void requireSameScan(const LoadedScene& loaded, const std::filesystem::path& folder) {
+void requireSameScan(const LoadedScene& loaded, const ScanRecord& recorded) {
     const std::string& file = loaded.scene.description.sample.file;
-    if (loaded.sha256 != recordedHash(folder)) {
+    if (loaded.sha256 != recorded.sha256) {
         throw InputError(file, "",
                          "the scan has changed since the run was recorded (its hash differs)");
     }
-    const std::optional<Vector2> before = recordedSize(folder);
     const Vector2 now = sizeOf(loaded);
-    if (!loaded.sha256.empty() && before && !isSameSize(*before, now)) {
+    if (!loaded.sha256.empty() && recorded.size && !isSameSize(*recorded.size, now)) {
         throw InputError(file, "",
-                         "it was read as " + sizeText(*before) + " when the run was recorded, " +
-                             "and is now read as " + sizeText(now) + causeOfSize(loaded) +
+                         "it was read as " + sizeText(*recorded.size) +
+                             " when the run was recorded, " + "and is now read as " +
+                             sizeText(now) + causeOfSize(loaded) +
                              ": the run does not replay; record it again");
     }
 }
 
-std::string correctionOfScan(const LoadedScene& loaded, const std::filesystem::path& folder) {
-    if (recordedSize(folder)) {
+std::string correctionOfScan(const LoadedScene& loaded, const ScanRecord& recorded) {
+    if (recorded.size) {
         return {};
     }
     const std::optional<Vector2> size = correctedSize(loaded);
@@ -152,8 +158,8 @@ std::string correctionOfScan(const LoadedScene& loaded, const std::filesystem::p
 }
 
 std::string failureOfReplay(const std::string& difference, const LoadedScene& loaded,
-                            const std::filesystem::path& folder) {
-    const std::string correction = correctionOfScan(loaded, folder);
+                            const ScanRecord& recorded) {
+    const std::string correction = correctionOfScan(loaded, recorded);
     return correction.empty()
                ? difference
                : loaded.scene.description.sample.file + ": " + correction + " (" + difference + ")";
@@ -196,7 +202,7 @@ void requireSameLog(const RecordedRun& run, const CsvTable& replayed) {
         for (const std::string& column : recorded.columns()) {
             const std::string_view before = recorded.view(row, column);
             const std::string_view now = replayed.view(row, column);
-            if (before == now || (!isExact && isSameSingle(before, now))) {
+            if (isSameCell(column, before, now) || (!isExact && isSameSingle(before, now))) {
                 continue;
             }
             const std::string difference = "first differing tick: " + std::to_string(row) +

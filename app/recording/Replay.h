@@ -19,21 +19,20 @@ void requireSameSettings(const Scene& scene, const TickInput& first, double shor
 
 /// Refuses a scene whose scan is not the one that a run was made on, or is read with another size
 /// now: where a reader was wrong and has been corrected, no tick would be the same.
-/// @param folder of the run @throw InputError
-void requireSameScan(const LoadedScene& loaded, const std::filesystem::path& folder);
+/// @throw InputError
+void requireSameScan(const LoadedScene& loaded, const ScanRecord& recorded);
 
 /// Returns the correction of a reader that may be why a run does not replay, a clause, where the
 /// run does not say with which size its scan was read; empty: none is known.
 /// @throw InputError where the scan cannot be read any more
-[[nodiscard]] std::string correctionOfScan(const LoadedScene& loaded,
-                                           const std::filesystem::path& folder);
+[[nodiscard]] std::string correctionOfScan(const LoadedScene& loaded, const ScanRecord& recorded);
 
 /// Returns why a run does not replay: the correction of a reader, where that may be why and the run
 /// does not say with which size its scan was read; and the difference.
 /// @param difference of requireSameLog() or differenceOnReplay()
 /// @throw InputError where the scan cannot be read any more
 [[nodiscard]] std::string failureOfReplay(const std::string& difference, const LoadedScene& loaded,
-                                          const std::filesystem::path& folder);
+                                          const ScanRecord& recorded);
 
 /// Runs the recorded inputs through the tick again: `sink` gets each sample with its output.
 /// @throw Error where the scene's settings are not those that the run began with, naming the key
@@ -55,7 +54,7 @@ void replayTicks(const Scene& scene, const RecordedRun& run, const TickSink& sin
 void requireSameLog(const RecordedRun& run, const CsvTable& replayed);
 
 /// Runs the ticks again and compares the logs.
-/// @param scratch a folder for the log meanwhile, which is not there
+/// @param scratch a temporary folder for the log, which must not exist
 /// @return the first tick that differs from the recorded log, a clause; empty: none
 /// @throw Error as replayTicks(); Canceled
 [[nodiscard]] std::string differenceOnReplay(const Scene& scene, const RecordedRun& run,

@@ -1,7 +1,8 @@
 #pragma once
 
+#include "app/program/LoadedScene.h"
 #include "app/recording/RecordedRun.h"
-#include "app/runs/RunFormat.h"
+#include "app/runs/RunFolder.h"
 
 #include <filesystem>
 
@@ -9,18 +10,31 @@ namespace asperity {
 
 struct Scene;
 
-/// How the tables of a run are kept in its folder. @throw InputError where it holds no run
+/// Returns the format of a run's tables in its folder. @throw InputError where it holds no run
 [[nodiscard]] RunFormat formatOf(const std::filesystem::path& folder);
 
 /// Puts the text tables of a run that is complete into recording.h5; only when that is in place
 /// they go. @throw Error, the text tables stay then
 void packRun(const std::filesystem::path& folder);
 
-/// Writes the text tables of a packed run; those of the log are made anew, to the last digit, from
-/// its inputs.
+/// Writes the text tables of a packed run; those of the log are computed again, to the last digit,
+/// from its inputs.
 /// @param folder of the run; @param out another one
 /// @throw Error where the log is not the recorded one, naming the first tick; as replay()
 void unpackRun(const std::filesystem::path& folder, const Scene& scene, const RecordedRun& run,
                const std::filesystem::path& out);
+
+/// A part of a run, from one time of it to another, both included [s].
+struct RunSpan {
+    double from = 0.0;
+    double to = 0.0;
+};
+
+/// Writes a part of a run as a recording of its own, which replays from its first tick on.
+/// @param run    from `folder`, of the loaded scene
+/// @param target a folder without a run
+/// @throw Error where no tick is in it, or a file cannot be written; as replayTicks()
+void writeSlice(const std::filesystem::path& folder, const LoadedScene& loaded,
+                const RecordedRun& run, const RunSpan& span, const std::filesystem::path& target);
 
 }  // namespace asperity

@@ -2,7 +2,6 @@
 
 #include "app/program/JsonText.h"
 #include "core/FormattedText.h"
-#include "core/PathText.h"
 #include "core/PrintableText.h"
 #include "core/SiFormat.h"
 #include "core/Version.h"
@@ -24,8 +23,8 @@ std::string degrees(double angle) {
     return formatted("%.4g degrees", angle * 180.0 / std::numbers::pi);
 }
 
-std::string placeText(const Vector2& place) {
-    return "(" + formatSi(place.x(), "m") + ", " + formatSi(place.y(), "m") + ")";
+std::string positionText(const Vector2& position) {
+    return "(" + formatSi(position.x(), "m") + ", " + formatSi(position.y(), "m") + ")";
 }
 
 void printLine(std::ostream& out, const char* name, const std::string& value,
@@ -34,7 +33,7 @@ void printLine(std::ostream& out, const char* name, const std::string& value,
         << std::string(value.size() < 12 ? 12 - value.size() : 1, ' ') << meaning << '\n';
 }
 
-/// What rounding leaves of a mean that leveling removed is no height.
+/// Returns 0 for a mean that leveling removed: what rounding leaves of it is no height.
 double shownMean(const Roughness& roughness) {
     constexpr double kRounding = 1e-12;
     return std::abs(roughness.mean) < kRounding * roughness.sz ? 0.0 : roughness.mean;
@@ -64,8 +63,8 @@ void printStep(std::ostream& out, const char* what, const StepHeight& step) {
 
 void printProfile(std::ostream& out, const MeasuredProfile& measured) {
     const Profile& profile = measured.profile;
-    out << "Profile from " << placeText(profile.from) << " to " << placeText(profile.to) << ", "
-        << formatSi(profile.length(), "m") << ", " << profile.heights.size() << " samples";
+    out << "Profile from " << positionText(profile.from) << " to " << positionText(profile.to)
+        << ", " << formatSi(profile.length(), "m") << ", " << profile.heights.size() << " samples";
     const auto missing = std::ranges::count_if(
         profile.heights, [](double height) { return !isFiniteHeight(height); });
     out << (missing > 0 ? ", " + std::to_string(missing) + " of them without data\n" : "\n");
@@ -159,12 +158,12 @@ void writeProfile(std::ostream& out, const MeasuredMap& measured, const Profile&
     std::vector<std::string> comments{
         std::string("Asperity ") + kVersion + ": profile of " + measured.file + ", channel " +
             measured.channel,
-        "distance along the line, place in the world frame, height; meters; nan: no data"};
+        "distance along the line, position in the world frame, height; meters; nan: no data"};
     comments.insert(comments.end(), measured.notes.begin(), measured.notes.end());
     CsvWriter csv(out, comments, {"distance_m", "x_m", "y_m", "z_m"});
     for (std::size_t i = 0; i < profile.heights.size(); ++i) {
-        const Vector2 place = profile.place(i);
-        csv.row(std::array{profile.distance(i), place.x(), place.y(), profile.heights[i]});
+        const Vector2 point = profile.position(i);
+        csv.row(std::array{profile.distance(i), point.x(), point.y(), profile.heights[i]});
     }
     csv.close();
 }

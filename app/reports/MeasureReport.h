@@ -1,9 +1,7 @@
 #pragma once
 
 #include "core/surface/measure/Profile.h"
-#include "core/surface/measure/ProfileReadings.h"
 #include "core/surface/measure/Roughness.h"
-#include "core/surface/measure/StepHeight.h"
 
 #include <optional>
 #include <ostream>
@@ -12,7 +10,7 @@
 
 namespace asperity {
 
-/// What was read off a profile.
+/// Readings of a profile.
 struct MeasuredProfile {
     Profile profile;
     std::optional<PointReading> ends;     ///< from its start to its end
@@ -21,7 +19,7 @@ struct MeasuredProfile {
     std::optional<StepHeight> twoLevels;  ///< between the stretches that were asked for
 };
 
-/// What was measured on a height map.
+/// Measurements on a height map.
 struct MeasuredMap {
     std::string file;
     std::string channel;
@@ -36,7 +34,7 @@ struct MeasuredMap {
     std::optional<MeasuredProfile> profile;
 };
 
-/// For people.
+/// Prints the measures for people.
 void printMeasures(std::ostream& out, const MeasuredMap& measured);
 
 /// SI values in full precision.

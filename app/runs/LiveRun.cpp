@@ -1,10 +1,10 @@
 #include "app/runs/LiveRun.h"
 
-#include "core/haptics/device/PointerDevice.h"
+#include "core/haptics/device/HapticDevice.h"
 #include "core/scene/BelievedModel.h"
-#include "core/scene/SceneChange.h"
-#include "core/surface/MeasuredPlace.h"
-#include "core/words/ScaleWords.h"
+#include "core/scene/Scene.h"
+#include "core/surface/BSplineSurface.h"
+#include "core/words/DeviceWords.h"
 
 #include <utility>
 
@@ -12,7 +12,7 @@ namespace asperity {
 
 namespace {
 
-/// What asks the coupling's keeper, with its refusal in words.
+/// Asks the coupling's keeper, with its refusal in words.
 template <class Ask>
 auto inWords(const Ask& ask) {
     try {
@@ -22,7 +22,7 @@ auto inWords(const Ask& ask) {
     }
 }
 
-/// Of a device that is not plugged in, may not be opened, or is not calibrated yet.
+/// Returns whether a device is not plugged in, may not be opened or is not calibrated yet.
 bool isMissing(const DeviceStatus& status) {
     return status.problem != DeviceProblem::None || !status.calibrated;
 }
@@ -31,10 +31,10 @@ bool isGone(Fault fault) { return fault == Fault::DeviceLost || fault == Fault::
 
 }  // namespace
 
-Vector3 startPlace(const Scene& scene) {
+Vector3 startPosition(const Scene& scene) {
     const BSplineSurface& surface = scene.surface;
     const Vector2 middle = 0.5 * Vector2(surface.sizeX(), surface.sizeY());
-    return waitingPlace(scene, nearestMeasured(surface, middle));
+    return waitingPosition(scene, nearestMeasured(surface, middle));
 }
 
 LiveRun::LiveRun(LoadedScene loaded, const Vector3& start, const MakeInstrument& makeInstrument)

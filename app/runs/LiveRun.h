@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/program/LoadedScene.h"
-#include "core/deformation/HalfSpaceWorker.h"
+#include "core/deformation/HalfSpaceModel.h"
 #include "core/haptics/EnergyWatch.h"
 #include "core/haptics/HapticLoop.h"
 #include "core/haptics/blackbox/BlackBox.h"
@@ -12,7 +12,7 @@
 
 namespace asperity {
 
-/// What it takes of a processor to fetch ticks from the loop into the black box and to the caller.
+/// Processor time to fetch ticks from the loop into the black box and to the caller.
 struct FetchCost {
     double time = 0.0;  ///< of all [s]
     long ticks = 0;
@@ -28,7 +28,7 @@ public:
     /// The instrument of a run; the scene outlives it.
     using MakeInstrument = std::function<std::unique_ptr<AfmController>(const Scene& scene)>;
 
-    /// @param start where the base waits at first [m]
+    /// @param start position of the base at first [m]
     LiveRun(LoadedScene loaded, const Vector3& start,
             const MakeInstrument& makeInstrument = instrumentOf);
 
@@ -40,13 +40,13 @@ public:
     /// Passes all ticks since the last call to `sink`, in order, and to the black box and the
     /// energy monitor.
     void fetch(const TickSink& sink);
-    /// Of all calls of fetch() so far.
+    /// Returns the cost of all calls of fetch() so far.
     [[nodiscard]] const FetchCost& fetchCost() const noexcept { return fetchCost_; }
     /// The last seconds, for when a fault comes.
     [[nodiscard]] BlackBox& blackBox() noexcept { return blackBox_; }
     /// Supervises a force-feedback device.
     [[nodiscard]] const EnergyWatch& energy() const noexcept { return energy_; }
-    /// What solves the half-space beside the loop; null where the scene does not ask for it.
+    /// Returns the solver of the half-space beside the loop; null: the scene does not ask for it.
     [[nodiscard]] HalfSpaceWorker* halfSpace() noexcept { return halfSpace_.get(); }
 
     /// The knobs as they are now; they begin as the scene says.
@@ -58,29 +58,29 @@ public:
 
     using MakeDevice = std::function<std::unique_ptr<HapticDevice>()>;
     /// Another device takes over; one with motors gets a coupling and a scale that hold, and when
-    /// it goes the earlier gains return. `make` is called while the loop rests, with the gains of
+    /// it ends the earlier gains return. `make` is called while the loop rests, with the gains of
     /// devices that only sense: what it reads of the present device and base is exact.
     /// @throw what `make` throws, or Error where no scale holds; the present device stays then
     void takeDevice(const MakeDevice& make);
     [[nodiscard]] HapticDevice& device() noexcept { return *device_; }
-    /// Whether the device was chosen before it was there: that it is not is no accident.
+    /// Returns whether the device was chosen before it was there: its absence is no accident.
     [[nodiscard]] bool awaitsDevice() const noexcept { return awaited_; }
-    /// What is known of a force-feedback device.
+    /// Returns the supervisor of a force-feedback device's coupling.
     [[nodiscard]] const CouplingKeeper& coupling() const noexcept { return coupling_; }
     /// Makes sure that a force-feedback device could hold the tip of this scene. @throw Error why
     /// not
     void requireHolding(const SceneDescription& scene) const;
     /// Once a frame: has the gains follow the device's delay. @return whether knobs changed
     bool followDelay();
-    /// Where the device is, in its own frame [m].
+    /// Returns the position of the device in its own frame [m].
     [[nodiscard]] Vector3 devicePosition() noexcept;
-    /// Where the base is [m].
+    /// Returns the position of the base [m].
     [[nodiscard]] Vector3 basePosition() noexcept;
 
     /// Gives the scene what can change while it is in use, see SceneChange::Shown.
     void adopt(const SceneDescription& description);
-    /// Whether the model can become another one that nobody notices: the tip feels nothing, what
-    /// the black box holds is not waited for, and nobody else works with the scene.
+    /// Returns whether the model can be replaced unnoticed: the tip is out of the sample's reach,
+    /// the black box is not frozen, and nothing else uses the scene.
     [[nodiscard]] bool mayAdoptModel() noexcept;
     /// Gives the scene the model that was found for it beside the run. The tip may adopt one, the
     /// loop is stopped and all its ticks are fetched.
@@ -109,6 +109,6 @@ private:
 };
 
 /// Above the sample, where it holds data, as near to the middle of the scan as can be [m].
-[[nodiscard]] Vector3 startPlace(const Scene& scene);
+[[nodiscard]] Vector3 startPosition(const Scene& scene);
 
 }  // namespace asperity

@@ -6,10 +6,47 @@
 #include "core/PrintableText.h"
 
 #include <algorithm>
+#include <cerrno>
+#include <fcntl.h>
+#include <iterator>
 #include <system_error>
 #include <utility>
 
 namespace asperity {
+
+ClaimedFolder::ClaimedFolder(std::filesystem::path folder) : folder_(std::move(folder)) {
+    // An earlier owner may take an empty folder away between its making and its lock.
+    constexpr int kTries = 100;
+    for (int i = 0; i < kTries; ++i) {
+        made_ = make() || made_;
+        lock_ = FileDescriptor(open(folder_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+        if (lock_.isOpen() && !lock_.lock() && errno == EWOULDBLOCK) {
+            throw Error(folder_.string() + ": something is being written into it");
+        }
+        std::error_code gone;
+        const std::filesystem::path found = std::filesystem::canonical(folder_, gone);
+        if (!lock_.isOpen() || lock_.isAt(found)) {
+            return;
+        }
+    }
+    throw Error(folder_.string() + ": the folder does not stay");
+}
+
+ClaimedFolder::~ClaimedFolder() {
+    if (made_) {
+        std::error_code ignored;
+        std::filesystem::remove(folder_, ignored);  // only where it is empty
+    }
+}
+
+bool ClaimedFolder::make() const {
+    std::error_code failure;
+    const bool made = std::filesystem::create_directories(folder_, failure);
+    if (failure) {
+        throw FileError(folder_.string(), "the folder cannot be made: " + failure.message());
+    }
+    return made;
+}
 
 OutputFolder::OutputFolder(std::filesystem::path folder, FolderContent content, bool force)
     : claim_(std::move(folder))
@@ -66,7 +103,7 @@ void OutputFolder::moveOut(const std::filesystem::path& name) const {
     std::error_code failure;
     std::filesystem::rename(staging_->path() / name, folder_ / name, failure);
     if (failure) {
-        throw Error((folder_ / name).string() + ": cannot be put in place: " + failure.message());
+        throw Error((folder_ / name).string() + ": cannot be moved here: " + failure.message());
     }
 }
 
@@ -112,6 +149,96 @@ void OutputFolder::commit() {
 void requireOutputFolder(const std::filesystem::path& folder, const FolderContent& content,
                          bool force) {
     const OutputFolder probe(folder, content, force);
+}
+
+namespace {
+
+/// The files of a run that are there.
+std::vector<std::string> runIn(const std::filesystem::path& folder) {
+    std::vector<std::string> names;
+    std::ranges::copy_if(runFileNames(), std::back_inserter(names),
+                         [&](const std::string& name) { return isThere(folder / name); });
+    return names;
+}
+
+/// Makes a folder for what is set aside; one that is there holds the run of a killed process.
+std::filesystem::path madeAside(const std::filesystem::path& folder) {
+    std::filesystem::path aside = folder / "replaced_run";
+    for (int i = 2; !std::filesystem::create_directory(aside); ++i) {
+        aside = folder / ("replaced_run_" + std::to_string(i));
+    }
+    return aside;
+}
+
+}  // namespace
+
+void requireFreeForRun(const std::filesystem::path& folder, bool replace) {
+    if (isGrowing(folder / run_files::kInput)) {
+        throw Error(folder.string() + ": it is being recorded there");
+    }
+    const std::vector<std::string> names = runIn(folder);
+    if (!replace && !names.empty()) {
+        throw Error(folder.string() + ": there is a run in it already (" + names.front() +
+                    "); name another folder, or replace that run with --force");
+    }
+}
+
+PendingRunFolder::PendingRunFolder(std::filesystem::path folder, bool replace)
+    : folder_(std::move(folder)) {
+    requireFreeForRun(this->folder(), replace);
+    try {
+        setAside();
+    } catch (...) {
+        putBack();
+        throw;
+    }
+}
+
+PendingRunFolder::~PendingRunFolder() {
+    if (kept_) {
+        return;
+    }
+    std::error_code ignored;
+    for (const std::string& name : runFileNames()) {
+        std::filesystem::remove(folder() / name, ignored);
+    }
+    putBack();
+}
+
+void PendingRunFolder::setAside() {
+    const std::vector<std::string> names = runIn(folder());
+    if (names.empty()) {
+        return;
+    }
+    try {
+        aside_ = madeAside(folder());
+        for (const std::string& name : names) {
+            std::filesystem::rename(folder() / name, aside_ / name);
+        }
+    } catch (const std::filesystem::filesystem_error& error) {
+        throw Error(folder().string() +
+                    ": the earlier run cannot be replaced: " + error.code().message());
+    }
+}
+
+void PendingRunFolder::putBack() noexcept {
+    if (aside_.empty()) {
+        return;
+    }
+    std::error_code ignored;
+    for (const std::string& name : runIn(aside_)) {
+        std::filesystem::rename(aside_ / name, folder() / name, ignored);
+    }
+    std::filesystem::remove(aside_, ignored);  // only where it is empty
+}
+
+void PendingRunFolder::keep() noexcept {
+    kept_ = true;
+    folder_.keep();
+    if (!aside_.empty()) {
+        std::error_code ignored;
+        std::filesystem::remove_all(aside_, ignored);
+    }
 }
 
 }  // namespace asperity

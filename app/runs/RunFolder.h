@@ -1,15 +1,21 @@
 #pragma once
 
 #include "app/runs/OutputFolder.h"
+#include "core/EnumTable.h"
 #include "core/haptics/VirtualRun.h"
 #include "core/io/recording/TickLog.h"
 
+#include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace asperity {
+
+struct LoadedScene;
+struct RunEvents;
 
 /// Names of the files that a recorded run consists of.
 namespace run_files {
@@ -27,19 +33,19 @@ inline constexpr const char* kOverview = "overview.png";
 inline constexpr const char* kForces = "forces.png";
 }  // namespace run_files
 
-/// All of them: none of a new run stands beside one of an earlier run.
+/// All of them: none of a new run is beside one of an earlier run.
 [[nodiscard]] const std::vector<std::string>& runFileNames();
-/// What `asperity explore` leaves: it replaces another such run, and no recording unasked.
+/// Files of `asperity explore`: it replaces another such run, and no recording unasked.
 [[nodiscard]] FolderContent exploredRun();
-/// What `asperity convert` makes of a run: it replaces no other one unasked, not even its own.
+/// Files of a run made by `asperity convert`: it replaces no other one unasked, not even its own.
 [[nodiscard]] FolderContent convertedRun();
-/// What `asperity replay` leaves: it replaces other logs of its own, and no run unasked.
+/// Files of `asperity replay`: it replaces other logs of its own, and no run unasked.
 [[nodiscard]] FolderContent replayedLogs();
 
 /// Writes the two tables of a run tick by tick; they grow in their place.
 class RunRecorder {
 public:
-    /// @param field as ForceLogWriter takes it @throw Error when a table is there or cannot be made
+    /// @param field as in ForceLogWriter @throw Error when a table is there or cannot be made
     explicit RunRecorder(const std::filesystem::path& folder,
                          std::shared_ptr<const MaterialField> field = nullptr);
 
@@ -56,13 +62,13 @@ private:
     TickInputWriter input_;
 };
 
-/// Whether the path leads to anything, a link to nothing included.
+/// Returns whether the path leads to anything, a link to nothing included.
 [[nodiscard]] bool isThere(const std::filesystem::path& path);
 
-/// Whether a file is the scene of a run: the ticks of the run lie beside it.
+/// Returns whether a file is the scene of a run: the ticks of the run lie beside it.
 [[nodiscard]] bool isSceneOfRun(const std::filesystem::path& file);
 
-/// Refuses to write over what is there. @param force it may go @throw Error
+/// Refuses to write over what is there. @param force it may be replaced @throw Error
 void requireFree(const std::filesystem::path& file, bool force);
 /// Refuses to write into an input, the folder of a run or a file, which nothing may replace.
 /// @throw Error
@@ -70,5 +76,52 @@ void requireOutside(const std::filesystem::path& input, const std::filesystem::p
 
 /// Writes a small text file whole or not at all. @throw Error
 void writeTextFile(const std::filesystem::path& path, const std::string& text);
+
+/// summary.json of a run: versions, scene, input and its hash, statistics and events. Depends on
+/// the run alone, so that the same run gives the same bytes.
+[[nodiscard]] std::string runSummary(const LoadedScene& loaded, const RunEvents& events);
+
+/// Decision on a term of a run's model when the run was made.
+struct RecordedTerm {
+    std::string name;
+    bool on = false;
+    bool overruled = false;  ///< by the scene
+    double effect = 0.0;     ///< of leaving it out, as a share of what it changes most
+    std::string why;
+};
+
+/// The program that made a run.
+struct RecordedProgram {
+    std::string version;
+    std::string compiler;
+};
+
+/// Content of summary.json that the run itself does not hold, as its scene has all decisions
+/// settled: the reasons.
+struct RecordedSummary {
+    std::vector<std::string> notes;
+    std::vector<RecordedTerm> terms;
+};
+
+/// Record of how a run was made, from its folder.
+struct RunRecord {
+    std::optional<RecordedProgram> program;  ///< none: the folder does not say
+    std::optional<RecordedSummary> summary;  ///< none: the run was cut off
+};
+
+/// Reads summary.json and, where that does not say by what the run was made, recording.json. What
+/// an earlier version did not write is empty.
+/// @throw InputError where one of them is damaged
+[[nodiscard]] RunRecord readRecord(const std::filesystem::path& folder);
+
+/// Format of the tables of a run.
+enum class RunFormat : std::uint8_t {
+    Csv,   ///< as text, a file each
+    Hdf5,  ///< in one HDF5 file of about a tenth of the size
+};
+
+template <>
+inline constexpr auto kEnumTable<RunFormat> = std::to_array<EnumRow<RunFormat>>(
+    {{RunFormat::Csv, "csv", "Text (CSV)"}, {RunFormat::Hdf5, "h5", "Compact (HDF5)"}});
 
 }  // namespace asperity

@@ -38,7 +38,7 @@ constexpr Material kMaterials[] = {{"SiO2", 0.1879471378696118},
                                    {"polystyrene", 0.7199050683467632},
                                    {"rubber", 50.50262764553601}};
 
-/// What the compiler must believe to be used.
+/// Values that the compiler must believe to be used.
 volatile double used = 0.0;
 
 /// A rate of solutions and what came out wrong.

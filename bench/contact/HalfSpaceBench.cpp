@@ -1,10 +1,9 @@
 // Time of the half-space solver on a rough surface, cold and from the frame before, in one run.
-// Times are of the processor, medians over places: one thread solves, and others may share the
-// machine. The limits they stand beside are a quarter of a frame of 25 Hz and what as many
+// Times are of the processor, medians over positions: one thread solves, and others may share the
+// machine. The limits beside them are a quarter of a frame of 25 Hz and what as many
 // convolutions of the whole grid would take alone.
 #include "core/contact/halfspace/FieldConvolution.h"
 #include "core/contact/halfspace/HalfSpaceSolver.h"
-#include "core/contact/halfspace/LoveKernel.h"
 
 #include <algorithm>
 #include <cmath>
@@ -24,7 +23,7 @@ constexpr double kModulus = 2.35e9;  // polystyrene under silicon
 constexpr double kWork = 0.066;
 constexpr double kRange = 0.35677581392778259e-9;
 constexpr double kFrame = 0.25 * 1e3 / 25.0;  // a quarter of one [ms]
-constexpr int kPlaces = 25;
+constexpr int kPositions = 25;
 
 double millisecondsSince(std::clock_t start) {
     return 1e3 * static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
@@ -41,7 +40,7 @@ double height(double x, double y) {
     return 0.15e-9 * (std::sin(x / 2.1e-9) * std::cos(y / 1.7e-9) + std::cos((x + 0.6 * y) / 3e-9));
 }
 
-/// The tip at (x, 0), as deep as in every other place.
+/// The tip at (x, 0), as deep as in every other position.
 HalfSpaceContact contactAt(int samples, double x, bool adhesive) {
     HalfSpaceContact contact{.samples = samples,
                              .pitch = 2.0 * kHalfWidth / samples,
@@ -50,20 +49,20 @@ HalfSpaceContact contactAt(int samples, double x, bool adhesive) {
                              .cohesiveStress = adhesive ? kWork / kRange : 0.0,
                              .cohesiveRange = kRange,
                              .tipRadius = kTipRadius};
-    const auto place = [&](int i) { return (i - 0.5 * (samples - 1)) * contact.pitch; };
+    const auto position = [&](int i) { return (i - 0.5 * (samples - 1)) * contact.pitch; };
     for (int row = 0; row < samples; ++row) {
         for (int column = 0; column < samples; ++column) {
-            const double r2 = std::pow(place(column), 2) + std::pow(place(row), 2);
+            const double r2 = std::pow(position(column), 2) + std::pow(position(row), 2);
             const double up = std::sqrt(std::max(0.0, kTipRadius * kTipRadius - r2));
             const double sphere = r2 / (kTipRadius + up);
-            contact.gap.push_back(sphere - height(x + place(column), place(row)));
+            contact.gap.push_back(sphere - height(x + position(column), position(row)));
         }
     }
     contact.approach = *std::min_element(contact.gap.begin(), contact.gap.end()) + kIndentation;
     return contact;
 }
 
-/// One kind of solution: what it took at each place.
+/// One kind of solution: what it took at each position.
 struct Timing {
     std::vector<double> times{};  ///< [ms]
     std::vector<double> iterations{};
@@ -96,7 +95,7 @@ double convolutionTime(int samples) {
     std::vector<double> field(size * size, 1.0);
     std::vector<double> result(field.size());
     std::vector<double> times;
-    for (int i = 0; i < kPlaces; ++i) {
+    for (int i = 0; i < kPositions; ++i) {
         const std::clock_t begin = std::clock();
         convolution.apply(field, result);
         times.push_back(millisecondsSince(begin));
@@ -110,7 +109,7 @@ void measure(int samples, bool adhesive) {
     Timing near;
     HalfSpaceSolver solver;
     (void)solver.solve(contactAt(samples, 0.0, adhesive));  // transforms are planned once
-    for (int i = 0; i < kPlaces; ++i) {
+    for (int i = 0; i < kPositions; ++i) {
         const double x = 1.3e-9 * i;
         const SurfaceTraction start =
             cold.run(solver, contactAt(samples, x, adhesive), {}).traction;

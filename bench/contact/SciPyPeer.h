@@ -14,7 +14,7 @@ struct ContactCase {
     double force = 0.0;  ///< the exact one
 };
 
-/// What SciPy's two nested searches took for each case, and their largest error.
+/// Times of SciPy's two nested searches for each case, and their largest error.
 struct PeerTiming {
     double nanoseconds = 0.0;  ///< median over the cases
     double error = 0.0;        ///< of the force, relative to its size or to one

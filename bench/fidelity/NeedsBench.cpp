@@ -1,12 +1,12 @@
-// What leaving terms out gains: ticks of 200 random scenes with everything against ticks with what
-// each scene requires, in turns; how far the force moves at places that SceneNeeds did not look at;
-// and the stated errors of fifteen scenes beside the true ones.
+// Gain of leaving terms out: ticks of 200 random scenes with everything against ticks with what
+// each scene requires, in turns; how far the force moves at positions that RequiredTerms did not
+// look at; and the stated errors of fifteen scenes beside the true ones.
 
 #include "bench/BenchMain.h"
 #include "bench/BenchRows.h"
 #include "core/FormattedText.h"
+#include "core/fidelity/RequiredTerms.h"
 #include "core/fidelity/SampledRuns.h"
-#include "core/fidelity/SceneNeeds.h"
 #include "tests/core/fidelity/RandomScene.h"
 #include "tests/core/fidelity/StatedErrors.h"
 
@@ -26,12 +26,12 @@ constexpr int kRounds = 7;
 
 struct Gain {
     double tickRatio = 1.0;  ///< required over everything
-    double moved = 0.0;      ///< at other places, see forceShare()
+    double moved = 0.0;      ///< at other positions, see forceShare()
     int leftOut = 0;         ///< terms of the force
     double fitTime = 0.0;    ///< of finding out what the scene requires [s]
 };
 
-int leftOutOf(const SceneNeeds& needs) {
+int leftOutOf(const RequiredTerms& needs) {
     return static_cast<int>(std::ranges::count_if(needs.terms, [&](const TermNeed& need) {
         return !isOfSurface(need.term) && has(needs.full, need.term) &&
                !has(needs.model, need.term);
@@ -41,7 +41,7 @@ int leftOutOf(const SceneNeeds& needs) {
 Gain gainOf(Scene& scene) {
     using Clock = std::chrono::steady_clock;
     const auto start = Clock::now();
-    const SceneNeeds needs = fitModel(scene);
+    const RequiredTerms needs = fitModel(scene);
     const double fitTime = std::chrono::duration<double>(Clock::now() - start).count();
     setModel(scene, needs.full);
     const std::vector<ModelInputs> runs = test::runsElsewhere(scene);
@@ -81,7 +81,7 @@ void print(const std::vector<Gain>& gains, double tolerance, const BenchOptions&
                 quantile(ratios, 0.5), quantile(ratios, 0.1), quantile(ratios, 0.9), faster);
     std::printf("finding out takes: median %.0f ms, 90 %% below %.0f ms\n",
                 quantile(fits, 0.5) * 1e3, quantile(fits, 0.9) * 1e3);
-    std::printf("at other places the force moves by at most the tolerance of %.2g %% in %ld "
+    std::printf("elsewhere the force moves by at most the tolerance of %.2g %% in %ld "
                 "scenes; median %.2g %%, 90 %% below %.2g %%, worst %.2g %%\n",
                 tolerance * 100.0, within, quantile(moves, 0.5) * 100.0,
                 quantile(moves, 0.9) * 100.0, quantile(moves, 1.0) * 100.0);
@@ -103,7 +103,7 @@ void printStatedErrors() {
         using Clock = std::chrono::steady_clock;
         Scene scene = buildScene(each.description);
         const auto start = Clock::now();
-        const SceneNeeds needs = fitModel(scene);
+        const RequiredTerms needs = fitModel(scene);
         const double time = std::chrono::duration<double>(Clock::now() - start).count();
         std::string out;
         for (const TermNeed& need : needs.terms) {

@@ -1,4 +1,4 @@
-// What a single tick takes in scenes of different kinds, each with the model that it requires:
+// Time of a single tick in scenes of different kinds, each with the model that it requires:
 // closest points, contact law, attraction beside it, decoupling, validity flags. The same approach,
 // slide and retract, recorded once, is ticked in turns with the other scenes.
 
@@ -6,7 +6,7 @@
 #include "bench/BenchRows.h"
 #include "core/Units.h"
 #include "core/fidelity/ModelRun.h"
-#include "core/fidelity/SceneNeeds.h"
+#include "core/fidelity/RequiredTerms.h"
 #include "core/io/loading/SceneOnSample.h"
 #include "core/io/scene/SceneFile.h"
 #include "core/scene/Scene.h"
@@ -27,7 +27,7 @@ struct TimedScene {
     Scene scene;
     std::vector<ModelInputs> runs;
     std::vector<double> medians;    ///< of each round [s]
-    std::vector<double> inContact;  ///< likewise, of ticks in contact
+    std::vector<double> inContact;  ///< the same, of ticks in contact
 };
 
 Scene sceneOf(const SceneDescription& description) {
@@ -57,7 +57,7 @@ TimedScene timedScene(std::string name, const SceneDescription& description) {
     return {std::move(name), std::move(scene), std::move(runs), {}, {}};
 }
 
-/// Of the ticks in contact, which make all look-ups.
+/// Times of the ticks in contact, which make all look-ups.
 double medianInContact(const ModelRun& run) {
     std::vector<double> times;
     for (std::size_t i = 0; i < run.states.size(); ++i) {

@@ -18,7 +18,7 @@ struct Load {
     std::string name;
     std::string command;                                    ///< prints what printLoad() prints
     double time = std::numeric_limits<double>::infinity();  ///< best of all runs [ns]
-    /// Of the whole process, from its start to its end, as `time` [ns].
+    /// Time of the whole process, from its start to its end, as `time` [ns].
     double whole = std::numeric_limits<double>::infinity();
     double sum = 0.0;  ///< of the heights [m]
 

@@ -131,7 +131,7 @@ void print(const std::vector<Load>& loads) {
     }
 }
 
-/// Of the load of this name; none without it.
+/// Returns the load of this name; none without it.
 std::optional<double> timeOf(const std::vector<Load>& loads, std::string_view name) {
     const auto found = std::ranges::find(loads, name, &Load::name);
     return found == loads.end() ? std::nullopt : std::optional(found->time);

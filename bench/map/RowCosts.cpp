@@ -5,7 +5,7 @@
 #include "app/maps/MapJob.h"
 #include "bench/Hills.h"
 #include "core/io/heightmap/HeightMapWriter.h"
-#include "core/map/MapRow.h"
+#include "core/map/MapPlan.h"
 
 #include <chrono>
 #include <ctime>

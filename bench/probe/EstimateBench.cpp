@@ -3,12 +3,12 @@
 // asperity_estimate_bench [SECONDS to simulate of each situation of the false alarms]
 
 #include "bench/probe/FalseAlarms.h"
-#include "core/fidelity/SceneNeeds.h"
+#include "core/fidelity/RequiredTerms.h"
 #include "core/haptics/VirtualRun.h"
 #include "core/io/loading/SceneOnSample.h"
 #include "core/io/scene/SceneFile.h"
+#include "core/scene/BelievedModel.h"
 #include "core/scene/Scene.h"
-#include "core/scene/SceneTruth.h"
 
 #include <Eigen/Cholesky>
 

@@ -7,7 +7,7 @@
 
 namespace asperity {
 
-/// What the surface of each of several maps takes [s].
+/// Times of the surfaces of several maps [s].
 struct FitTimes {
     std::vector<double> fit;      ///< smoothing and spline
     std::vector<double> surface;  ///< these and the bounds of the surface, which searches use

@@ -1,4 +1,4 @@
-// How times grow with pixels, tip radius and roughness: slopes on two logarithmic axes.
+// Growth of times with pixels, tip radius and roughness: slopes on two logarithmic axes.
 #include "app/commands/VirtualDisplay.h"
 #include "bench/BenchMain.h"
 #include "bench/BenchRows.h"
@@ -7,7 +7,6 @@
 #include "bench/scaling/ScalingTable.h"
 
 #include <CLI/CLI.hpp>
-#include <optional>
 #include <string>
 
 namespace asperity {
@@ -25,10 +24,6 @@ int runBench(int argc, char** argv) {
     app.add_option("--figure", figure, "file for the figure, PNG");
     addBenchOptions(app, options);
     CLI11_PARSE(app, argc, argv);
-    std::optional<VirtualDisplay> display;  // before the work: the figure needs it at the end
-    if (!figure.empty()) {
-        display.emplace();
-    }
     const ScalingEffort effort = effortOf(options);
     std::vector<ScalingSweep> sweeps;
     for (const auto measure : {sweepPixels, sweepTipRadius, sweepRoughness}) {
@@ -36,6 +31,7 @@ int runBench(int argc, char** argv) {
         printTable(sweeps.back());
     }
     if (!figure.empty()) {
+        const OffscreenApplication qt;
         writeScalingFigure(figure, sweeps);
     }
     giveRows(scalingRows(sweeps), options);

@@ -1,7 +1,7 @@
 #include "bench/scaling/ScalingFigure.h"
 
+#include "app/charts/ChartFile.h"
 #include "core/FormattedText.h"
-#include "vtkplugins/pictures/Charts.h"
 #include "vtkplugins/pictures/Palette.h"
 
 #include <cmath>
@@ -66,7 +66,7 @@ void writeScalingFigure(const std::filesystem::path& path, std::span<const Scali
     for (const ScalingSweep& sweep : sweeps) {
         charts.push_back(chartOf(sweep));
     }
-    writeCharts(path, charts, static_cast<int>(charts.size()), {.width = 1800, .height = 720});
+    writePng(path, layOut(charts, {.width = 1800.0, .height = 720.0, .columns = charts.size()}));
 }
 
 }  // namespace asperity

@@ -7,7 +7,7 @@
 
 namespace asperity {
 
-/// How much is measured.
+/// Extent of the measurement.
 struct ScalingEffort {
     std::vector<int> tiles{1, 2, 4, 8, 16};  ///< along each side of the map, of 512 pixels each
     std::size_t steps = 20000;               ///< of each slide, 0.1 nm long

@@ -10,7 +10,7 @@
 
 namespace asperity {
 
-/// What one thing costs as the work grows.
+/// Cost of one thing as the work grows.
 struct ScalingCurve {
     std::string name;           ///< "closest point, median"
     double maxSlope = 0.0;      ///< goal: the exponent of the power law is at most this
@@ -29,7 +29,7 @@ struct ScalingSweep {
     std::size_t certified = 0;  ///< of these
 };
 
-/// How the curve's times grow with the sweep's works. @throw Error as fitPowerLaw()
+/// Returns how the curve's times grow with the sweep's works. @throw Error as fitPowerLaw()
 [[nodiscard]] PowerLaw growthOf(const ScalingSweep& sweep, const ScalingCurve& curve);
 
 /// The slope of each curve beside its goal, and the share of proven closest points in all sweeps.

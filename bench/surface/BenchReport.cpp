@@ -68,8 +68,8 @@ void printSize(const SizeResult& size) {
 
 void printChain(const ChainResult& chain) {
     std::printf(
-        "foot + force + decoupling: median %.0f ns (of which foot %.0f), p99 %.0f ns: x %.1f"
-        " of its median\n"
+        "closest point + force + decoupling: median %.0f ns (closest point %.0f), p99 %.0f ns:"
+        " x %.1f of its median\n"
         "  CHAI3D's update, recorded elsewhere, not measured here: %.0f and %.0f ns: x %.0f"
         " and x %.0f\n\n",
         chain.time.median, chain.closest.median, chain.time.p99, chain.time.p99 / chain.time.median,
@@ -153,8 +153,8 @@ void printJson(const BenchResults& results) {
     if (results.chain) {
         json["chain"] = {{"median_ns", results.chain->time.median},
                          {"p99_ns", results.chain->time.p99},
-                         {"foot_median_ns", results.chain->closest.median},
-                         {"foot_p99_ns", results.chain->closest.p99}};
+                         {"closest_point_median_ns", results.chain->closest.median},
+                         {"closest_point_p99_ns", results.chain->closest.p99}};
     }
     for (const CopyResult& copy : results.copies) {
         json["copies"].push_back({{"pixels", copy.pixels}, {"time_ns", copy.time}});

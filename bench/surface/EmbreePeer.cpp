@@ -15,7 +15,7 @@ using Point = Eigen::Vector3f;
 
 constexpr double kUnit = 1e-9;  // [m]: Embree computes in float
 
-/// What the callback shrinks the search by.
+/// Data by which the callback shrinks the search.
 struct Search {
     const std::vector<Point>* points = nullptr;  ///< [nm]
     const std::vector<std::array<std::uint32_t, 3>>* triangles = nullptr;

@@ -81,7 +81,7 @@ double difference(const BSplineSurface& surface, const FitAnswer& answer) {
     return largest / 1e-8;
 }
 
-/// Of the peers that are installed [ns]; infinite: of none.
+/// Times of the peers [ns]; infinite: not installed.
 struct PeerTimes {
     double best = std::numeric_limits<double>::infinity();
     double gwyddion = std::numeric_limits<double>::infinity();

@@ -102,7 +102,7 @@ ChainResult timeChain(const BSplineSurface& surface, std::span<const Vector3> ti
             used = chain.next(tips[i]);
             shorten(whole[i], since(begin, clock));
             begin = Clock::now();
-            used = closest->next(tips[i]).place.x();
+            used = closest->next(tips[i]).position.x();
             shorten(pointOnly[i], since(begin, clock));
         }
     }

@@ -17,18 +17,18 @@ constexpr NewtonEnd kPolished{1e-15};
 /// A cell no nearer than this short of the best so far cannot matter; covers rounding. [relative]
 constexpr double kMargin = 1e-9;
 
-/// How far a number lies outside [low, high].
+/// Returns how far a number lies outside [low, high].
 double outside(double value, double low, double high) {
     return std::max({low - value, value - high, 0.0});
 }
 
-/// Place of an entry in a row-major array with rows of this length.
+/// Index of an entry in a row-major array with rows of this length.
 std::size_t indexOf(int row, int column, int length) {
     return static_cast<std::size_t>(row) * static_cast<std::size_t>(length) +
            static_cast<std::size_t>(column);
 }
 
-/// Whether no neighbor in the n x n lattice is lower.
+/// Returns whether no neighbor in the n x n lattice is lower.
 bool isLowest(const std::vector<double>& values, int n, int i, int j) {
     const double value = values[indexOf(i, j, n)];
     for (int k = std::max(i - 1, 0); k <= std::min(i + 1, n - 1); ++k) {
@@ -100,10 +100,10 @@ double GlobalReference::leastDistance(const Vector3& query, int row, int column)
 }
 
 void GlobalReference::polish(const Vector3& query, const Vector2& start, Nearest& best) const {
-    const Vector2 place = newtonPoint(surface_, query, start, kPolished);
-    const double distance = distanceTo(surface_, query, place);
+    const Vector2 position = newtonPoint(surface_, query, start, kPolished);
+    const double distance = distanceTo(surface_, query, position);
     if (distance < best.distance) {
-        best = {.place = place, .distance = distance};
+        best = {.position = position, .distance = distance};
     }
 }
 
@@ -111,19 +111,19 @@ void GlobalReference::searchCell(const Vector3& query, int row, int column, Near
     const Extent x = extentOf(column, columns_, surface_.grid().pitchX);
     const Extent y = extentOf(row, rows_, surface_.grid().pitchY);
     const int n = effort_.samplesPerCell;
-    std::vector<Vector2> places;
+    std::vector<Vector2> positions;
     std::vector<double> values;
     for (int i = 0; i < n; ++i) {
         for (int j = 0; j < n; ++j) {
-            places.emplace_back(x.low + (x.high - x.low) * j / (n - 1),
-                                y.low + (y.high - y.low) * i / (n - 1));
-            values.push_back(distanceTo(surface_, query, places.back()));
+            positions.emplace_back(x.low + (x.high - x.low) * j / (n - 1),
+                                   y.low + (y.high - y.low) * i / (n - 1));
+            values.push_back(distanceTo(surface_, query, positions.back()));
         }
     }
     for (int i = 0; i < n; ++i) {
         for (int j = 0; j < n; ++j) {
             if (isLowest(values, n, i, j)) {
-                polish(query, places[indexOf(i, j, n)], best);
+                polish(query, positions[indexOf(i, j, n)], best);
             }
         }
     }

@@ -7,7 +7,7 @@
 
 namespace asperity {
 
-/// How thoroughly the reference looks.
+/// Thoroughness of the reference.
 struct ReferenceEffort {
     int samplesPerCell = 5;  ///< along each axis, both borders of a cell among them
     bool skipsCells = true;  ///< leaves out cells whose control heights keep them too far away
@@ -18,8 +18,8 @@ struct ReferenceEffort {
 class GlobalReference {
 public:
     struct Nearest {
-        Vector2 place = Vector2::Zero();  ///< world x, y [m]
-        double distance = 0.0;            ///< [m], > 0
+        Vector2 position = Vector2::Zero();  ///< world x, y [m]
+        double distance = 0.0;               ///< [m], > 0
     };
 
     explicit GlobalReference(const BSplineSurface& surface, ReferenceEffort effort = {});

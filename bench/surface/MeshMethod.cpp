@@ -23,7 +23,7 @@ public:
 
     [[nodiscard]] SearchAnswer next(const Vector3& query) override {
         last_ = locator_->nearest(query, last_);
-        return {.place = newtonPoint(surface_, query, last_.head<2>(), end_)};
+        return {.position = newtonPoint(surface_, query, last_.head<2>(), end_)};
     }
 
 private:

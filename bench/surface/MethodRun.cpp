@@ -124,8 +124,8 @@ double referenceDoubt(const SearchWork& work, std::span<const GlobalReference::N
 void judge(const SearchWork& work, std::size_t query, const SearchAnswer& answer,
            const GlobalReference::Nearest& truth, MethodResult& result) {
     const Vector3& center = work.centers[query];
-    const HeightSample sample = work.surface->at(answer.place.x(), answer.place.y());
-    const Vector3 point(answer.place.x(), answer.place.y(), sample.height);
+    const HeightSample sample = work.surface->at(answer.position.x(), answer.position.y());
+    const Vector3 point(answer.position.x(), answer.position.y(), sample.height);
     const double excess = (center - point).norm() - truth.distance;
     const bool wrong = !(excess <= kWrong);
     ++result.queries;
@@ -148,8 +148,8 @@ std::vector<MethodResult> runMethods(const SearchWork& work,
     }
     for (int i = 0; i < passes; ++i) {
         for (Course& course : courses) {
-            passInBlocks(work, truth.front().place, course);
-            pass(work, truth.front().place, clock, course);
+            passInBlocks(work, truth.front().position, course);
+            pass(work, truth.front().position, clock, course);
         }
     }
     std::vector<MethodResult> results;

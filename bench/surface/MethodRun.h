@@ -14,7 +14,7 @@ namespace asperity {
 /// A distance this far above the reference is wrong [m].
 inline constexpr double kWrong = 1e-15;
 
-/// What one method did on one work.
+/// Result of one method on one work.
 struct MethodResult {
     std::string name;
     std::size_t queries = 0;
@@ -30,8 +30,8 @@ struct MethodResult {
 /// The reference's answer to each query of a work.
 [[nodiscard]] std::vector<GlobalReference::Nearest> referenceOf(const SearchWork& work);
 
-/// How far denser samples in every cell in reach, none skipped, get below the answers, for one
-/// query in `stride` [m]: what the reference may be off.
+/// Returns how far denser samples in every cell in reach, none skipped, get below the answers, for
+/// one query in `stride` [m]: what the reference may be off.
 [[nodiscard]] double referenceDoubt(const SearchWork& work,
                                     std::span<const GlobalReference::Nearest> truth,
                                     std::size_t stride);
@@ -59,7 +59,7 @@ struct MethodTask {
     std::unique_ptr<SearchMethod> method;
 };
 
-/// What one method took, unjudged by a reference.
+/// Times of one method, unjudged by a reference.
 struct MethodTimes {
     TimeSummary time;  ///< of single queries
     std::size_t queries = 0;
@@ -69,7 +69,7 @@ struct MethodTimes {
 /// Runs all tasks, taking turns, so that all meet the same machine; a time is the best of `passes`.
 [[nodiscard]] std::vector<MethodTimes> timeTasks(std::span<const MethodTask> tasks, int passes);
 
-/// What reading the clock itself takes [ns].
+/// Returns what reading the clock itself takes [ns].
 [[nodiscard]] double clockCost();
 
 }  // namespace asperity

@@ -38,25 +38,25 @@ Vector2 stepOffSaddle(const Hessian& h, const Vector2& gradient) {
            flat * (gradient.dot(flat) / std::max(std::abs(mean - spread), kMinCurvature));
 }
 
-/// Whether the edge of the scan holds a place back that would go down across it.
-bool isHeld(double place, double size, double gradient) {
-    return (place <= 0.0 && gradient >= 0.0) || (place >= size && gradient <= 0.0);
+/// Returns whether the edge of the scan holds a position back that would go down across it.
+bool isHeld(double position, double size, double gradient) {
+    return (position <= 0.0 && gradient >= 0.0) || (position >= size && gradient <= 0.0);
 }
 
-Expansion expandedAt(const BSplineSurface& surface, const Vector3& query, const Vector2& place) {
-    const HeightSample s = surface.at(place.x(), place.y());
-    const double rx = place.x() - query.x();
-    const double ry = place.y() - query.y();
+Expansion expandedAt(const BSplineSurface& surface, const Vector3& query, const Vector2& position) {
+    const HeightSample s = surface.at(position.x(), position.y());
+    const double rx = position.x() - query.x();
+    const double ry = position.y() - query.y();
     const double rz = s.height - query.z();
     Vector2 g(rx + rz * s.dx, ry + rz * s.dy);
     Hessian h{.xx = 1.0 + s.dx * s.dx + rz * s.dxx,
               .xy = s.dx * s.dy + rz * s.dxy,
               .yy = 1.0 + s.dy * s.dy + rz * s.dyy};
-    if (isHeld(place.x(), surface.sizeX(), g.x())) {
+    if (isHeld(position.x(), surface.sizeX(), g.x())) {
         g.x() = 0.0;
         h = {.xx = 1.0, .xy = 0.0, .yy = h.yy};
     }
-    if (isHeld(place.y(), surface.sizeY(), g.y())) {
+    if (isHeld(position.y(), surface.sizeY(), g.y())) {
         g.y() = 0.0;
         h = {.xx = h.xx, .xy = 0.0, .yy = 1.0};
     }
@@ -69,41 +69,41 @@ Expansion expandedAt(const BSplineSurface& surface, const Vector3& query, const 
             .step = Vector2(h.xy * g.y() - h.yy * g.x(), h.xy * g.x() - h.xx * g.y()) * scale};
 }
 
-Vector2 insideScan(const BSplineSurface& surface, const Vector2& place) {
-    return {std::clamp(place.x(), 0.0, surface.sizeX()),
-            std::clamp(place.y(), 0.0, surface.sizeY())};
+Vector2 insideScan(const BSplineSurface& surface, const Vector2& position) {
+    return {std::clamp(position.x(), 0.0, surface.sizeX()),
+            std::clamp(position.y(), 0.0, surface.sizeY())};
 }
 
 }  // namespace
 
 Vector2 newtonPoint(const BSplineSurface& surface, const Vector3& query, const Vector2& start,
                     NewtonEnd end) {
-    Vector2 place = insideScan(surface, start);
-    Expansion here = expandedAt(surface, query, place);
+    Vector2 position = insideScan(surface, start);
+    Expansion here = expandedAt(surface, query, position);
     for (int i = 0; i < kMaxSteps; ++i) {
         if (here.step.squaredNorm() < end.step * end.step) {
-            return insideScan(surface, place + here.step);
+            return insideScan(surface, position + here.step);
         }
         double share = 1.0;
-        Vector2 there = insideScan(surface, place + here.step);
+        Vector2 there = insideScan(surface, position + here.step);
         Expansion next = expandedAt(surface, query, there);
         for (int j = 0; next.value > here.value && j < kMaxHalvings; ++j) {
             share *= 0.5;
-            there = insideScan(surface, place + share * here.step);
+            there = insideScan(surface, position + share * here.step);
             next = expandedAt(surface, query, there);
         }
         if (next.value >= here.value) {
-            return place;
+            return position;
         }
-        place = there;
+        position = there;
         here = next;
     }
-    return place;
+    return position;
 }
 
-double distanceTo(const BSplineSurface& surface, const Vector3& query, const Vector2& place) {
-    const double height = surface.at(place.x(), place.y()).height;
-    return (query - Vector3(place.x(), place.y(), height)).norm();
+double distanceTo(const BSplineSurface& surface, const Vector3& query, const Vector2& position) {
+    const double height = surface.at(position.x(), position.y()).height;
+    return (query - Vector3(position.x(), position.y(), height)).norm();
 }
 
 }  // namespace asperity

@@ -16,8 +16,8 @@ struct NewtonEnd {
 [[nodiscard]] Vector2 newtonPoint(const BSplineSurface& surface, const Vector3& query,
                                   const Vector2& start, NewtonEnd end);
 
-/// Distance from `query` to the surface point above or below `place` [m], > 0.
+/// Distance from `query` to the surface point above or below `position` [m], > 0.
 [[nodiscard]] double distanceTo(const BSplineSurface& surface, const Vector3& query,
-                                const Vector2& place);
+                                const Vector2& position);
 
 }  // namespace asperity

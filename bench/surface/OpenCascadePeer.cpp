@@ -62,7 +62,7 @@ public:
         if (search_.IsDone()) {
             search_.Point().Parameter(last_.x(), last_.y());
         }
-        return {.place = last_ * kUnit};
+        return {.position = last_ * kUnit};
     }
 
 private:
@@ -91,7 +91,7 @@ public:
         if (search.IsDone() && search.NbPoints() > 0) {
             search.LowerDistanceParameters(last_.x(), last_.y());
         }
-        return {.place = last_ * kUnit};
+        return {.position = last_ * kUnit};
     }
 
 private:

@@ -49,7 +49,7 @@ cv::Mat imageOf(const FitTask& task) {
         const_cast<float*>(task.heights.data())};  // NOLINT(cppcoreguidelines-pro-type-const-cast)
 }
 
-/// Runs the work on one thread and hands its result over.
+/// Runs the work on one thread and returns its result.
 template <class Work>
 FitAnswer timed(const Work& work) {
     cv::setNumThreads(1);

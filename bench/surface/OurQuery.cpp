@@ -25,7 +25,7 @@ public:
     [[nodiscard]] SearchAnswer next(const Vector3& query) override {
         const ClosestPoint closest = closestPoint(surface_, query, guess_, tracker_, effort_);
         guess_ = closest.guess();
-        return {.place = closest.point.head<2>(), .certified = closest.certified()};
+        return {.position = closest.point.head<2>(), .certified = closest.certified()};
     }
 
 private:
@@ -46,7 +46,7 @@ public:
 
     [[nodiscard]] SearchAnswer next(const Vector3& query) override {
         last_ = newtonPoint(surface_, query, last_, end_);
-        return {.place = last_};
+        return {.position = last_};
     }
 
 private:

@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t kRestartEvery = 100;
 constexpr int kRestarts = 10;
-constexpr double kSamePlace = 1.0_pm;
+constexpr double kSamePosition = 1.0_pm;
 
 SearchGuess guessFor(const SearchWork& work, const Vector3& center, int restart, Random& random) {
     constexpr double kAround = 3.0 * kBenchTipRadius;
@@ -33,7 +33,7 @@ void restart(const SearchWork& work, const Vector3& center, const ClosestPoint& 
     for (int i = 0; i < kRestarts; ++i) {
         const ClosestPoint other =
             closestPoint(*work.surface, center, guessFor(work, center, i, random));
-        different = different || (other.point - first.point).norm() > kSamePlace;
+        different = different || (other.point - first.point).norm() > kSamePosition;
         tied = tied && std::abs(std::abs(other.distance) - std::abs(first.distance)) <= kWrong;
     }
     ++result.restarted;
@@ -53,7 +53,7 @@ RandomResult runRandom(const SearchWork& work, std::uint64_t seed) {
                             work, truth, std::max<std::size_t>(truth.size() / kDoubted, 1))};
     for (std::size_t i = 0; i < work.centers.size(); ++i) {
         const ClosestPoint closest = closestPoint(*work.surface, work.centers[i], {});
-        judge(work, i, {.place = closest.point.head<2>(), .certified = closest.certified()},
+        judge(work, i, {.position = closest.point.head<2>(), .certified = closest.certified()},
               truth[i], judged);
         if (i % kRestartEvery == 0) {
             restart(work, work.centers[i], closest, random, result);

@@ -7,7 +7,7 @@
 
 namespace asperity {
 
-/// What the product did with tips anywhere, asked without a start.
+/// Results of the product with tips anywhere, asked without a start.
 struct RandomResult {
     std::string name;
     double referenceDoubt = 0.0;  ///< how far the reference may be off [m]

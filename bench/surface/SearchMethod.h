@@ -6,11 +6,10 @@
 
 namespace asperity {
 
-/// Where a method puts the closest point of a query; its height is read off the spline surface
-/// itself.
+/// Closest point of a query by a method; its height is read off the spline surface itself.
 struct SearchAnswer {
-    Vector2 place = Vector2::Zero();  ///< world x, y [m]
-    bool certified = false;           ///< said to be proven the nearest
+    Vector2 position = Vector2::Zero();  ///< world x, y [m]
+    bool certified = false;              ///< said to be proven the nearest
 };
 
 /// One way to find the closest point on a surface, query after query along a path.
@@ -22,7 +21,7 @@ public:
     virtual ~SearchMethod() = default;
 
     [[nodiscard]] virtual std::string name() const = 0;
-    /// Begins a path whose first query has its closest point at this place, world [m].
+    /// Begins a path whose first query has its closest point at this position, world [m].
     virtual void start(const Vector2& closest) = 0;
     /// The closest point of the next query, world [m].
     [[nodiscard]] virtual SearchAnswer next(const Vector3& query) = 0;

@@ -5,7 +5,7 @@
 
 namespace asperity {
 
-/// What closest point, force and decoupling are to reach, each figure beside its goal; of the works
+/// Targets of closest point, force and decoupling, each figure beside its goal; of the works
 /// that ran.
 [[nodiscard]] std::vector<BenchRow> searchRows(const BenchResults& results);
 

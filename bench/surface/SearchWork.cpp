@@ -45,14 +45,14 @@ double reflected(double length, double span) {
     return phase < span ? phase : 2.0 * span - phase;
 }
 
-/// How far a slide has come at a step [m].
+/// Returns how far a slide has come at a step [m].
 double pathLength(std::size_t step) {
     constexpr double kStep = 0.1_nm;
     return kStep * static_cast<double>(step);
 }
 
-/// Where the tip is at a step, world x, y [m].
-Vector2 placeOn(const Slide& slide, std::size_t step) {
+/// Returns the tip's position at a step, world x, y [m].
+Vector2 positionOn(const Slide& slide, std::size_t step) {
     constexpr double kEdge = 120.0_nm;  // not slid over, so that every peer sees the same surface
     constexpr double kHeading = 0.65;   // [rad]
     constexpr double kSpan = kSide - 2.0 * kEdge;
@@ -66,13 +66,13 @@ Vector2 placeOn(const Slide& slide, std::size_t step) {
 std::vector<double> touchHeights(const BSplineSurface& surface, const Slide& slide) {
     std::vector<double> heights;
     for (std::size_t i = 0; i < slide.steps + slide.stepsPerTouch; i += slide.stepsPerTouch) {
-        const Vector2 place = placeOn(slide, i);
-        heights.push_back(tipContactHeight(surface, place.x(), place.y(), slide.tipRadius));
+        const Vector2 position = positionOn(slide, i);
+        heights.push_back(tipContactHeight(surface, position.x(), position.y(), slide.tipRadius));
     }
     return heights;
 }
 
-/// What the roughness of the ground differs in.
+/// Parameters of the sample's roughness.
 struct Roughness {
     double rms = 0.0;           ///< [m]
     double shortestWave = 0.0;  ///< [m]
@@ -87,15 +87,15 @@ HeightMap roughness(const Roughness& recipe) {
                                  .seed = 19});
 }
 
-/// What the maps of rough ground differ in.
-struct Ground {
+/// Parameters of the maps of rough samples.
+struct ParticleMap {
     int particles = 0;
     Roughness roughness;
 };
 
-HeightMap groundMap(const Ground& ground) {
+HeightMap particleMap(const ParticleMap& wanted) {
     constexpr double kRimRounding = 0.8;  // [pixel]
-    HeightMap map = sampledMap(kScan, Nanoparticles({.count = ground.particles,
+    HeightMap map = sampledMap(kScan, Nanoparticles({.count = wanted.particles,
                                                      .medianRadius = 24.0_nm,
                                                      .spread = 0.4,
                                                      .smallest = 10.0_nm,
@@ -112,18 +112,18 @@ HeightMap groundMap(const Ground& ground) {
                                             .angle = 0.4,
                                             .seed = 18},
                                            kScan)));
-    add(map, roughness(ground.roughness));
+    add(map, roughness(wanted.roughness));
     return map;
 }
 
 }  // namespace
 
 HeightMap pathMap() {
-    return groundMap({.particles = 130, .roughness = {.rms = 1.0_nm, .shortestWave = kPathWave}});
+    return particleMap({.particles = 130, .roughness = {.rms = 1.0_nm, .shortestWave = kPathWave}});
 }
 
 HeightMap roughMap() {
-    return groundMap({.particles = 80, .roughness = {.rms = 5.0_nm, .shortestWave = 16.0_nm}});
+    return particleMap({.particles = 80, .roughness = {.rms = 5.0_nm, .shortestWave = 16.0_nm}});
 }
 
 HeightMap concaveMap() {
@@ -154,14 +154,14 @@ std::vector<Vector3> slidingTip(const BSplineSurface& surface, const Slide& slid
     std::vector<Vector3> centers;
     centers.reserve(slide.steps);
     for (std::size_t i = 0; i < slide.steps; ++i) {
-        const Vector2 place = placeOn(slide, i);
+        const Vector2 position = positionOn(slide, i);
         const double gap =
             kMeanGap + kSwing * std::sin(2.0 * std::numbers::pi * pathLength(i) / kSwingLength);
         const std::size_t before = i / slide.stepsPerTouch;
         const double height = std::lerp(heights[before], heights[before + 1],
                                         static_cast<double>(i % slide.stepsPerTouch) /
                                             static_cast<double>(slide.stepsPerTouch));
-        centers.emplace_back(place.x(), place.y(), height + gap);
+        centers.emplace_back(position.x(), position.y(), height + gap);
     }
     return centers;
 }

@@ -21,7 +21,7 @@ struct SearchWork {
     std::vector<Vector3> centers;  ///< of the tip's sphere, world [m]
 };
 
-/// Slightly rough ground with particles and terraces: 512 x 512 pixels of 4 nm. Plain Newton errs
+/// A slightly rough sample with particles and terraces: 512 x 512 pixels of 4 nm. Plain Newton errs
 /// on 7 % of a sliding tip's queries and the bounds of the curvature settle 84 %, about as on the
 /// path that the project's targets were set on (9 %, 81 %).
 [[nodiscard]] HeightMap pathMap();
@@ -58,7 +58,7 @@ struct Slide {
     std::size_t steps = 0;               ///< of 0.1 nm
     Vector2 corner = Vector2::Zero();    ///< of the square, world x, y [m]
     double tipRadius = kBenchTipRadius;  ///< [m]
-    /// The height at which the tip touches is searched for at one step in so many, and straight
+    /// The height at which the tip touches is searched for at every few steps, and straight
     /// between them: that search takes time in proportion to the area under the tip.
     std::size_t stepsPerTouch = 1;
 };

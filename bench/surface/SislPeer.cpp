@@ -50,7 +50,7 @@ public:
         if (status >= 0) {
             last_ = found;
         }
-        return {.place = last_ * kUnit};
+        return {.position = last_ * kUnit};
     }
 
 private:

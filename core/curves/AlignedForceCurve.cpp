@@ -24,39 +24,39 @@ struct Baseline {
     [[nodiscard]] double at(double base) const { return offset + slope * base; }
 };
 
-/// Where the base, or the tip that stands for it, is on the way to the sample [m].
-double placeOf(const CurveSegment& segment, std::size_t i) {
+/// Position of the base, or of the tip in its stead, on the way to the sample [m].
+double positionOf(const CurveSegment& segment, std::size_t i) {
     return segment.base.empty() ? -segment.separation[i] : segment.base[i];
 }
 
 Baseline fitLine(const CurveSegment& segment, double farEnd, double nearEnd) {
     double n = 0.0;
-    double meanPlace = 0.0;
+    double meanPosition = 0.0;
     double meanForce = 0.0;
     for (std::size_t i = 0; i < segment.force.size(); ++i) {
-        if (placeOf(segment, i) <= nearEnd) {
+        if (positionOf(segment, i) <= nearEnd) {
             n += 1.0;
-            meanPlace += placeOf(segment, i) - farEnd;
+            meanPosition += positionOf(segment, i) - farEnd;
             meanForce += segment.force[i];
         }
     }
-    meanPlace = farEnd + meanPlace / n;
+    meanPosition = farEnd + meanPosition / n;
     meanForce /= n;
     double xx = 0.0;
     double xy = 0.0;
     for (std::size_t i = 0; i < segment.force.size(); ++i) {
-        const double place = placeOf(segment, i) - meanPlace;
-        if (placeOf(segment, i) <= nearEnd) {
-            xx += place * place;
-            xy += place * (segment.force[i] - meanForce);
+        const double position = positionOf(segment, i) - meanPosition;
+        if (positionOf(segment, i) <= nearEnd) {
+            xx += position * position;
+            xy += position * (segment.force[i] - meanForce);
         }
     }
     Baseline line{.slope = xx > 0.0 ? xy / xx : 0.0};
-    line.offset = meanForce - line.slope * meanPlace;
+    line.offset = meanForce - line.slope * meanPosition;
     double scatter = 0.0;
     for (std::size_t i = 0; i < segment.force.size(); ++i) {
-        if (placeOf(segment, i) <= nearEnd) {
-            const double rest = segment.force[i] - line.at(placeOf(segment, i));
+        if (positionOf(segment, i) <= nearEnd) {
+            const double rest = segment.force[i] - line.at(positionOf(segment, i));
             scatter += rest * rest;
         }
     }
@@ -81,7 +81,7 @@ std::vector<CurveSegment>::const_iterator mainApproach(const MeasuredForceCurve&
     return found;
 }
 
-/// Of the lever as force and deflection of the curve have it, or as the file says; 0: unknown.
+/// Stiffness of the lever by the curve's force and deflection, or as the file says; 0: unknown.
 double stiffnessIn(const MeasuredForceCurve& curve, const CurveSegment& approach) {
     if (curve.stiffness > 0.0 || approach.deflection.empty()) {
         return curve.stiffness;
@@ -103,10 +103,10 @@ double stiffnessIn(const MeasuredForceCurve& curve, const CurveSegment& approach
     return square > 0.0 ? product / square : 0.0;
 }
 
-/// Where the force above the baseline last passes zero before its maximum.
-double contactPlace(const CurveSegment& approach, const Baseline& baseline) {
+/// Returns where the force above the baseline last passes zero before its maximum.
+double contactPosition(const CurveSegment& approach, const Baseline& baseline) {
     const auto above = [&](std::size_t i) {
-        return approach.force[i] - baseline.at(placeOf(approach, i));
+        return approach.force[i] - baseline.at(positionOf(approach, i));
     };
     std::size_t peak = 0;
     for (std::size_t i = 1; i < approach.force.size(); ++i) {
@@ -126,17 +126,17 @@ double contactPlace(const CurveSegment& approach, const Baseline& baseline) {
         throw Error("this curve has no contact point: its force is repulsive from the start");
     }
     const double share = std::max(0.0, -above(last)) / (above(last + 1) - above(last));
-    return placeOf(approach, last) +
-           share * (placeOf(approach, last + 1) - placeOf(approach, last));
+    return positionOf(approach, last) +
+           share * (positionOf(approach, last + 1) - positionOf(approach, last));
 }
 
-/// @param contact of placeOf() [m]
+/// @param contact of positionOf() [m]
 AlignedBranch branchOf(const CurveSegment& segment, const Baseline& baseline, double contact,
                        double stiffness) {
     AlignedBranch branch;
     for (std::size_t i = 0; i < segment.force.size(); ++i) {
-        const double force = segment.force[i] - baseline.at(placeOf(segment, i));
-        const double distance = contact - placeOf(segment, i);
+        const double force = segment.force[i] - baseline.at(positionOf(segment, i));
+        const double distance = contact - positionOf(segment, i);
         const double deflection = force / stiffness;
         branch.force.push_back(force);
         branch.separation.push_back(segment.base.empty() ? distance : distance + deflection);
@@ -152,10 +152,10 @@ Baseline ownBaseline(const CurveSegment& retract, const Baseline& baseline, doub
     double count = 0.0;
     bool reachesFar = false;
     for (std::size_t i = 0; i < retract.force.size(); ++i) {
-        const double place = placeOf(retract, i);
-        reachesFar = reachesFar || place <= 0.5 * (farthest + nearEnd);
-        if (place <= 0.5 * (farthest + nearEnd)) {
-            sum += retract.force[i] - baseline.at(place);
+        const double position = positionOf(retract, i);
+        reachesFar = reachesFar || position <= 0.5 * (farthest + nearEnd);
+        if (position <= 0.5 * (farthest + nearEnd)) {
+            sum += retract.force[i] - baseline.at(position);
             count += 1.0;
         }
     }
@@ -186,16 +186,16 @@ AlignedForceCurve alignedCurve(const MeasuredForceCurve& curve, double stiffness
     if (approach == curve.segments.end()) {
         throw Error("this curve has no approach of at least 20 points");
     }
-    double farthest = placeOf(*approach, 0);
+    double farthest = positionOf(*approach, 0);
     double deepest = farthest;
     for (std::size_t i = 0; i < approach->force.size(); ++i) {
-        farthest = std::min(farthest, placeOf(*approach, i));
-        deepest = std::max(deepest, placeOf(*approach, i));
+        farthest = std::min(farthest, positionOf(*approach, i));
+        deepest = std::max(deepest, positionOf(*approach, i));
     }
     const double nearEnd = farthest + kFarShare * (deepest - farthest);
     const Baseline baseline = fitLine(*approach, farthest, nearEnd);
     const double own = stiffnessIn(curve, *approach);
-    const double contact = contactPlace(*approach, baseline);
+    const double contact = contactPosition(*approach, baseline);
     AlignedForceCurve aligned{.approach = {},
                               .retract = {},
                               .baselineForce = baseline.at(contact),

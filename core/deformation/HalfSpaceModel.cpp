@@ -1,13 +1,15 @@
 #include "core/deformation/HalfSpaceModel.h"
 
 #include "core/contact/displacement/SurfaceDisplacement.h"
-#include "core/deformation/HalfSpaceField.h"
-#include "core/deformation/HalfSpaceProblem.h"
+#include "core/contact/laws/SplitLaw.h"
 #include "core/scene/Scene.h"
+#include "core/surface/HeightMap.h"
 #include "core/surface/PixelField.h"
+#include "core/surface/TangentFrame.h"
+#include "core/surface/fit/BSplineFit.h"
 
 #include <algorithm>
-#include <cmath>
+#include <exception>
 #include <utility>
 
 namespace asperity {
@@ -24,8 +26,8 @@ constexpr double kMaxPatchWidth = 2.0;  // half width in tip radii
 constexpr double kSeveralPointsRoom =
     1.0;  // in tip radii: other closest points may lie so far away
 
-/// Whether the law's adhesion has no range that a half-space could take for its own: JKR's has
-/// none, DMT's reaches everywhere.
+/// Returns whether the law's adhesion has no range that a half-space could take for its own: JKR's
+/// has none, DMT's reaches everywhere.
 bool adheresWithoutZone(const ContactModel& model) {
     const bool adhesive =
         isAdhesive(model.law()) && traitsOf(model.law()).attraction != Attraction::Zone;
@@ -77,7 +79,7 @@ std::shared_ptr<const HalfSpaceField> fieldOf(const Scene& scene, const TipState
     return std::make_shared<const HalfSpaceField>(displacement, patch.samples, patch.pitch());
 }
 
-/// Of bodies in contact, less the cohesive stress.
+/// Pressure of bodies in contact, less the cohesive stress.
 std::shared_ptr<const PixelField> pressureOf(const HalfSpaceContact& problem,
                                              const SurfaceTraction& traction) {
     HeightMap map{.columns = problem.samples,
@@ -94,6 +96,50 @@ std::shared_ptr<const PixelField> pressureOf(const HalfSpaceContact& problem,
         }
     }
     return std::make_shared<const PixelField>(map, "Pa");
+}
+
+constexpr double kNoTip = 1e-3;  // gap beyond a sphere's equator [m]: no surface reaches so far
+
+/// The cohesive zone of a law; none where the law has none.
+struct Cohesion {
+    double stress = 0.0;  ///< [Pa]
+    double range = 0.0;   ///< [m]
+};
+
+Cohesion cohesionOf(const ContactModel& model) {
+    const double stress = model.cohesiveStress();
+    return stress > 0.0 ? Cohesion{stress, model.cohesiveRange()} : Cohesion{};
+}
+
+bool isSame(const TipState& first, const TipState& second) {
+    return first.tip == second.tip && first.contact.indentation == second.contact.indentation &&
+           first.contact.branch == second.contact.branch;
+}
+
+/// A thread may not throw: what cannot be solved counts as not converged.
+HalfSpaceAnswer answerTo(HalfSpaceModel& model, const Scene& scene, const TipState& state,
+                         const std::stop_token& stop) {
+    try {
+        return model.solve(scene, state, stop);
+    } catch (const std::exception&) {
+        return {.verdict = HalfSpaceVerdict::NotConverged, .state = state, .field = nullptr};
+    }
+}
+
+/// The grid as an image: its top row is the last one.
+HeightMap imageOf(const std::vector<double>& displacement, int samples, double pitch) {
+    HeightMap map{.columns = samples,
+                  .rows = samples,
+                  .pitchX = pitch,
+                  .pitchY = pitch,
+                  .heights = {},
+                  .invalid = {}};
+    map.heights.reserve(displacement.size());
+    for (int row = samples - 1; row >= 0; --row) {
+        const auto first = displacement.begin() + static_cast<std::ptrdiff_t>(row) * samples;
+        map.heights.insert(map.heights.end(), first, first + samples);
+    }
+    return map;
 }
 
 }  // namespace
@@ -154,6 +200,110 @@ HalfSpaceAnswer HalfSpaceModel::solve(const Scene& scene, const TipState& state,
         kept_ = Kept{.halfWidth = patch.halfWidth, .traction = std::move(solution.traction)};
     }
     return answer;
+}
+
+HalfSpaceContact halfSpaceContact(const Scene& scene, const TipState& state,
+                                  const HalfSpacePatch& patch) {
+    const ContactModel model = contactModelAt(scene, state);
+    const Cohesion cohesion = cohesionOf(model);
+    const double radius = scene.belief.tipRadius();
+    HalfSpaceContact contact{
+        .samples = patch.samples,
+        .pitch = patch.pitch(),
+        .gap = heightsOver(scene.surface, tangentFrame(state.closest.point, state.closest.normal),
+                           patch.samples, patch.pitch()),
+        .approach = contactProfile(model, state.contact).indentation,
+        .reducedModulus = model.pair().reducedModulus,
+        .cohesiveStress = cohesion.stress,
+        .cohesiveRange = cohesion.range,
+        .tipRadius = std::min(radius, model.pair().tipRadius)};
+    const RoundTip tip = scene.description.tip.shape();
+    auto height = contact.gap.begin();
+    patch.forEachDistance([&](double distance) {
+        const double above = distance < tip.reach() ? tip.height(distance) : kNoTip;
+        *height = std::min(above - *height, kNoTip);
+        ++height;
+    });
+    return contact;
+}
+
+SurfaceTraction closedFormTraction(const Scene& scene, const TipState& state,
+                                   const HalfSpacePatch& patch) {
+    const ContactModel model = contactModelAt(scene, state);
+    const CohesiveContact profile = contactProfile(model, state.contact);
+    const double stress = cohesionOf(model).stress;
+    SurfaceTraction traction;
+    patch.forEachDistance([&](double distance) {
+        const bool touches = distance < profile.contactRadius;
+        const double pressure = touches ? contactPressure(profile, distance) : 0.0;
+        traction.contact.push_back(touches ? std::max(0.0, pressure + stress) : 0.0);
+        traction.cohesion.push_back(stress > 0.0 && distance < profile.cohesiveRadius ? 1.0 : 0.0);
+    });
+    return traction;
+}
+
+double forceBeyondZone(const Scene& scene, const TipState& state) {
+    const ContactModel model = contactModelAt(scene, state);
+    const AdhesionSplit* shares = model.split();
+    const double tail = shares != nullptr ? shares->tailForce : 0.0;
+    return tail - scene.description.meniscus.pull(model.pair().tipRadius);
+}
+
+HalfSpaceWorker::HalfSpaceWorker(const Scene& scene)
+    : scene_(scene), thread_([this](const std::stop_token& stop) { work(stop); }) {}
+
+HalfSpaceWorker::~HalfSpaceWorker() = default;
+
+void HalfSpaceWorker::ask(const TipState& state) {
+    if (isSame(state, asked_)) {
+        return;
+    }
+    asked_ = state;
+    {
+        const std::lock_guard lock(mutex_);
+        next_ = state;
+    }
+    waiting_.notify_one();
+}
+
+std::shared_ptr<const HalfSpaceAnswer> HalfSpaceWorker::newest() const {
+    const std::lock_guard lock(mutex_);
+    return newest_;
+}
+
+void HalfSpaceWorker::work(const std::stop_token& stop) {
+    HalfSpaceModel model;
+    while (true) {
+        std::unique_lock lock(mutex_);
+        if (!waiting_.wait(lock, stop, [this] { return next_.has_value(); })) {
+            return;
+        }
+        const TipState state = *std::exchange(next_, std::nullopt);
+        lock.unlock();
+        auto answer = std::make_shared<const HalfSpaceAnswer>(answerTo(model, scene_, state, stop));
+        lock.lock();
+        newest_ = std::move(answer);
+    }
+}
+
+HalfSpaceField::HalfSpaceField(const std::vector<double>& displacement, int samples, double pitch)
+    : halfWidth_(0.5 * (samples - 1) * pitch)
+    , middle_(0.5 * samples * pitch)
+    , displacement_(fitSurface(imageOf(displacement, samples, pitch))) {}
+
+double HalfSpaceField::at(double along, double across) const {
+    const double reach = std::max(std::abs(along), std::abs(across));
+    const double inside = reach > halfWidth_ ? halfWidth_ / reach : 1.0;
+    return inside * displacement_.at(middle_ + inside * along, middle_ + inside * across).height;
+}
+
+DisplacementField halfSpaceField(const TipContact& contact,
+                                 std::shared_ptr<const HalfSpaceField> field, double share) {
+    return [frame = tangentFrame(contact.closest, contact.normal), field = std::move(field),
+            share](const Vector3& rest) -> Vector3 {
+        const Vector3 position = frame.local(rest);
+        return -share * field->at(position.x(), position.y()) * frame.normal;
+    };
 }
 
 }  // namespace asperity

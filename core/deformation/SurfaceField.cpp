@@ -68,9 +68,9 @@ ValueRange rangeOf(std::span<const double> values, double leftOut) {
     }
     const auto rank = static_cast<std::ptrdiff_t>(std::min(leftOut, 0.5) *
                                                   static_cast<double>(finite.size() - 1));
-    const auto ranked = [&finite](std::ptrdiff_t place) {
-        std::ranges::nth_element(finite, finite.begin() + place);
-        return finite[static_cast<std::size_t>(place)];
+    const auto ranked = [&finite](std::ptrdiff_t index) {
+        std::ranges::nth_element(finite, finite.begin() + index);
+        return finite[static_cast<std::size_t>(index)];
     };
     const auto last = static_cast<std::ptrdiff_t>(finite.size()) - 1;
     return {ranked(rank), ranked(last - rank)};

@@ -1,18 +1,61 @@
 #pragma once
 
+#include "core/EnumTable.h"
 #include "core/Vector.h"
-#include "core/deformation/SurfaceQuantity.h"
 #include "core/surface/PixelField.h"
-#include "core/surface/RegionField.h"
-#include "core/surface/imaging/CertaintyMap.h"
+#include "core/surface/imaging/TipErosion.h"
 
+#include <cstdint>
 #include <memory>
 #include <span>
 #include <string>
 
 namespace asperity {
 
-/// A quantity at each place of a surface at rest. Of quantities that change with the tip this is
+/// Quantity by which a surface can be colored.
+enum class SurfaceQuantity : std::uint8_t {
+    Height,               ///< of the surface at rest [m]
+    Slope,                ///< its angle against the horizontal [rad]
+    Gap,                  ///< between deformed sample and tip, along the contact's normal [m]
+    Pressure,             ///< on the sample, > 0 compression [Pa]
+    Displacement,         ///< into the sample, along the contact's normal [m]
+    Residual,             ///< what smoothing and fit left out of the scan: data minus surface [m]
+    Certainty,            ///< 1 where the imaging tip has certainly touched the surface, else 0
+    YoungsModulus,        ///< of a sample that is not the same everywhere [Pa]
+    WorkOfAdhesion,       ///< same [J/m^2]
+    FrictionCoefficient,  ///< same
+    Channel,              ///< another image of the file, in the file's unit
+    ForceMap,             ///< a quantity of a force map, in its region
+};
+
+struct SurfaceQuantityRow {
+    SurfaceQuantity value;
+    const char* key;
+    const char* name;
+    const char* unit;  ///< SI; "1": a number; empty: the data say
+    bool isLive;       ///< it changes with the tip, and is defined around it alone
+    bool isSigned;     ///< values on both sides of zero mean different things
+};
+
+template <>
+inline constexpr auto kEnumTable<SurfaceQuantity> = std::to_array<SurfaceQuantityRow>({
+    {SurfaceQuantity::Height, "height", "height", "m", false, false},
+    {SurfaceQuantity::Slope, "slope", "slope", "rad", false, false},
+    {SurfaceQuantity::Gap, "gap", "gap to the tip", "m", true, false},
+    {SurfaceQuantity::Pressure, "pressure", "contact pressure", "Pa", true, true},
+    {SurfaceQuantity::Displacement, "displacement", "displacement", "m", true, true},
+    {SurfaceQuantity::Residual, "residual", "residual", "m", false, true},
+    {SurfaceQuantity::Certainty, "certainty", "certainty", "1", false, false},
+    {SurfaceQuantity::YoungsModulus, "youngs_modulus", "Young's modulus", "Pa", false, false},
+    {SurfaceQuantity::WorkOfAdhesion, "work_of_adhesion", "work of adhesion", "J/m^2", false,
+     false},
+    {SurfaceQuantity::FrictionCoefficient, "friction_coefficient", "friction coefficient", "1",
+     false, false},
+    {SurfaceQuantity::Channel, "channel", "channel", "", false, false},
+    {SurfaceQuantity::ForceMap, "force_map", "force map", "", false, false},
+});
+
+/// A quantity at each position of a surface at rest. Of quantities that change with the tip this is
 /// the value far from it: no displacement and no pressure; a gap is not defined there.
 /// See docs/views.md.
 class SurfaceField {
@@ -38,16 +81,16 @@ public:
     [[nodiscard]] std::string name() const;
     [[nodiscard]] std::string unit() const;
 
-    /// @param rest   place of the surface [m]
+    /// @param rest   position of the surface [m]
     /// @param normal of the surface there, unit
     /// @return not a number where the quantity is not defined
     [[nodiscard]] double at(const Vector3& rest, const Vector3& normal) const noexcept;
-    /// Whether a place is of the part of the surface that the field is made of: there a value that
-    /// is not a number is one that is missing. @param rest world [m]
+    /// Returns whether a position is in the part of the surface that the field is made of: there a
+    /// value that is not a number is missing. @param rest world [m]
     [[nodiscard]] bool covers(const Vector3& rest) const noexcept {
         return region_ == nullptr || region_->covers(rest.x(), rest.y());
     }
-    /// Whether values are missing in the part that it is made of.
+    /// Returns whether values are missing in the part that it is made of.
     [[nodiscard]] bool hasGaps() const noexcept { return region_ != nullptr && region_->hasGaps(); }
 
 private:

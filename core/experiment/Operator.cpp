@@ -8,6 +8,9 @@ namespace asperity {
 
 namespace {
 
+constexpr double kFrameTime = 1.0 / 60.0;  // of the window [s]
+constexpr double kAdaptation = 0.3;        // in which a hand gets used to a force [s]
+
 constexpr double kLookTime = 0.05;  // between two looks while checking [s]
 
 /// Share of the way after a share of the time: no jump of position, speed or acceleration.
@@ -17,6 +20,82 @@ double minimumJerk(double t) {
 }
 
 }  // namespace
+
+OperatorTraits drawOperator(Random& random) {
+    constexpr double kSpread = 0.2;
+    OperatorTraits person;
+    for (double* trait : {&person.sightTime, &person.touchTime, &person.moveTime,
+                          &person.timePerBit, &person.aimError, &person.acuity, &person.leastForce,
+                          &person.tremor, &person.tolerance, &person.patience, &person.dwell,
+                          &person.pressTime, &person.arm.stiffness, &person.arm.damping}) {
+        *trait *= std::exp(kSpread * random.normal());
+    }
+    return person;
+}
+
+OperatorTraits operatorOf(std::uint64_t seed, int participant) {
+    std::uint64_t state = seed;
+    state = splitMix64(state) + static_cast<std::uint64_t>(participant);
+    Random random(splitMix64(state));
+    return drawOperator(random);
+}
+
+OperatorSight::OperatorSight(const OperatorTraits& person, double scale, const Vector3& lineOfSight)
+    : person_(person)
+    , scale_(scale)
+    , lineOfSight_(lineOfSight)
+    , length_(static_cast<std::size_t>(std::ceil(person.sightTime / kFrameTime)) + 1) {
+    frames_.reserve(length_);
+}
+
+void OperatorSight::show(const ShownMoment& moment, double timeStep) {
+    sinceFrame_ += timeStep;
+    if (!frames_.empty() && sinceFrame_ < kFrameTime) {
+        return;
+    }
+    sinceFrame_ = 0.0;
+    if (frames_.size() < length_) {
+        frames_.push_back(moment);
+        newest_ = frames_.size() - 1;
+    } else {
+        newest_ = (newest_ + 1) % frames_.size();
+        frames_[newest_] = moment;
+    }
+}
+
+/// The oldest frame that is kept.
+const ShownMoment& OperatorSight::seen() const {
+    return frames_.size() < length_ ? frames_.front() : frames_[(newest_ + 1) % frames_.size()];
+}
+
+Vector3 OperatorSight::look(Random& random) const {
+    const ShownMoment& moment = seen();
+    const double sigma = person_.acuity / scale_ * (moment.hidden ? person_.hiddenFactor : 1.0);
+    Vector3 error(random.normal(), random.normal(), random.normal());
+    error += (person_.depthFactor - 1.0) * error.dot(lineOfSight_) * lineOfSight_;
+    return moment.tip + sigma * error;
+}
+
+void OperatorTouch::feel(const Vector3& force, double timeStep) {
+    if (since_ >= 0.0) {
+        since_ += timeStep;
+        noticed_ = noticed_ || since_ >= person_.touchTime;
+    }
+    const double least = std::max(person_.leastForce, person_.forceShare * usual_.norm());
+    if (since_ < 0.0 && (force - usual_).norm() > least) {
+        since_ = 0.0;
+    }
+    usual_ += std::min(1.0, timeStep / kAdaptation) * (force - usual_);
+}
+
+bool OperatorTouch::takeNotice() {
+    if (!noticed_) {
+        return false;
+    }
+    noticed_ = false;
+    since_ = -1.0;
+    return true;
+}
 
 Operator::Operator(const OperatorTraits& person, const OperatorTask& task, const Vector3& hand,
                    std::uint64_t seed)
@@ -129,6 +208,23 @@ Vector3 Operator::trembled(double timeStep) {
     trembleSpeed_ += timeStep * acceleration;
     tremble_ += timeStep * trembleSpeed_;
     return tremble_;
+}
+
+DeviceState OperatedBench::advance(double timeStep) noexcept {
+    timeStep_ = timeStep;
+    operator_.feel(force_, timeStep);
+    bench_.reachFor(operator_.advance(timeStep));
+    return bench_.advance(timeStep);
+}
+
+void OperatedBench::setForce(const Vector3& force) noexcept {
+    force_ = force;
+    bench_.setForce(force);
+}
+
+void OperatedBench::observe(const TickOutput& output) noexcept {
+    const bool isInside = output.model.contact.indentation > 0.0;
+    operator_.see({.tip = output.model.tip, .hidden = isInside && !deformationShown_}, timeStep_);
 }
 
 }  // namespace asperity

@@ -1,18 +1,23 @@
 #pragma once
 
 #include "core/EnumTable.h"
-#include "core/haptics/coupling/ScaleGuard.h"
-#include "core/probe/ProbeDescription.h"
+#include "core/Error.h"
+#include "core/haptics/bench/VirtualBench.h"
+#include "core/haptics/coupling/CouplingDesign.h"
+#include "core/probe/ProbeSystem.h"
 #include "core/scene/SceneDescription.h"
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
 namespace asperity {
 
-/// What a participant does with the tip at a target. Source: Vogl, Ma, Sitti (2005), VI.
+struct Scene;
+
+/// Task of a participant with the tip at a target. Source: Vogl, Ma, Sitti (2005), VI.
 enum class TaskKind : std::uint8_t {
     Above,  ///< hold it a small distance above the surface
     On,     ///< right on the surface
@@ -28,8 +33,8 @@ inline constexpr auto kEnumTable<TaskKind> =
 /// A task with the materials that it is done on.
 struct StudyTask {
     TaskKind kind = TaskKind::On;
-    /// From the surface at rest to the target, above or below it [m]; each trial draws from the
-    /// range. Both are 0 on the surface.
+    /// Distance from the undeformed surface to the target, above or below it [m]; each trial draws
+    /// from the range. Both are 0 on the surface.
     double nearest = 0.0;
     double farthest = 0.0;
     std::vector<std::size_t> materials;  ///< of Study::materials
@@ -45,7 +50,7 @@ struct StudyLever {
     bool operator==(const StudyLever&) const = default;
 };
 
-/// What helps a participant, of which each may be taken away.
+/// Aids for a participant, each of which may be taken away.
 struct StudyAids {
     bool coupling = true;     ///< between device and tip; false: by an operator model only
     bool forces = true;       ///< are felt
@@ -77,5 +82,28 @@ struct Study {
 
 /// The scene of a trial. @throw Error as checkScene()
 [[nodiscard]] SceneDescription sceneOf(const Study& study, std::size_t material, std::size_t lever);
+
+/// A key of a study that contradicts the rest of it.
+struct StudyRefused : Error {
+    /// @param where key of the study, with the section before it
+    StudyRefused(const std::string& where, const std::string& expected)
+        : Error(where + ": " + expected), key(where), reason(expected) {}
+
+    std::string key;
+    std::string reason;
+};
+
+/// Checks a study without its sample: counts, ranges, tasks that name their materials.
+/// @throw StudyRefused naming the first key that cannot be
+void checkStudy(const Study& study);
+
+/// Checks that the study can be done on a sample: its targets lie in the scan and in the device's
+/// reach; what is pressed yields before the lever does; and each material with each lever can be
+/// held by the device at the study's scale.
+/// @param scene of a material and a lever
+/// @throw StudyRefused
+void checkStudyOn(
+    const Study& study, const BenchSetup& bench,
+    const std::function<const Scene&(std::size_t material, std::size_t lever)>& scene);
 
 }  // namespace asperity

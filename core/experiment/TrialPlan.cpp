@@ -1,8 +1,12 @@
 #include "core/experiment/TrialPlan.h"
 
+#include "core/Error.h"
 #include "core/Random.h"
+#include "core/haptics/DevicePath.h"
+#include "core/scene/Scene.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <utility>
 
@@ -110,6 +114,26 @@ private:
     std::vector<PlannedTrial> trials_;
 };
 
+/// In an order of its own, which a script can repeat to the bit.
+double distance(const Vector3& a, const Vector3& b) {
+    const Vector3 way = a - b;
+    return std::sqrt((way.x() * way.x() + way.y() * way.y()) + way.z() * way.z());
+}
+
+/// Between the extremes of each axis, the largest.
+double handleMotion(const std::vector<TrialMoment>& moments) {
+    constexpr double kLastPart = 0.5;  // [s]
+    Vector3 low = moments.back().device;
+    Vector3 high = low;
+    for (const TrialMoment& moment : moments) {
+        if (moment.time >= moments.back().time - kLastPart) {
+            low = low.cwiseMin(moment.device);
+            high = high.cwiseMax(moment.device);
+        }
+    }
+    return (high - low).maxCoeff();
+}
+
 }  // namespace
 
 PlannedTrial again(PlannedTrial trial) {
@@ -138,6 +162,40 @@ std::vector<PlannedTrial> planTrials(const Study& study, int participants, std::
         planner.addParticipant(participant);
     }
     return planner.take();
+}
+
+TrialPositions positionsOf(const Study& study, const Scene& scene, const PlannedTrial& trial) {
+    const Vector2 middle = 0.5 * Vector2(scene.surface.sizeX(), scene.surface.sizeY());
+    const auto above = [&](const Vector2& at, double height) {
+        return Vector3(at.x(), at.y(), touchHeight(scene, at.x(), at.y()) + height);
+    };
+    return {.start = above(middle, study.startHeight),
+            .target = above(middle + study.targets.at(trial.target), trial.height)};
+}
+
+TrialMoment momentOf(const TickSample& sample, double time, const Vector3& tip) {
+    return {.time = time,
+            .tip = tip,
+            .shown = sample.output.model.tip,
+            .device = sample.input.device.position,
+            .force = sample.output.estimate.force,
+            .deviceForce = sample.output.deviceForce};
+}
+
+void evaluate(DoneTrial& trial) {
+    if (trial.moments.empty()) {
+        throw Error("a trial without a moment has no result");
+    }
+    TrialRecord& record = trial.record;
+    const TrialMoment& end = trial.moments.back();
+    record.error = distance(end.tip, record.target);
+    record.errorPercent = 100.0 * record.error / distance(record.start, record.target);
+    record.time = end.time;
+    record.handleMotion = handleMotion(trial.moments);
+    record.largestForce = 0.0;
+    for (const TrialMoment& moment : trial.moments) {
+        record.largestForce = std::max(record.largestForce, moment.largestForce);
+    }
 }
 
 }  // namespace asperity

@@ -1,11 +1,10 @@
 #include "core/experiment/TrialRun.h"
 
-#include "core/experiment/OperatedBench.h"
+#include "core/haptics/DevicePath.h"
 #include "core/haptics/HapticLoop.h"
-#include "core/haptics/ScriptedDevice.h"
 #include "core/haptics/coupling/CouplingKeeper.h"
+#include "core/scene/BelievedModel.h"
 #include "core/scene/Scene.h"
-#include "core/scene/SceneTruth.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,7 +17,7 @@ namespace {
 constexpr double kMomentRate = 100.0;    // [Hz]
 constexpr double kEngagePatience = 5.0;  // for the forces to come on [s]
 
-// How the window shows the sample before anybody turns the view: see ViewScale and ViewCamera.
+// View of the sample in the window before anybody turns the view: see ViewScale and ViewCamera.
 constexpr double kScreenWidth = 0.2;    // of the large view [m]
 constexpr double kShownTipRadii = 4.8;  // its width on the sample, in tip radii
 constexpr double kAzimuth = -1.917;     // [rad]
@@ -66,13 +65,13 @@ public:
     RunningTrial(const TrialSetup& setup, const PlannedTrial& plan)
         : setup_(setup)
         , plan_(plan)
-        , places_(placesOf(setup.study, setup.scene, plan))
-        , settings_(trialSettings(setup.study, setup.scene, setup.bench, places_.target))
+        , positions_(positionsOf(setup.study, setup.scene, plan))
+        , settings_(trialSettings(setup.study, setup.scene, setup.bench, positions_.target))
         , afm_(setup.scene.trueSurface(), truth(setup.scene, plan.seed))
-        , waiting_({{0.0, places_.start}}, setup.scene.settings.positionGain)
+        , waiting_({{0.0, positions_.start}}, setup.scene.settings.positionGain)
         , device_(setup.bench, Vector3::Zero(),
                   Operator(setup.person,
-                           operatorTask(setup, places_.target, settings_.positionGain),
+                           operatorTask(setup, positions_.target, settings_.positionGain),
                            Vector3::Zero(), plan.seed))
         , loop_(setup.scene, waiting_, afm_) {
         device_.showDeformation(setup.study.aids.deformation);
@@ -87,7 +86,7 @@ public:
         done.record.plan = plan_;
         done.record.device = "virtual_bench";
         done.record.start = tip();
-        done.record.target = places_.target;
+        done.record.target = positions_.target;
         done.record.scale = {.positionGain = settings_.positionGain,
                              .forceGain = settings_.forceGain};
         done.record.coupling = settings_.coupling;
@@ -140,7 +139,7 @@ private:
 
     const TrialSetup& setup_;
     const PlannedTrial& plan_;
-    TrialPlaces places_;
+    TrialPositions positions_;
     Settings settings_;
     SimulatedAfm afm_;
     ScriptedDevice waiting_;
@@ -148,6 +147,11 @@ private:
     HapticLoop loop_;
     bool ended_ = false;
 };
+
+/// Returns the true tip; of an instrument that knows none, that of the model.
+Vector3 tipOf(const Snapshot& frame) {
+    return frame.trueTip.value_or(frame.sample.output.model.tip);
+}
 
 }  // namespace
 
@@ -168,6 +172,51 @@ Settings trialSettings(const Study& study, const Scene& scene, const BenchSetup&
 
 DoneTrial runTrial(const TrialSetup& setup, const PlannedTrial& trial, const TrialWatch& watch) {
     return RunningTrial(setup, trial).run(watch);
+}
+
+WatchedTrial::WatchedTrial(const PlannedTrial& plan, const Vector3& target, const Snapshot& begin)
+    : begin_(begin.sample.time), newest_(begin.sample) {
+    trial_.record.plan = plan;
+    trial_.record.start = tipOf(begin);
+    trial_.record.target = target;
+    trial_.moments.push_back(momentOf(begin.sample, 0.0, tipOf(begin)));
+}
+
+void WatchedTrial::take(const TickSample& sample) {
+    if (sample.time > begin_) {
+        waiting_.push_back({sample.time, sample.output.estimate.force.norm()});
+    }
+}
+
+double WatchedTrial::largestUpTo(double time) {
+    double largest = 0.0;
+    while (!waiting_.empty() && waiting_.front().time <= time) {
+        largest = std::max(largest, waiting_.front().size);
+        waiting_.pop_front();
+    }
+    return largest;
+}
+
+void WatchedTrial::show(const Snapshot& frame) {
+    if (frame.sample.time <= newest_.time) {
+        return;  // no tick since the frame before
+    }
+    newest_ = frame.sample;
+    TrialMoment moment = momentOf(frame.sample, time(), tipOf(frame));
+    moment.largestForce = largestUpTo(frame.sample.time);
+    trial_.moments.push_back(moment);
+}
+
+DoneTrial WatchedTrial::end(const TrialEnd& end) const {
+    DoneTrial done = trial_;
+    const Settings& settings = newest_.input.settings;
+    done.record.scale = {.positionGain = settings.positionGain, .forceGain = settings.forceGain};
+    done.record.coupling = settings.coupling;
+    done.record.fault = fault();
+    done.record.timedOut = end.timedOut;
+    done.record.struckOut = end.struckOut;
+    evaluate(done);
+    return done;
 }
 
 }  // namespace asperity

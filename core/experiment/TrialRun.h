@@ -1,17 +1,18 @@
 #pragma once
 
 #include "core/experiment/Operator.h"
-#include "core/experiment/TrialPlaces.h"
-#include "core/experiment/TrialRecord.h"
+#include "core/experiment/TrialPlan.h"
 #include "core/haptics/VirtualRun.h"
 
+#include <deque>
 #include <functional>
+#include <string>
 
 namespace asperity {
 
 struct Scene;
 
-/// What a trial is done with, beside its plan.
+/// Setup of a trial, besides its plan.
 struct TrialSetup {
     const Study& study;
     const Scene& scene;  ///< sceneOf() the trial's material and lever
@@ -24,7 +25,7 @@ struct TrialSetup {
 [[nodiscard]] Settings trialSettings(const Study& study, const Scene& scene,
                                      const BenchSetup& bench, const Vector3& target);
 
-/// What sees a trial as a recording does; either may be empty.
+/// Functions that see a trial as a recording does; either may be empty.
 struct TrialWatch {
     std::function<void(const TickMemory&)> begin = {};  ///< what its first tick starts from
     TickSink tick = {};                                 ///< every tick
@@ -35,5 +36,45 @@ struct TrialWatch {
 /// @throw CouplingRefused
 [[nodiscard]] DoneTrial runTrial(const TrialSetup& setup, const PlannedTrial& trial,
                                  const TrialWatch& watch = {});
+
+/// End of a person's trial.
+struct TrialEnd {
+    bool timedOut = false;  ///< the time limit
+    std::string struckOut;  ///< why it does not count; empty: it does
+};
+
+/// A trial of a person as it is watched: a moment a frame of the window, and every tick for the
+/// forces between them. It begins and ends with a frame.
+class WatchedTrial {
+public:
+    /// @param begin the frame with which it begins
+    WatchedTrial(const PlannedTrial& plan, const Vector3& target, const Snapshot& begin);
+
+    /// Every tick, in order; those after the newest frame wait for the next one.
+    void take(const TickSample& sample);
+    /// A frame, once all ticks up to it have been taken.
+    void show(const Snapshot& frame);
+
+    /// Returns the time of the newest frame since the trial began [s].
+    [[nodiscard]] double time() const noexcept { return newest_.time - begin_; }
+    /// A fault that has ended it; Fault::None: none has.
+    [[nodiscard]] Fault fault() const noexcept { return newest_.output.fault; }
+
+    /// Returns the result; its end is the newest frame.
+    [[nodiscard]] DoneTrial end(const TrialEnd& end) const;
+
+private:
+    struct Force {
+        double time = 0.0;  ///< of the tick [s]
+        double size = 0.0;  ///< [N]
+    };
+    /// Returns the largest force of the ticks up to a time, and removes them [N].
+    [[nodiscard]] double largestUpTo(double time);
+
+    DoneTrial trial_;
+    double begin_;  ///< tick time [s]
+    TickSample newest_;
+    std::deque<Force> waiting_;
+};
 
 }  // namespace asperity

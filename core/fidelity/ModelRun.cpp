@@ -1,10 +1,8 @@
 #include "core/fidelity/ModelRun.h"
 
 #include "core/haptics/VirtualRun.h"
-#include "core/scene/Scene.h"
-#include "core/scene/SceneTruth.h"
+#include "core/scene/BelievedModel.h"
 
-#include <algorithm>
 #include <chrono>
 #include <cmath>
 
@@ -84,6 +82,40 @@ double quantile(std::vector<double> values, double share) {
     const auto rank = static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
     std::nth_element(values.begin(), values.begin() + rank, values.end());
     return values[static_cast<std::size_t>(rank)];
+}
+
+ForceModelOptions wholeModel(const Scene& scene) {
+    SceneDescription description = scene.description;
+    description.choices = {.solver = SolverSetting::Exact,
+                           .closestPointSearch = SearchEffort::Certified,
+                           .decoupling = description.choices.decoupling,
+                           .deformation = description.choices.deformation};
+    ForceModelOptions model = usualModel(description);
+    model.bodyAttraction = isInScene(ModelTerm::BodyAttraction, scene);
+    return model;
+}
+
+bool isInScene(ModelTerm term, const Scene& scene) noexcept {
+    return isPossible(term, scene.description) &&
+           (term != ModelTerm::BodyAttraction || scene.moments != nullptr);
+}
+
+std::vector<ModelTerm> missingTerms(const ForceModelOptions& model, const Scene& scene) {
+    std::vector<ModelTerm> missing;
+    for (const ModelTerm term : kModelTerms) {
+        if (!isOfSurface(term) && !has(model, term) && isInScene(term, scene)) {
+            missing.push_back(term);
+        }
+    }
+    return missing;
+}
+
+TermPair pairOf(ModelTerm term, ForceModelOptions model) {
+    for (const ModelTerm other : kModelTerms) {
+        model = exclude(term, other) ? without(model, other) : model;
+    }
+    const ForceModelOptions in = with(model, term);
+    return {in, without(in, term)};
 }
 
 }  // namespace asperity

@@ -3,6 +3,8 @@
 #include "core/Progress.h"
 #include "core/haptics/DevicePath.h"
 #include "core/haptics/HapticTick.h"
+#include "core/scene/ModelTerm.h"
+#include "core/scene/Scene.h"
 
 #include <algorithm>
 #include <vector>
@@ -19,11 +21,11 @@ struct ModelInputs {
     std::vector<Vector3> trueForces;  ///< inside the instrument [N]
 };
 
-/// @param progress likewise  @throw Canceled
+/// @param progress the same  @throw Canceled
 [[nodiscard]] ModelInputs recordInputs(const Scene& scene, const DevicePath& path, double duration,
                                        const Progress* progress = nullptr);
 
-/// What a model made of recorded runs, a tick an element.
+/// Results of a model on recorded runs, a tick an element.
 struct ModelRun {
     std::vector<TipState> states;    ///< as believed
     std::vector<Vector3> estimates;  ///< from the signals [N]
@@ -46,7 +48,7 @@ template <class Value>
     return largest;
 }
 
-/// By how much forces differ over a run.
+/// Difference of forces over a run.
 struct ForceDifference {
     double rms = 0.0;            ///< of the vector [N]
     double largest = 0.0;        ///< [N]
@@ -61,5 +63,25 @@ struct ForceDifference {
 
 /// The value below which a share of the values lies; 0 of none.
 [[nodiscard]] double quantile(std::vector<double> values, double share);
+
+/// Every term that the law of the scene's materials has room for, whatever the scene overrules,
+/// solved afresh and with the certified search for contact points. @throw Error as usualModel()
+[[nodiscard]] ForceModelOptions wholeModel(const Scene& scene);
+
+/// Returns whether a term can change anything in a scene. The attraction by the body beside a
+/// contact cannot where the tip is nowhere blunt on the surface.
+[[nodiscard]] bool isInScene(ModelTerm term, const Scene& scene) noexcept;
+
+/// Terms of the force that the sample has and the model has not.
+[[nodiscard]] std::vector<ModelTerm> missingTerms(const ForceModelOptions& model,
+                                                  const Scene& scene);
+
+/// A model with a term and the same without it; what excludes the term is out of both.
+struct TermPair {
+    ForceModelOptions with;
+    ForceModelOptions without;
+};
+
+[[nodiscard]] TermPair pairOf(ModelTerm term, ForceModelOptions model);
 
 }  // namespace asperity

@@ -2,9 +2,8 @@
 
 #include "core/scene/SampleMaterials.h"
 #include "core/scene/Scene.h"
-#include "core/surface/MeasuredPlace.h"
+#include "core/surface/BSplineSurface.h"
 #include "core/surface/deformation/ContactHeight.h"
-#include "core/surface/deformation/HighestPlace.h"
 
 #include <algorithm>
 #include <cmath>
@@ -38,11 +37,11 @@ double inside(double coordinate, double size) {
 }
 
 Vector2 featureFor(const Scene& scene, const PathPlan& plan) {
-    if (plan.place) {
-        return {inside(plan.place->x(), scene.surface.sizeX()),
-                inside(plan.place->y(), scene.surface.sizeY())};
+    if (plan.position) {
+        return {inside(plan.position->x(), scene.surface.sizeX()),
+                inside(plan.position->y(), scene.surface.sizeY())};
     }
-    const SurfacePlace top = highestPlace(scene.surface, kFeatureMargin);
+    const SurfacePoint top = highestPoint(scene.surface, kFeatureMargin);
     return {top.x, top.y};
 }
 
@@ -91,6 +90,11 @@ Vector3 above(const Scene& scene, double x, double y, double height) {
     return {x, y, touchHeight(scene, x, y) + height};
 }
 
+constexpr double kShare = 0.25;               // of the height that one notch takes, far away
+constexpr double kOfHalfWidth = 1.0 / 400.0;  // 0.1 nm in a view of 80 nm
+constexpr double kOfSetpoint = 0.2;
+constexpr double kAlwaysFine = 0.1e-9;  // [m]
+
 }  // namespace
 
 Vector3 positionAt(const DevicePath& path, double time) {
@@ -114,8 +118,8 @@ double touchHeight(const Scene& scene, double x, double y) {
 }
 
 Vector3 pathStart(const Scene& scene, const PathPlan& plan) {
-    const Vector2 place = featureFor(scene, plan);
-    return above(scene, place.x(), place.y(), clearanceFor(scene, plan));
+    const Vector2 position = featureFor(scene, plan);
+    return above(scene, position.x(), position.y(), clearanceFor(scene, plan));
 }
 
 DevicePath slidePath(const Scene& scene, const PathPlan& plan) {
@@ -161,11 +165,11 @@ DevicePath rasterPath(const Scene& scene, const PathPlan& plan) {
 DevicePath scratchPath(const Scene& scene, const PathPlan& plan) {
     const double length = std::min(5.0 * plan.slideLength, 0.8 * scene.surface.sizeX());
     const Vector2 middle =
-        plan.place.value_or(0.5 * Vector2(scene.surface.sizeX(), scene.surface.sizeY()));
+        plan.position.value_or(0.5 * Vector2(scene.surface.sizeX(), scene.surface.sizeY()));
     const Vector2 asked(std::clamp(middle.x() - 0.5 * length, 0.02 * scene.surface.sizeX(),
                                    0.98 * scene.surface.sizeX() - length),
                         inside(middle.y(), scene.surface.sizeY()));
-    const Vector2 start = plan.place ? asked : nearestMeasured(scene.surface, asked);
+    const Vector2 start = plan.position ? asked : nearestMeasured(scene.surface, asked);
     const double endX = std::min(start.x() + length, 0.98 * scene.surface.sizeX());
     const double clearance = clearanceFor(scene, plan);
     PathBuilder path(scene, plan, above(scene, start.x(), start.y(), clearance));
@@ -175,24 +179,86 @@ DevicePath scratchPath(const Scene& scene, const PathPlan& plan) {
     return path.take();
 }
 
-Vector3 waitingPlace(const Scene& scene, const Vector2& place) {
-    return above(scene, place.x(), place.y(), clearanceFor(scene, {}));
+Vector3 waitingPosition(const Scene& scene, const Vector2& position) {
+    return above(scene, position.x(), position.y(), clearanceFor(scene, {}));
 }
 
 DevicePath journey(const Scene& scene, const Vector3& from, const Vector2& to, double duration) {
-    const Vector3 end = waitingPlace(scene, to);
+    const Vector3 end = waitingPosition(scene, to);
     const Vector2 way = to - from.head<2>();
     const int steps = 1 + static_cast<int>(way.norm() / scene.description.tip.radius);
     double height = std::max(from.z(), end.z());
     for (int i = 0; i <= steps; ++i) {
-        const Vector2 place = from.head<2>() + i * way / steps;
-        height = std::max(height, waitingPlace(scene, place).z());
+        const Vector2 position = from.head<2>() + i * way / steps;
+        height = std::max(height, waitingPosition(scene, position).z());
     }
     PathBuilder path(scene, {.duration = duration}, from);
     path.moveTo({from.x(), from.y(), height}, 0.3);
     path.moveTo({end.x(), end.y(), height}, 0.4);
     path.moveTo(end, 0.3);
     return path.take();
+}
+
+ScriptedDevice::ScriptedDevice(DevicePath path, double positionGain)
+    : path_(std::move(path))
+    , positionGain_(positionGain)
+    , start_(path_.front().position / positionGain) {}
+
+ScriptedDevice::ScriptedDevice(DevicePath path, double positionGain, Vector3 start)
+    : path_(std::move(path)), positionGain_(positionGain), start_(std::move(start)) {}
+
+DeviceState ScriptedDevice::advance(double timeStep) noexcept {
+    if (started_) {
+        time_ += timeStep;
+    }
+    started_ = true;
+    const Vector3 way = positionAt(path_, time_) - path_.front().position;
+    return {.position = start_ + way / positionGain_};
+}
+
+void DevicePilot::displace(const Vector3& displacement) {
+    journey_.clear();
+    target_ += displacement;
+}
+
+void DevicePilot::setVelocity(const Vector3& velocity) {
+    if (!velocity.isZero()) {
+        journey_.clear();
+    }
+    velocity_ = velocity;
+}
+
+void DevicePilot::follow(DevicePath journey) {
+    journey_ = std::move(journey);
+    journeyTime_ = journey_.front().time;
+}
+
+Vector3 DevicePilot::advance(double seconds, const DeviceMapping& mapping) {
+    target_ += seconds * velocity_;
+    if (traveling()) {
+        journeyTime_ += seconds;
+        target_ = mapping.deviceFor(positionAt(journey_, journeyTime_));
+        if (journeyTime_ >= journey_.back().time) {
+            journey_.clear();
+        }
+    }
+    return target_;
+}
+
+// Counted in notches from the sample the height is linear up to fineStep / kShare, where a notch is
+// that share of it, and exponential from there on: step and slope are continuous.
+double liftedHeight(double height, double notches, double fineStep) noexcept {
+    constexpr double kBendNotches = 1.0 / kShare;
+    const double bend = kBendNotches * fineStep;
+    const double from =
+        height <= bend ? height / fineStep : kBendNotches * (1.0 + std::log(height / bend));
+    const double to = from + notches;
+    return to <= kBendNotches ? to * fineStep : bend * std::exp(to / kBendNotches - 1.0);
+}
+
+double fineLiftStep(double halfWidth, double setpoint, double stiffness) noexcept {
+    return std::min(kOfHalfWidth * halfWidth,
+                    std::max(kAlwaysFine, kOfSetpoint * setpoint / stiffness));
 }
 
 }  // namespace asperity

@@ -9,7 +9,7 @@
 namespace asperity {
 
 /// The passivity observer over the ticks of a run, while a force-feedback device drives the tip by
-/// a coupling. It begins anew with another coupling and each time the loop starts.
+/// a coupling. It begins again with another coupling and each time the loop starts.
 class EnergyWatch {
 public:
     /// @param timeStep from tick to tick [s]
@@ -23,7 +23,7 @@ public:
     [[nodiscard]] const PassivityObserver* observer() const noexcept {
         return observer_ ? &*observer_ : nullptr;
     }
-    /// Whether the device gets energy that nobody put in: the operator must be warned.
+    /// Returns whether the device gets energy from no known source: the operator must be warned.
     [[nodiscard]] bool active() const noexcept { return observer_ && observer_->active(); }
 
 private:
@@ -31,7 +31,7 @@ private:
     double delay_;     ///< [s]
     std::optional<PassivityObserver> observer_;
     CouplingGains gains_;       ///< that it was made for
-    std::uint32_t starts_ = 0;  ///< likewise
+    std::uint32_t starts_ = 0;  ///< same
 };
 
 }  // namespace asperity

@@ -100,7 +100,7 @@ void HapticLoop::tickOnce(double timeStep) noexcept {
     device_->observe(sample.output);
 }
 
-/// What no governor guards is never told a force.
+/// A device without a governor never gets a force.
 void HapticLoop::tellForce(const Vector3& force) noexcept {
     if (specification_.rendersForce()) {
         device_->setForce(force);

@@ -1,10 +1,10 @@
 #pragma once
 
 #include "core/haptics/HapticTick.h"
-#include "core/haptics/Snapshot.h"
+#include "core/haptics/VirtualRun.h"
 #include "core/haptics/device/HapticDevice.h"
 #include "core/probe/AfmController.h"
-#include "core/probe/TrueTip.h"
+#include "core/probe/SimulatedAfm.h"
 #include "core/realtime/PacedThread.h"
 #include "core/realtime/TripleBuffer.h"
 
@@ -14,7 +14,7 @@
 
 namespace asperity {
 
-/// How long ticks took and how late they began.
+/// Durations of ticks, and how late they began.
 struct LoopTimes {
     LatencyHistogram tick;
     LatencyHistogram lateness;
@@ -60,7 +60,7 @@ public:
 
     /// Times since the last start; only while the loop does not run.
     [[nodiscard]] const LoopTimes& times() const noexcept { return sinceStart_; }
-    /// What the next tick starts from; only while the loop does not run.
+    /// State that the next tick starts from; only while the loop does not run.
     [[nodiscard]] const TickMemory& memory() const noexcept { return latest_.memory; }
 
 private:

@@ -1,8 +1,7 @@
 #include "core/haptics/HapticTick.h"
 
 #include "core/haptics/SetpointApproach.h"
-#include "core/haptics/TickValidity.h"
-#include "core/probe/PlanarForce.h"
+#include "core/probe/ForceDecoupling.h"
 #include "core/scene/Scene.h"
 
 #include <algorithm>
@@ -16,12 +15,12 @@ namespace {
 constexpr double kModelSpread = 0.2;    // share of N that the model may be off
 constexpr double kModelFloor = 0.1e-9;  // [N]
 constexpr double kContradictionSigmas = 3.0;
-constexpr double kHeldWithin = 1e-11;  // [m]: how near the commanded place the tip must be
+constexpr double kHeldWithin = 1e-11;  // [m]: how near the commanded position the tip must be
 constexpr double kStall = 10e-3;       // [s]: a longer step counts as this
 
 bool isSolved(const TipState& model) { return model.converged && !model.locked; }
 
-/// What is known of a tick, with N as the contact model has it.
+/// Known quantities of a tick, with N as the contact model has it.
 /// @param staleness of the signals [rad]
 DecouplingInput decouplingInput(const Scene& scene, const TickInput& input, const TickOutput& out,
                                 const LeverSignals& staleness) {
@@ -53,7 +52,7 @@ InnovationVerdict innovationVerdict(const Scene& scene, const TickInput& input,
 }
 
 /// A model that the signals contradict (it let go, the sample did not) must not outvote them: as
-/// the surprise grows, its sigma grows with it and its force gives way to what the bending tells.
+/// the surprise grows, its sigma grows with it and its force gives way to that of the bending.
 DecouplingInput weighed(const Scene& scene, const TipState& model, DecouplingInput known) {
     const Cantilever& cantilever = scene.belief.cantilever;
     const double perForce = cantilever.bendingPerFz();
@@ -92,7 +91,7 @@ bool allFinite(const TickOutput& out) {
            out.estimate.kind != DecouplingCase::InvalidInput;
 }
 
-/// Whether age adds more to the signals' deviation than noise, or is too large for any word on it.
+/// Returns whether age adds more to the signals' deviation than noise, or is too large to judge.
 bool isStale(const Scene& scene, const TickInput& input, const LeverSignals& staleness) {
     return staleness.bending > scene.signalSigma.bending ||
            staleness.torsion > scene.signalSigma.torsion || input.measurement.age > kOldSignals;
@@ -145,13 +144,13 @@ MappingStep mappedDevice(const TickInput& input, const TickMemory& memory) {
     return step;
 }
 
-/// What the device commanded in the last tick.
-Vector3 commandedPlace(const TickMemory& memory) {
+/// Returns what the device commanded in the last tick.
+Vector3 commandedPosition(const TickMemory& memory) {
     return memory.control == PositionControl::Tip ? Vector3(memory.base + memory.compensation)
                                                   : memory.base;
 }
 
-/// What the operator would feel if nothing governed it, the device's axes [N].
+/// Returns what the operator would feel if nothing governed it, the device's axes [N].
 Vector3 wantedForce(const TickInput& input, const TickOutput& out, const BaseCommand& command,
                     const Vector3& correction) {
     const Settings& settings = input.settings;
@@ -161,8 +160,8 @@ Vector3 wantedForce(const TickInput& input, const TickOutput& out, const BaseCom
                              : Vector3(settings.forceGain * (out.model.force + correction)));
 }
 
-/// Whether a base that goes ahead by `compensation` has the tip where it was commanded: not where
-/// lever, sample and friction have no stable state there.
+/// Returns whether a base that goes ahead by `compensation` has the tip where it was commanded: not
+/// where lever, sample and friction have no stable state there.
 bool holdsTip(const Scene& scene, const BaseMotion& tip, const Vector3& compensation,
               const EquilibriumMemory& memory, ClosestPointTracker& tracker) {
     EquilibriumMemory tried = memory;
@@ -176,7 +175,7 @@ bool holdsTip(const Scene& scene, const BaseMotion& tip, const Vector3& compensa
 /// Estimate, wanted force and flags, from the model and the signals.
 void judgeSignals(const Scene& scene, const TickInput& input, const BaseCommand& command,
                   TickOutput& out, TickMemory& memory) noexcept {
-    // Of an instrument that is lost nothing is taken; until it is back the model stands alone.
+    // A lost instrument gives nothing; until it is back only the model counts.
     const bool answers = input.measurement.connected;
     const LeverSignals expected = leverSignals(scene.belief.cantilever, out.model.force);
     const LeverSignals staleness = stalenessOf(expected, answers ? input.measurement.age : 0.0,
@@ -200,7 +199,7 @@ void judgeSignals(const Scene& scene, const TickInput& input, const BaseCommand&
     out.flags.set(Validity::StaleSignals, isStale(scene, input, staleness));
 }
 
-/// What the next tick starts from, but for governor and fault.
+/// Keeps what the next tick starts from, but for governor and fault.
 void remember(const TickInput& input, const BaseCommand& command, const TickOutput& out,
               TickMemory& memory) noexcept {
     memory.base = out.base.position;
@@ -211,6 +210,45 @@ void remember(const TickInput& input, const BaseCommand& command, const TickOutp
     memory.proxy = proxyAfter(input, command.proxy, out.model, memory.model, memory.correction);
     memory.started = true;
     memory.unsolved = unsolvedFor(input, out, memory.unsolved);
+}
+
+// [m]: a notice to the operator, ahead by about what a hand takes a tenth of a second for; no force
+// depends on it.
+constexpr double kSnapInMargin = 1e-9;
+constexpr double kSliding = 0.5;  // weight of the slip direction from which it counts
+
+/// Returns whether a gap is too wide to ask the law for the snap-in: far out of range, on a lever
+/// that is hardly bent. At a fold of the attraction it is bent by half of the gap; where it is bent
+/// by a twentieth, with the attraction's square law, that gap is not half as wide.
+bool isFarFromSnapIn(const ContactModel& law, const ContactState& contact, double compliance) {
+    constexpr double kHardlyBent = 0.05;
+    const double gap = -contact.indentation;
+    return gap > 2.0 * law.attractionRange() + kSnapInMargin &&
+           std::abs(compliance * contact.force) < kHardlyBent * gap;
+}
+
+/// Returns whether the base leaves the sample at its closest point.
+bool isWithdrawn(const TickOutput& out) {
+    return out.base.velocity.dot(out.model.closest.normal) > 0.0;
+}
+
+/// Returns whether a separate tip that does not leave the sample is about to snap in on a lever as
+/// soft as this one.
+bool snapsSoon(const Scene& scene, const TickOutput& out) {
+    const TipState& model = out.model;
+    const ContactState& contact = model.contact;
+    if (contact.branch != ContactBranch::Far || isWithdrawn(out)) {
+        return false;
+    }
+    const double compliance =
+        model.closest.normal.dot(scene.belief.cantilever.compliance() * model.closest.normal);
+    if (isFarFromSnapIn(scene.belief.contact, contact, compliance)) {
+        return false;
+    }
+    const ContactModel law = contactModelAt(scene, model);
+    const double jumpIn = law.jumpInApproach(compliance);
+    const double now = contact.indentation + (compliance * contact.force);
+    return jumpIn - now < kSnapInMargin && law.pullOffApproach(compliance) < jumpIn;
 }
 
 }  // namespace
@@ -225,7 +263,7 @@ BaseCommand commandBase(const Scene& scene, const TickInput& input, const TickMe
     command.device = mappedDevice(input, memory);
     command.proxy.forceGain = settings.forceGain;
     if (memory.started) {
-        command.guide = stepGuide(input, commandedPlace(memory), memory.guide);
+        command.guide = stepGuide(input, commandedPosition(memory), memory.guide);
         command.proxy = moveProxy(input, command.device.motion, command.guide, memory.proxy);
         const Vector3 step = settings.positionGain * command.proxy.coupling.motion;
         command.base = {memory.base + step, step / input.timeStep};
@@ -298,6 +336,20 @@ TickOutput tick(const Scene& scene, const TickInput& input, const BaseCommand& c
 TickOutput tick(const Scene& scene, const TickInput& input, TickMemory& memory) noexcept {
     ClosestPointTracker tracker;
     return tick(scene, input, memory, tracker);
+}
+
+ValidityFlags tickValidity(const Scene& scene, const TickOutput& out,
+                           const InnovationVerdict& verdict, AsperityMemory& memory) noexcept {
+    ValidityFlags flags =
+        tipValidity(scene, scene.belief, scene.description.sample.material, out.model, memory);
+    flags.set(Validity::ModelContradicted, verdict.modelContradicted);
+    flags.set(Validity::EstimateInconsistent, verdict.estimateInconsistent);
+    flags.set(Validity::SnapInAhead, snapsSoon(scene, out));
+    flags.set(Validity::Implausible, out.estimate.plausibility.excessFriction);
+    // At rest friction has no direction, and a singular geometry means nothing.
+    flags.set(Validity::SingularGeometry, out.estimate.kind == DecouplingCase::NearSingular &&
+                                              out.model.slip.norm() > kSliding);
+    return flags;
 }
 
 }  // namespace asperity

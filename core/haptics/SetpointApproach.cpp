@@ -1,5 +1,8 @@
 #include "core/haptics/SetpointApproach.h"
 
+#include "core/contact/laws/ForceCurve.h"
+#include "core/scene/Scene.h"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -31,6 +34,28 @@ std::size_t lineLength(double deviation, double setpoint) {
         ++length;
     }
     return length;
+}
+
+// Share of the duration; a descent at its limit and the way back still fit.
+constexpr double kBaselineShare = 0.02;
+constexpr double kDescentShare = 0.36;  // to the setpoint, as expected
+constexpr double kLimitShare = 0.45;    // at most
+constexpr double kDwellShare = 0.05;
+
+/// Returns the base's depth below first touch at a position, for a force without adhesion [m]:
+/// Hertz and the lever. Source: docs/theory.md 2.2.
+double expectedDepth(const Scene& scene, const Vector3& position, double force) {
+    const ContactPair pair = scene.belief.pairAt(position, scene.belief.tipRadius());
+    const double stiffness = 4.0 / 3.0 * pair.reducedModulus * std::sqrt(pair.tipRadius);
+    const double compliance = scene.belief.cantilever.compliance()(2, 2);
+    return std::pow(force / stiffness, 2.0 / 3.0) + compliance * force;
+}
+
+/// The same by the scene's law [m]; 0 where it does not reach the force.
+double depthByLaw(const Scene& scene, const Vector3& position, double force) {
+    const ProbeSystem& belief = scene.belief;
+    const ContactModel model = belief.contact.withPair(belief.pairAt(position, belief.tipRadius()));
+    return basePositionAt(model, belief.cantilever.compliance()(2, 2), force).value_or(0.0);
 }
 
 }  // namespace
@@ -208,6 +233,62 @@ void SetpointApproach::retract(double timeStep) noexcept {
     if (depth_ == 0.0) {
         enter(ApproachPhase::Done);
     }
+}
+
+PlannedApproach planApproach(const Scene& scene, const PathPlan& plan) {
+    const Vector3 start = pathStart(scene, plan);
+    const double clearance = start.z() - touchHeight(scene, start.x(), start.y());
+    const double setpoint = plan.setpoint.value_or(scene.description.setpoint);
+    const double expected = clearance + expectedDepth(scene, start, setpoint);
+    // Adhesion holds a soft sample on a cone far above where Hertz has the setpoint.
+    const double needed = clearance + depthByLaw(scene, start, setpoint);
+    const double descent = needed > kLimitShare / kDescentShare * expected ? needed : expected;
+    const double speed = descent / (kDescentShare * plan.duration);
+    return {.start = start,
+            .plan = {.setpoint = setpoint,
+                     .speed = speed,
+                     .stiffness = 1.0 / scene.belief.cantilever.compliance()(2, 2),
+                     .baseline = kBaselineShare * plan.duration,
+                     .dwell = kDwellShare * plan.duration,
+                     .maxDescent = speed * kLimitShare * plan.duration}};
+}
+
+ApproachDevice::ApproachDevice(const PlannedApproach& approach, double positionGain)
+    : ApproachDevice({{0.0, approach.start}}, approach.plan, positionGain,
+                     approach.start / positionGain) {}
+
+ApproachDevice::ApproachDevice(DevicePath leadIn, const ApproachPlan& plan, double positionGain,
+                               Vector3 start)
+    : leadIn_(std::move(leadIn))
+    , approach_(plan, leadIn_.back().position)
+    , positionGain_(positionGain)
+    , start_(std::move(start)) {}
+
+DeviceState ApproachDevice::advance(double timeStep) noexcept {
+    const Vector3 moved = nextBase(timeStep) - leadIn_.front().position;
+    if (approach_.hasMeasured() && !measured_) {
+        measuredForce_ = approach_.measuredForce();
+        measuredDeviation_ = approach_.measuredDeviation();
+        measured_ = true;
+    }
+    blocked_ = approach_.isBlocked();
+    engaged_ = approach_.hasEngaged();
+    phase_ = approach_.phase();
+    return {.position = start_ + moved / positionGain_};
+}
+
+Vector3 ApproachDevice::nextBase(double timeStep) noexcept {
+    if (std::exchange(started_, true)) {
+        time_ += timeStep;
+    }
+    return time_ < leadIn_.back().time ? positionAt(leadIn_, time_)
+                                       : approach_.advance(timeStep, force_, hasEquilibrium_);
+}
+
+void ApproachDevice::observe(const TickOutput& output) noexcept {
+    force_ = output.estimate.force.z();
+    hasEquilibrium_ =
+        !output.flags.has(Validity::NotInEquilibrium) && !output.flags.has(Validity::FrictionLock);
 }
 
 }  // namespace asperity

@@ -1,14 +1,18 @@
 #pragma once
 
+#include "core/EnumTable.h"
 #include "core/Vector.h"
+#include "core/haptics/DevicePath.h"
+#include "core/haptics/device/HapticDevice.h"
 
 #include <array>
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 
 namespace asperity {
 
-/// How an AFM engages at one place: down, stop at a force, dwell, up again.
+/// Plan of how an AFM engages at one position: down, stop at a force, dwell, up again.
 struct ApproachPlan {
     double setpoint = 5e-9;   ///< force along z above the baseline that ends the descent [N]
     double speed = 10e-9;     ///< of the base, down and up [m/s]
@@ -19,7 +23,7 @@ struct ApproachPlan {
     double maxDescent = 1e-7;  ///< without a contact the descent ends here [m]
 };
 
-/// How long a tip may have no equilibrium: 50 ms, however the steps were rounded [s].
+/// Longest time that a tip may have no equilibrium: 50 ms, however the steps were rounded [s].
 inline constexpr double kMaxUnsolved = 0.0499;
 
 enum class ApproachPhase : std::uint8_t { Baseline, Descent, Settling, Dwell, Retract, Done };
@@ -48,7 +52,7 @@ public:
     /// @param length values of the line, up to kMaxLength
     explicit RecentLine(std::size_t length = 1) noexcept;
     void add(double value) noexcept;
-    /// Whether there have been enough values.
+    /// Returns whether there have been enough values.
     [[nodiscard]] bool isFull() const noexcept { return count_ >= length_; }
     /// The line at the newest value, where their mean is that of a while ago. They are enough.
     [[nodiscard]] double end() const noexcept;
@@ -75,20 +79,20 @@ public:
     SetpointApproach(const ApproachPlan& plan, const Vector3& start) noexcept
         : plan_(plan), start_(start) {}
 
-    /// Where the base is after one more time step, world [m].
+    /// Returns where the base is after one more time step, world [m].
     /// @param force estimated in the tick before, along z [N]
     /// @param hasEquilibrium whether the tip had one then
     Vector3 advance(double timeStep, double force, bool hasEquilibrium = true) noexcept;
 
     [[nodiscard]] ApproachPhase phase() const noexcept { return phase_; }
-    /// Whether the force has reached the setpoint, and settled there.
+    /// Returns whether the force has reached the setpoint, and settled there.
     [[nodiscard]] bool hasEngaged() const noexcept { return engaged_; }
-    /// Whether the way down ended where the tip had no equilibrium, for as long as is a fault to
-    /// the loop, kMaxUnsolved.
+    /// Returns whether the descent ended where the tip had no equilibrium for kMaxUnsolved, which
+    /// is a fault to the loop.
     [[nodiscard]] bool isBlocked() const noexcept { return unsolved_ >= kMaxUnsolved; }
-    /// Whether the force at the setpoint has been measured, by a mean of the dwell alone.
+    /// Returns whether the force at the setpoint has been measured, by a mean of the dwell alone.
     [[nodiscard]] bool hasMeasured() const noexcept { return engaged_ && isRestKnown(); }
-    /// That force above the baseline [N]: what is there, which may exceed the setpoint.
+    /// Returns the force above the baseline [N]; it may exceed the setpoint.
     [[nodiscard]] double measuredForce() const noexcept { return rest_.mean() - free_.mean(); }
     /// Standard deviation of that by noise, of the mean and of the baseline [N].
     [[nodiscard]] double measuredDeviation() const noexcept;
@@ -101,8 +105,8 @@ private:
     void settle(double timeStep, double force) noexcept;
     /// After the first mean at rest. @return whether the base is to move by what is missing
     bool takeSlope() noexcept;
-    /// Whether the mean at rest is as good as it must be, or goes over as much as there is time
-    /// for.
+    /// Returns whether the mean at rest is as good as it must be, or covers as much as there is
+    /// time for.
     [[nodiscard]] bool isRestKnown() const noexcept;
     void dwell() noexcept;
     void retract(double timeStep) noexcept;
@@ -124,6 +128,86 @@ private:
     RecentLine recent_;       ///< force of late, in the descent [N]
     RunningMoments rest_;     ///< force since the last move, at rest [N]
     long longestRest_ = 1;    ///< ticks
+};
+
+/// An approach with the position where it begins.
+struct PlannedApproach {
+    Vector3 start = Vector3::Zero();  ///< of the base, out of the sample's reach, world [m]
+    ApproachPlan plan;
+};
+
+/// Straight down to a setpoint and up again; by itself at the highest feature of the
+/// scan. Speed and distances are such that all of it takes the plan's duration where the sample is
+/// about as the scene says.
+[[nodiscard]] PlannedApproach planApproach(const Scene& scene, const PathPlan& plan);
+
+/// The movements that are planned on any scene.
+enum class PlannedPath : std::uint8_t { Approach, Slide, Raster, Scratch };
+
+struct PlannedPathRow {
+    PlannedPath value;
+    const char* key;
+    const char* name;
+    DevicePath (*plan)(const Scene& scene, const PathPlan& plan);  ///< null: planApproach()
+};
+
+template <>
+inline constexpr auto kEnumTable<PlannedPath> =
+    std::to_array<PlannedPathRow>({{PlannedPath::Approach, "approach", "Approach", nullptr},
+                                   {PlannedPath::Slide, "slide", "Slide", slidePath},
+                                   {PlannedPath::Raster, "raster", "Raster", rasterPath},
+                                   {PlannedPath::Scratch, "scratch", "Scratch", scratchPath}});
+
+/// A device that approaches the sample until the estimated force reaches a setpoint. It knows the
+/// force of the tick before; what it makes of it is a device position as any other, so that a
+/// recording of it replays without it.
+class ApproachDevice final : public HapticDevice {
+public:
+    /// Makes a device for a run that begins with it.
+    /// @param positionGain base displacement per device displacement while the device runs
+    ApproachDevice(const PlannedApproach& approach, double positionGain);
+    /// Makes a device that takes over from another one.
+    /// @param leadIn of the base, from where it is to where the approach starts, world [m]
+    /// @param start  where that device is, in the device's frame, while the base is where `leadIn`
+    ///               begins
+    ApproachDevice(DevicePath leadIn, const ApproachPlan& plan, double positionGain, Vector3 start);
+
+    [[nodiscard]] DeviceSpecification specification() const noexcept override {
+        return kSensesOnly;
+    }
+    DeviceState advance(double timeStep) noexcept override;
+    void observe(const TickOutput& output) noexcept override;
+
+    /// Any thread; wait-free.
+    [[nodiscard]] ApproachPhase phase() const noexcept { return phase_; }
+    /// Returns whether the force has reached the setpoint. Any thread; wait-free.
+    [[nodiscard]] bool hasEngaged() const noexcept { return engaged_; }
+    /// Returns whether the descent ended where the tip had no equilibrium. Any thread; wait-free.
+    [[nodiscard]] bool isBlocked() const noexcept { return blocked_; }
+    /// Returns whether the force of the dwell has been measured. Any thread; wait-free.
+    [[nodiscard]] bool hasMeasured() const noexcept { return measured_; }
+    /// Returns the force above the baseline, along z [N]. Any thread; wait-free.
+    [[nodiscard]] double measuredForce() const noexcept { return measuredForce_; }
+    /// Its standard deviation by noise [N]. Any thread; wait-free.
+    [[nodiscard]] double measuredDeviation() const noexcept { return measuredDeviation_; }
+
+private:
+    [[nodiscard]] Vector3 nextBase(double timeStep) noexcept;
+
+    DevicePath leadIn_;
+    SetpointApproach approach_;
+    double positionGain_;
+    Vector3 start_;               ///< of the device [m]
+    double time_ = 0.0;           ///< along the lead-in [s]
+    double force_ = 0.0;          ///< of the last tick, along z [N]
+    bool hasEquilibrium_ = true;  ///< whether the tip had one in the last tick
+    bool started_ = false;        ///< the first step only begins
+    std::atomic<ApproachPhase> phase_ = ApproachPhase::Baseline;
+    std::atomic<bool> engaged_ = false;
+    std::atomic<bool> blocked_ = false;
+    std::atomic<bool> measured_ = false;
+    std::atomic<double> measuredForce_ = 0.0;
+    std::atomic<double> measuredDeviation_ = 0.0;
 };
 
 }  // namespace asperity

@@ -11,15 +11,15 @@ namespace asperity {
 namespace {
 
 constexpr std::size_t kGroup = 4;       // letters
-constexpr std::size_t kGroupBytes = 3;  // that they stand for
+constexpr std::size_t kGroupBytes = 3;  // that they encode
 
-/// Decodes letters whose padding, if they have any, stands at their end.
+/// Decodes letters whose padding, if they have any, is at their end.
 bool appendPart(std::string& bytes, std::string_view letters) {
-    // The library counts padding as bytes, wherever it stands.
-    constexpr std::size_t kMostPadding = 2;
+    // The library counts padding as bytes, wherever it is.
+    constexpr std::size_t kMaxPadding = 2;
     const std::size_t digits = letters.find_last_not_of('=') + 1;
     const std::size_t padding = letters.size() - digits;
-    if (padding > kMostPadding || letters.substr(0, digits).find('=') != std::string_view::npos) {
+    if (padding > kMaxPadding || letters.substr(0, digits).find('=') != std::string_view::npos) {
         return false;
     }
     std::vector<unsigned char> part(kGroupBytes * letters.size() / kGroup);
@@ -41,8 +41,8 @@ std::string base64(std::string_view bytes) {
     std::string text;
     text.reserve((bytes.size() + 2) / 3 * 4);
     for (std::size_t i = 0; i < bytes.size(); i += 3) {
-        const auto byteAt = [&](std::size_t place) {
-            return place < bytes.size() ? static_cast<std::uint8_t>(bytes[place]) : 0U;
+        const auto byteAt = [&](std::size_t offset) {
+            return offset < bytes.size() ? static_cast<std::uint8_t>(bytes[offset]) : 0U;
         };
         const std::uint32_t three =
             byteAt(i) << 16U | byteAt(i + 1) << 8U | static_cast<std::uint32_t>(byteAt(i + 2));
@@ -55,7 +55,7 @@ std::string base64(std::string_view bytes) {
 }
 
 bool appendBase64(std::string& bytes, std::string_view letters) {
-    constexpr std::size_t kMostLetters = std::size_t{1} << 20U;  // at a time
+    constexpr std::size_t kMaxLetters = std::size_t{1} << 20U;  // at a time
     if (letters.size() % kGroup != 0) {
         return false;
     }
@@ -64,7 +64,7 @@ bool appendBase64(std::string& bytes, std::string_view letters) {
         const std::size_t end =
             std::min({padding == std::string_view::npos ? letters.size()
                                                         : padding - padding % kGroup + kGroup,
-                      kMostLetters});
+                      kMaxLetters});
         if (!appendPart(bytes, letters.substr(0, end))) {
             return false;
         }

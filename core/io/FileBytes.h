@@ -1,8 +1,12 @@
 #pragma once
 
-#include "core/io/ByteSource.h"
+#include "core/Progress.h"
+#include "core/io/ByteReader.h"
 
 #include <filesystem>
+#include <memory>
+#include <openssl/types.h>
+#include <span>
 #include <string>
 #include <sys/stat.h>
 
@@ -10,7 +14,7 @@ namespace asperity {
 
 /// The whole content of a file.
 /// @throw InputError when it is missing, a folder, no regular file, unreadable or empty, or becomes
-///        shorter meanwhile
+///        shorter
 [[nodiscard]] std::string readFileBytes(const std::filesystem::path& path);
 
 /// Copies a whole content into a file, piece by piece. @throw Error when it cannot be written; as
@@ -31,7 +35,7 @@ private:
     int descriptor_;
 };
 
-/// A file that stays open while it is read. Another one that takes its name changes nothing.
+/// A file that stays open while it is read. Another one that gets its name changes nothing.
 class FileBytes final : public ByteSource {
 public:
     /// @throw InputError as readFileBytes()
@@ -42,8 +46,9 @@ public:
     [[nodiscard]] std::uint64_t size() const override {
         return static_cast<std::uint64_t>(opened_.st_size);
     }
-    void read(std::uint64_t place, std::span<char> bytes) const override;
-    /// By size and time stamps, which a write within the same few milliseconds may leave alike.
+    void read(std::uint64_t offset, std::span<char> bytes) const override;
+    /// Compares size and time stamps, which a write within the same few milliseconds may leave
+    /// alike.
     void requireUnchanged() const override;
 
 private:
@@ -52,5 +57,42 @@ private:
     OpenFile file_;
     struct stat opened_;  ///< when it was opened
 };
+
+/// A file of which many small parts are read. A small one is read whole when it is opened: a copy
+/// costs less than a call for each part. A large one stays where it is.
+class BufferedFile final : public ByteSource {
+public:
+    /// @throw InputError as FileBytes
+    explicit BufferedFile(const std::filesystem::path& path);
+
+    [[nodiscard]] std::uint64_t size() const override { return file_.size(); }
+    void read(std::uint64_t offset, std::span<char> bytes) const override;
+    void requireUnchanged() const override { file_.requireUnchanged(); }
+
+private:
+    FileBytes file_;
+    std::string content_;  ///< empty where the file is large
+};
+
+/// SHA-256 of a content that comes piece by piece.
+class Sha256 {
+public:
+    Sha256();
+
+    void add(std::span<const char> bytes);
+    /// 64 lower-case hexadecimal digits; nothing can be added after it.
+    [[nodiscard]] std::string digits();
+
+private:
+    std::unique_ptr<EVP_MD_CTX, void (*)(EVP_MD_CTX*)> context_;
+};
+
+/// SHA-256 of a content. @throw InputError when it cannot be read or changes; Canceled
+[[nodiscard]] std::string sha256Of(const ByteSource& source, Progress* progress = nullptr);
+
+/// MD5 of a content, 32 lower-case hexadecimal digits: file formats carry it against damage, it
+/// proves no origin. Empty where the OpenSSL library is set up to refuse it.
+/// @throw InputError as sha256Of()
+[[nodiscard]] std::string md5Of(const ByteSource& source);
 
 }  // namespace asperity

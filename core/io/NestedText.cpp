@@ -11,7 +11,7 @@ namespace {
 
 /// Brackets and dots of a key within each other; Asperity's own texts have fewer than ten. A
 /// thousand times as many still fit on the stack of a thread.
-constexpr std::size_t kMostDepth = 64;
+constexpr std::size_t kMaxDepth = 64;
 
 struct NestedLimits {
     std::size_t bytes;
@@ -42,18 +42,18 @@ public:
     }
 
     void check() {
-        while (place_ < text_.size()) {
-            take(text_[place_]);
+        while (offset_ < text_.size()) {
+            take(text_[offset_]);
         }
     }
 
 private:
     void take(char c) {
-        ++place_;
+        ++offset_;
         if (c == '"' || (isToml_ && c == '\'')) {
             skipString(c);
         } else if (isToml_ && c == '#') {
-            place_ = std::min(text_.find('\n', place_), text_.size());
+            offset_ = std::min(text_.find('\n', offset_), text_.size());
         } else if (c == '.') {
             ++dots_;
             addValue();
@@ -76,22 +76,22 @@ private:
     /// Behind its first quotation mark.
     void skipString(char quote) {
         const std::string three(3, quote);
-        const bool isLong = isToml_ && text_.substr(place_ - 1).starts_with(three);
+        const bool isLong = isToml_ && text_.substr(offset_ - 1).starts_with(three);
         const std::string_view end = isLong ? std::string_view(three) : std::string_view(&quote, 1);
-        place_ += isLong ? 2 : 0;
-        const std::size_t begin = place_;
-        while (place_ < text_.size() && !text_.substr(place_).starts_with(end)) {
-            if (text_[place_] == '\n') {
+        offset_ += isLong ? 2 : 0;
+        const std::size_t begin = offset_;
+        while (offset_ < text_.size() && !text_.substr(offset_).starts_with(end)) {
+            if (text_[offset_] == '\n') {
                 if (!isLong) {
-                    requireShort(place_ - begin);
+                    requireShort(offset_ - begin);
                     return;  // never closed: the parser says so
                 }
                 ++line_;
             }
-            place_ += quote == '"' && text_[place_] == '\\' ? 2 : 1;
+            offset_ += quote == '"' && text_[offset_] == '\\' ? 2 : 1;
         }
-        place_ = std::min(place_ + end.size(), text_.size());
-        requireShort(place_ - begin);
+        offset_ = std::min(offset_ + end.size(), text_.size());
+        requireShort(offset_ - begin);
     }
 
     void requireShort(std::size_t stringBytes) const {
@@ -101,8 +101,8 @@ private:
     }
 
     void addValue() {
-        if (depth_ + dots_ > kMostDepth) {
-            fail("values nested deeper than " + std::to_string(kMostDepth));
+        if (depth_ + dots_ > kMaxDepth) {
+            fail("values nested deeper than " + std::to_string(kMaxDepth));
         }
         if (++values_ > most_.values) {
             fail("more than " + std::to_string(most_.values) + " values");
@@ -118,7 +118,7 @@ private:
     bool isToml_;
     NestedLimits most_;
     const std::string& file_;
-    std::size_t place_ = 0;
+    std::size_t offset_ = 0;
     std::size_t line_ = 1;
     std::size_t depth_ = 0;
     std::size_t dots_ = 0;  ///< of the present key

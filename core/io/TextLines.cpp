@@ -12,14 +12,14 @@ namespace {
 constexpr std::uint64_t kChunk = std::uint64_t{1} << 18U;  // [bytes]
 constexpr std::size_t kMaxLine = std::size_t{1} << 23U;    // [bytes]
 
-/// Whether lines end with a CR alone, as those of old Macintosh programs.
+/// Returns whether lines end with a CR alone, as those of old Macintosh programs.
 bool endsWithReturn(std::string_view text) {
     const std::size_t first = text.find_first_of("\r\n");
     return first != std::string_view::npos && first + 1 < text.size() && text[first] == '\r' &&
            text[first + 1] != '\n';
 }
 
-/// Whether the last character of a chunk of UTF-16 is the first half of a pair.
+/// Returns whether the last character of a chunk of UTF-16 is the first half of a pair.
 bool endsInsidePair(std::string_view chunk, std::endian order) {
     const char high = chunk[chunk.size() - (order == std::endian::little ? 1 : 2)];
     return (static_cast<unsigned char>(high) & 0xFCU) == 0xD8U;
@@ -29,13 +29,13 @@ bool endsInsidePair(std::string_view chunk, std::endian order) {
 
 TextLines::TextLines(const ByteSource& bytes) : bytes_(bytes) {
     if (bytes.startsWith("\xEF\xBB\xBF")) {
-        place_ = 3;
+        offset_ = 3;
     } else if (bytes.startsWith("\xFF\xFE")) {
         encoding_ = Encoding::Utf16Little;
-        place_ = 2;
+        offset_ = 2;
     } else if (bytes.startsWith("\xFE\xFF")) {
         encoding_ = Encoding::Utf16Big;
-        place_ = 2;
+        offset_ = 2;
     }
     (void)readMore();
     lineEnd_ = endsWithReturn(text_) ? '\r' : '\n';
@@ -75,23 +75,23 @@ std::string_view TextLines::take(std::size_t end, std::size_t next) {
 }
 
 bool TextLines::readMore() {
-    const std::uint64_t count = std::min(kChunk, bytes_.size() - std::min(place_, bytes_.size()));
+    const std::uint64_t count = std::min(kChunk, bytes_.size() - std::min(offset_, bytes_.size()));
     text_.erase(0, begin_);
     begin_ = 0;
     if (count == 0) {
         return false;
     }
     std::string chunk(static_cast<std::size_t>(count), '\0');
-    bytes_.read(place_, chunk);
-    place_ += count;
+    bytes_.read(offset_, chunk);
+    offset_ += count;
     if (encoding_ == Encoding::Bytes) {
         text_ += chunk;
         return true;
     }
     const auto order = encoding_ == Encoding::Utf16Little ? std::endian::little : std::endian::big;
-    if (chunk.size() > 2 && endsInsidePair(chunk, order) && place_ < bytes_.size()) {
+    if (chunk.size() > 2 && endsInsidePair(chunk, order) && offset_ < bytes_.size()) {
         chunk.resize(chunk.size() - 2);
-        place_ -= 2;
+        offset_ -= 2;
     }
     text_ += utf16ToUtf8(chunk, order);
     return true;

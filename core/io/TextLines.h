@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/io/ByteSource.h"
+#include "core/io/ByteReader.h"
 
 #include <bit>
 #include <optional>
@@ -21,7 +21,7 @@ public:
     /// stored; it holds until the next call. Empty at the end of the text.
     /// @throw InputError when a line has more than 8 MiB
     [[nodiscard]] std::optional<std::string_view> next();
-    /// Of the last line, the first is 1.
+    /// Returns the number of the last line; the first is 1.
     [[nodiscard]] long long number() const { return number_; }
     /// @throw InputError naming the file and the last line, always
     [[noreturn]] void fail(const std::string& what) const;
@@ -31,13 +31,13 @@ private:
 
     /// Reads more of the text behind what is not given out yet. @return whether there was any
     bool readMore();
-    /// The line that ends at this place of the text in memory.
+    /// The line that ends at this offset of the text in memory.
     std::string_view take(std::size_t end, std::size_t next);
 
     const ByteSource& bytes_;
     Encoding encoding_ = Encoding::Bytes;
     char lineEnd_ = '\n';
-    std::uint64_t place_ = 0;  ///< of the first byte that was not read yet
+    std::uint64_t offset_ = 0;  ///< of the first byte that was not read yet
     std::string text_;
     std::size_t begin_ = 0;  ///< of the next line in the text
     long long number_ = 0;

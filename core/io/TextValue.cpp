@@ -1,6 +1,6 @@
 #include "core/io/TextValue.h"
 
-#include "core/Utf8.h"
+#include "core/PrintableText.h"
 
 #include <array>
 #include <charconv>
@@ -16,7 +16,7 @@ constexpr std::array<std::uint16_t, 32> kWindows1252 = {
     0x2039, 0x0152, 0x8D,   0x017D, 0x8F,   0x90,   0x2018, 0x2019, 0x201C, 0x201D, 0x2022,
     0x2013, 0x2014, 0x02DC, 0x2122, 0x0161, 0x203A, 0x0153, 0x9D,   0x017E, 0x0178};
 
-/// std::from_chars takes no plus sign.
+/// std::from_chars accepts no plus sign.
 std::string_view withoutPlus(std::string_view text) {
     const bool plus = text.size() > 1 && text[0] == '+' && text[1] != '-' && text[1] != '+';
     return plus ? text.substr(1) : text;
@@ -34,7 +34,7 @@ std::optional<Number> parseWhole(std::string_view text) {
     return value;
 }
 
-/// Whether it is a number below the smallest double: 1e-400.
+/// Returns whether it is a number below the smallest double: 1e-400.
 bool isTooSmall(std::string_view text) {
     text = withoutPlus(trimmed(text));
     double number = 0.0;
@@ -45,9 +45,9 @@ bool isTooSmall(std::string_view text) {
            text[text.find_first_of("eE") + 1] == '-';
 }
 
-char32_t utf16Unit(std::string_view bytes, std::size_t place, std::endian order) {
-    const auto first = static_cast<unsigned char>(bytes[place]);
-    const auto second = static_cast<unsigned char>(bytes[place + 1]);
+char32_t utf16Unit(std::string_view bytes, std::size_t offset, std::endian order) {
+    const auto first = static_cast<unsigned char>(bytes[offset]);
+    const auto second = static_cast<unsigned char>(bytes[offset + 1]);
     return order == std::endian::little ? first | (second << 8U) : second | (first << 8U);
 }
 
@@ -92,13 +92,13 @@ std::string utf16ToUtf8(std::string_view bytes, std::endian order) {
     constexpr char32_t kReplacement = 0xFFFD;
     std::string utf8;
     utf8.reserve(bytes.size() / 2);
-    for (std::size_t place = 0; place + 1 < bytes.size(); place += 2) {
-        char32_t character = utf16Unit(bytes, place, order);
-        if (isHighSurrogate(character) && place + 3 < bytes.size()) {
-            const char32_t low = utf16Unit(bytes, place + 2, order);
+    for (std::size_t offset = 0; offset + 1 < bytes.size(); offset += 2) {
+        char32_t character = utf16Unit(bytes, offset, order);
+        if (isHighSurrogate(character) && offset + 3 < bytes.size()) {
+            const char32_t low = utf16Unit(bytes, offset + 2, order);
             if (isLowSurrogate(low)) {
                 character = 0x10000U + ((character - 0xD800U) << 10U) + (low - 0xDC00U);
-                place += 2;
+                offset += 2;
             }
         }
         const bool single = character >= 0xD800 && character < 0xE000;

@@ -1,10 +1,11 @@
 #include "core/map/JumpSearch.h"
 
+#include "core/surface/deformation/ContactHeight.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numeric>
-#include <utility>
 
 namespace asperity {
 
@@ -17,8 +18,8 @@ constexpr int kMaxJumpHalvings = 60;
 enum class Way : std::int8_t { Down = -1, Up = 1 };
 
 /// Returns the length by which the steps of a search are chosen [m]: the base's way between both
-/// jumps, by the law at the place; where the tip does not jump, the range of its attraction, or the
-/// effective radius. The tip's own radius says nothing: a blunt tip may stand on a sharp asperity.
+/// jumps, by the law at the position; without jumps, the range of its attraction, or the effective
+/// radius. The tip's own radius says nothing: a blunt tip may rest on a sharp asperity.
 double jumpScale(const VerticalPath& path, const TipAtHeight& tip) {
     const ContactModel law = contactModelAt(path.instrument().system(), tip.state);
     const double compliance = path.compliance(tip.state);
@@ -37,20 +38,20 @@ double nearOn(const VerticalPath& path, const TipAtHeight& tip, double maxStep) 
     return std::isfinite(maxStep) ? kOfStep * std::abs(maxStep) : kOfScale * jumpScale(path, tip);
 }
 
-/// Where it does not [m].
+/// The same where it does not [m].
 double resolutionOn(const VerticalPath& path, const TipAtHeight& tip) {
     constexpr double kOfScale = 1e-4;
     return kOfScale * jumpScale(path, tip);
 }
 
-/// Of the undeflected tip towards the surface, along the normal [m].
+/// Way of the undeflected tip towards the surface, along the normal [m].
 double approachOf(const VerticalPath& path, const TipAtHeight& tip) {
     const ContactState& contact = tip.state.contact;
     return contact.indentation + (path.compliance(tip.state) * contact.force);
 }
 
-/// How far the base has to go until the tip jumps, as the law has it here [m]; at or below 0: it
-/// should have jumped.
+/// Returns how far the base has to go until the tip jumps, as the law has it here [m]; at or below
+/// 0: it should have jumped.
 double wayToJump(const VerticalPath& path, const TipAtHeight& tip, Way way) {
     const ContactModel law = contactModelAt(path.instrument().system(), tip.state);
     const double compliance = path.compliance(tip.state);
@@ -61,14 +62,14 @@ double wayToJump(const VerticalPath& path, const TipAtHeight& tip, Way way) {
 }
 
 /// The next step of the base towards a jump that is so far away. It ends at one distance from the
-/// jump, so that the last state is a smooth function of the place. Near to it, where the force
+/// jump, so that the last state is a smooth function of the position. Near to it, where the force
 /// bends, steps of a way that is sampled grow short by halves.
 double stepTowards(double left, double maxStep, double near) {
     return left > kShortest * maxStep ? std::min(0.5 * left, maxStep) : left - near;
 }
 
-/// Whether the law of the main contact point can say when the tip jumps. Where another one holds
-/// the tip it may ask for a way back, which would push the tip into the sample.
+/// Returns whether the law of the main contact point can say when the tip jumps. Where another one
+/// holds the tip it may ask for a way back, which would push the tip into the sample.
 bool isOfMainPoint(const TipAtHeight& tip, double left, Way way, double near) {
     return way == Way::Down || (tip.state.contact.branch == ContactBranch::Bonded && left >= -near);
 }
@@ -77,7 +78,7 @@ bool isOfOnePoint(const TipAtHeight& before, const TipAtHeight& after) {
     return before.state.points == 1 && after.state.points == 1;
 }
 
-/// The contact law's jump at a place.
+/// The contact law's jump at a position.
 std::optional<TipJump> jumpOfLaw(const VerticalPath& path, const TipState& state, Way way) {
     const ContactModel law = contactModelAt(path.instrument().system(), state);
     const double compliance = path.compliance(state);
@@ -121,8 +122,8 @@ FoundJump jumpBetween(VerticalPath& path, TipAtHeight before, TipAtHeight after,
     return {std::move(before), std::move(after), base, true, exact};
 }
 
-/// Whether a step was too long for a tip on several points: they have no equilibrium after it, but
-/// short steps may follow one.
+/// Returns whether a step was too long for a tip on several points: they have no equilibrium after
+/// it, but short steps may follow one.
 bool losesTrack(const TipAtHeight& from, const TipAtHeight& next) {
     return from.state.points > 1 && from.state.converged && next.isBonded() &&
            !next.state.converged;
@@ -166,7 +167,7 @@ std::optional<FoundJump> findJump(VerticalPath& path, TipAtHeight now, Way way, 
             if (isThere && now.state.converged) {
                 return jumpBetween(path, std::move(now), std::move(next), way);
             }
-            // A lever that bends to the side lets the tip go before the law at one place does.
+            // A lever that bends to the side lets the tip go before the law at one position does.
             if (now.state.converged) {
                 found = std::move(now);
                 lost = next.base;
@@ -182,7 +183,127 @@ std::optional<FoundJump> findJump(VerticalPath& path, TipAtHeight now, Way way, 
     return std::nullopt;
 }
 
+constexpr double kTolerance = 1e-12;     // of the force
+constexpr double kSmallestStep = 1e-15;  // [m]
+constexpr double kGrowth = 2.0;          // of a step over the one before
+constexpr int kMaxForceSteps = 100;
+constexpr int kMaxForceHalvings = 100;
+constexpr int kMaxAway = 3;  // steps in turn that lead away from the force
+
+/// Force along z per height of the base, by the main contact point [N/m]; never zero.
+double slopeAt(const VerticalPath& path, const TipAtHeight& tip) {
+    constexpr double kMin = 1e-3;  // of the lever's stiffness
+    const double stiffness = std::max(0.0, tip.state.contact.stiffness);
+    const double normal = tip.state.closest.normal.z();
+    const double along = stiffness / (1.0 + (path.compliance(tip.state) * stiffness));
+    return std::max(along * normal * normal, kMin / path.complianceZ());
+}
+
+/// The search between a height that pushes less than the force and one that pushes as hard.
+class Bracket {
+public:
+    Bracket(VerticalPath& path, TipAtHeight less, TipAtHeight more, double force)
+        : path_(path)
+        , force_(force)
+        , less_(std::move(less))
+        , more_(std::move(more))
+        , lessMiss_(miss(less_))
+        , moreMiss_(miss(more_)) {}
+
+    /// Illinois: the false position, whose end that stays counts half.
+    TipAtHeight solve() {
+        for (int i = 0; i < kMaxForceHalvings && !isDone(); ++i) {
+            const double share = lessMiss_ / (lessMiss_ - moreMiss_);
+            const double base = std::lerp(less_.base, more_.base, share);
+            if (base == less_.base || base == more_.base) {
+                break;
+            }
+            take(path_.at(base, less_.memory));
+        }
+        return std::abs(miss(less_)) < std::abs(miss(more_)) ? less_ : more_;
+    }
+
+private:
+    [[nodiscard]] double miss(const TipAtHeight& tip) const { return tip.force() - force_; }
+    [[nodiscard]] bool isDone() const {
+        return std::min(std::abs(miss(less_)), std::abs(miss(more_))) <=
+               kTolerance * std::abs(force_);
+    }
+
+    void take(TipAtHeight tip) {
+        const double missed = miss(tip);
+        if (missed < 0.0) {
+            moreMiss_ *= stayed_ > 0 ? 0.5 : 1.0;
+            stayed_ = 1;
+            lessMiss_ = missed;
+            less_ = std::move(tip);
+        } else {
+            lessMiss_ *= stayed_ < 0 ? 0.5 : 1.0;
+            stayed_ = -1;
+            moreMiss_ = missed;
+            more_ = std::move(tip);
+        }
+    }
+
+    VerticalPath& path_;
+    double force_;
+    TipAtHeight less_;
+    TipAtHeight more_;
+    double lessMiss_;
+    double moreMiss_;
+    int stayed_ = 0;  ///< > 0: `more_` stayed the last time, < 0: `less_`
+};
+
+/// The tip above all that could make it snap in.
+std::optional<TipAtHeight> freeTip(VerticalPath& path) {
+    constexpr double kMinShare = 0.05;  // of the tip's radius
+    constexpr double kMargin = 1.5;
+    constexpr int kMaxLifts = 40;
+    const MapInstrument& instrument = path.instrument();
+    const ProbeSystem& system = instrument.system();
+    const double radius = system.tipRadius();
+    const double touch = tipContactHeight(instrument.scene().surface, path.position().x(),
+                                          path.position().y(), radius) -
+                         radius;
+    double clearance =
+        kMargin * std::max(-system.contact.jumpInApproach(path.complianceZ()), kMinShare * radius);
+    for (int i = 0; i < kMaxLifts; ++i) {
+        TipAtHeight tip = path.at(touch + clearance, {});
+        if (!tip.isBonded()) {
+            return tip;
+        }
+        clearance *= 2.0;
+    }
+    return std::nullopt;
+}
+
 }  // namespace
+
+bool TipAtHeight::isBonded() const noexcept {
+    const auto end = memory.points.begin() + static_cast<std::ptrdiff_t>(memory.pointCount);
+    return std::any_of(memory.points.begin(), end, [](const ClosestPointMemory& point) {
+        return point.contact.branch == ContactBranch::Bonded;
+    });
+}
+
+TipAtHeight VerticalPath::at(double base, const EquilibriumMemory& memory) {
+    ++solved_;
+    TipAtHeight tip{.base = base, .state = {}, .memory = memory};
+    tip.state = tipEquilibrium(
+        instrument_.surface(), instrument_.system(),
+        {.position = Vector3(position_.x(), position_.y(), base), .velocity = velocity_},
+        tip.memory, tracker_);
+    return tip;
+}
+
+double VerticalPath::compliance(const TipState& state) const noexcept {
+    const Vector3& normal = state.closest.normal;
+    return normal.dot(instrument_.system().cantilever.compliance() * normal);
+}
+
+double VerticalPath::complianceZ() const noexcept {
+    return instrument_.system().cantilever.compliance()(2, 2);
+}
 
 double FoundJump::energyLost() const noexcept {
     return exact ? exact->after.energyLost : after.state.contact.energyLost;
@@ -210,6 +331,45 @@ std::optional<FoundJump> findPullOff(VerticalPath& path, TipAtHeight from, doubl
 
 double heightToPullOff(const VerticalPath& path, const TipAtHeight& from) {
     return wayToJump(path, from, Way::Up);
+}
+
+std::optional<TipAtHeight> findForce(VerticalPath& path, TipAtHeight from, double force) {
+    TipAtHeight now = std::move(from);
+    const bool isBelow = now.force() < force;
+    double longest = 0.1 * path.instrument().system().tipRadius();
+    int away = 0;
+    for (int i = 0; i < kMaxForceSteps; ++i) {
+        const double missing = std::abs(force - now.force()) / slopeAt(path, now);
+        const double step = std::clamp(missing, kSmallestStep, longest);
+        TipAtHeight next = path.at(now.base + (isBelow ? -step : step), now.memory);
+        if ((next.force() < force) != isBelow) {
+            TipAtHeight& less = isBelow ? now : next;
+            TipAtHeight& more = isBelow ? next : now;
+            return Bracket(path, std::move(less), std::move(more), force).solve();
+        }
+        away = (next.force() < now.force()) == isBelow ? away + 1 : 0;
+        if (away > kMaxAway) {
+            return std::nullopt;
+        }
+        longest = kGrowth * std::max(step, longest);
+        now = std::move(next);
+    }
+    return std::nullopt;
+}
+
+std::optional<Engagement> engage(VerticalPath& path, double setpoint) {
+    path.goDown();
+    std::optional<TipAtHeight> free = freeTip(path);
+    std::optional<FoundJump> snapIn = free ? findSnapIn(path, std::move(*free)) : std::nullopt;
+    if (!snapIn) {
+        return std::nullopt;
+    }
+    std::optional<TipAtHeight> reached = snapIn->after;
+    if (reached->force() < setpoint) {
+        reached = findForce(path, std::move(*reached), setpoint);
+    }
+    return reached ? std::optional(Engagement{std::move(*snapIn), std::move(*reached)})
+                   : std::nullopt;
 }
 
 }  // namespace asperity

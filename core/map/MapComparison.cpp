@@ -1,7 +1,11 @@
 #include "core/map/MapComparison.h"
 
+#include "core/surface/PixelField.h"
+
 #include <algorithm>
 #include <cmath>
+#include <set>
+#include <string>
 #include <utility>
 
 namespace asperity {
@@ -121,7 +125,7 @@ double largestOf(const std::vector<double>& values) {
     return largest;
 }
 
-/// What rounding leaves of a map that is a plane is no relief.
+/// Removes the plane. The rounding error left of a plane map is no relief.
 void removePlane(const MapPlan& plan, const PlaneFit& plane, std::vector<double>& values) {
     const double before = largestOf(values);
     std::size_t i = 0;
@@ -153,6 +157,51 @@ void level(const MapPlan& plan, ComparedQuantity& maps) {
         maps.numbers.correlation = maps.numbers.shareByLine = kUndefined;
         maps.numbers.shareAsPredicted = kUndefined;
     }
+}
+
+bool isUpper(char letter) { return letter >= 'A' && letter <= 'Z'; }
+bool isLower(char letter) { return letter >= 'a' && letter <= 'z'; }
+
+/// In lower case; a capital after a small letter begins a word, too.
+std::set<std::string> wordsOf(std::string_view text) {
+    std::set<std::string> words;
+    std::string word;
+    const auto end = [&] {
+        if (!word.empty()) {
+            words.insert(std::move(word));
+        }
+        word.clear();
+    };
+    char before = ' ';
+    for (const char letter : text) {
+        const bool isLetter = isUpper(letter) || isLower(letter);
+        if (!isLetter || (isUpper(letter) && isLower(before))) {
+            end();
+        }
+        if (isLetter) {
+            word += isUpper(letter) ? static_cast<char>(letter - 'A' + 'a') : letter;
+        }
+        before = letter;
+    }
+    end();
+    return words;
+}
+
+std::ptrdiff_t wordsInCommon(MapQuantity quantity, const std::set<std::string>& title) {
+    return std::ranges::count_if(wordsOf(keyOf(quantity)),
+                                 [&](const std::string& word) { return title.contains(word); });
+}
+
+constexpr double kMaxMisfit = 0.02;  // of a side
+
+/// @param position along a side, 0 at its beginning, 1 at its end @param pixels of the side
+BetweenPixels pixelsAt(double position, int pixels) {
+    return betweenPixels(onCenter(position * pixels - 0.5), pixels);
+}
+
+double valueOf(const HeightMap& map, int row, int column) {
+    return map.isValid(row, column) ? map.at(row, column)
+                                    : std::numeric_limits<double>::quiet_NaN();
 }
 
 }  // namespace
@@ -201,6 +250,67 @@ ComparedQuantity compareQuantity(const MapPlan& plan, MapQuantity quantity,
         level(plan, result);
     }
     return result;
+}
+
+bool isMeasurable(MapQuantity quantity) {
+    return quantity != MapQuantity::Validity && quantity != MapQuantity::Iterations &&
+           !rowOf(quantity)->onRequest;
+}
+
+std::vector<MapQuantity> quantitiesLike(const MapPlan& plan, std::string_view unit,
+                                        std::string_view title) {
+    const std::set<std::string> words = wordsOf(title);
+    std::vector<MapQuantity> best;
+    std::ptrdiff_t most = 0;
+    for (const MapQuantity quantity : plan.quantities) {
+        if (!isMeasurable(quantity) || rowOf(quantity)->unit != unit) {
+            continue;
+        }
+        const std::ptrdiff_t common = wordsInCommon(quantity, words);
+        if (common > most) {
+            most = common;
+            best.clear();
+        }
+        if (common == most) {
+            best.push_back(quantity);
+        }
+    }
+    return best;
+}
+
+std::optional<MapRegion> measuredArea(double width, double height, const MapPlan& plan,
+                                      const MapRegion& scan) {
+    std::optional<MapRegion> nearest;
+    double least = kMaxMisfit;
+    for (const MapRegion& area : {plan.region, scan}) {
+        const double misfit = std::max(std::abs(width / (area.right - area.left) - 1.0),
+                                       std::abs(height / (area.top - area.bottom) - 1.0));
+        if (misfit <= least && !(nearest && misfit == least)) {
+            nearest = area;
+            least = misfit;
+        }
+    }
+    return nearest;
+}
+
+std::vector<double> valuesAt(const MapPlan& plan, const HeightMap& measured,
+                             const MapRegion& area) {
+    std::vector<BetweenPixels> columns;
+    for (int column = 0; column < plan.grid.columns; ++column) {
+        columns.push_back(
+            pixelsAt((plan.position(0, column).x() - area.left) / (area.right - area.left),
+                     measured.columns));
+    }
+    const auto pixel = [&](int row, int column) { return valueOf(measured, row, column); };
+    std::vector<double> values;
+    for (int row = 0; row < plan.grid.rows; ++row) {
+        const BetweenPixels rows = pixelsAt(
+            (area.top - plan.position(row, 0).y()) / (area.top - area.bottom), measured.rows);
+        for (const BetweenPixels& around : columns) {
+            values.push_back(bilinear(rows, around, pixel));
+        }
+    }
+    return values;
 }
 
 }  // namespace asperity

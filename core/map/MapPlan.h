@@ -1,6 +1,8 @@
 #pragma once
 
+#include "core/ShareOut.h"
 #include "core/Vector.h"
+#include "core/map/JumpSearch.h"
 #include "core/map/MapQuantity.h"
 
 #include <optional>
@@ -29,7 +31,7 @@ struct MapGrid {
     bool operator==(const MapGrid&) const = default;
 };
 
-/// What a map is asked for; empty: planMap() decides.
+/// Request for a map; empty: planMap() decides.
 struct MapRequest {
     MapMode mode = MapMode::Approach;
     std::optional<MapGrid> grid = {};          ///< none: the scan's pixels in the region
@@ -37,7 +39,7 @@ struct MapRequest {
     std::optional<double> setpoint = {};       ///< [N]; none: the scene's
     std::vector<std::string> quantities = {};  ///< keys; none: all of the mode, but on request
     bool deviations = false;  ///< standard deviations by model and calibration, too
-    bool truth = false;       ///< of the simulated true instrument, in place of the believed model
+    bool truth = false;       ///< of the simulated true instrument, instead of the believed model
 };
 
 /// The force along z at which an approach ends [N]: the one asked for, else the scene's.
@@ -56,7 +58,7 @@ struct MapPlan {
     [[nodiscard]] double pitchX() const { return (region.right - region.left) / grid.columns; }
     [[nodiscard]] double pitchY() const { return (region.top - region.bottom) / grid.rows; }
     /// The middle of a pixel, row 0 at the top, world [m].
-    [[nodiscard]] Vector2 place(int row, int column) const;
+    [[nodiscard]] Vector2 position(int row, int column) const;
 };
 
 /// The plan of a request on a scene.
@@ -64,5 +66,20 @@ struct MapPlan {
 /// than 65536 along a side, the region lies outside the scan or is empty, or the setpoint is out of
 /// range
 [[nodiscard]] MapPlan planMap(const Scene& scene, const MapRequest& request);
+
+/// One row of a map, 0 at the top: for each quantity of the plan, in its order, a value for each
+/// column, in the quantity's unit; NaN where there is none. It depends on nothing but its
+/// arguments.
+/// @throw Canceled
+[[nodiscard]] std::vector<double> mapRow(const MapInstrument& instrument, const MapPlan& plan,
+                                         int row, const CancelCheck& check = {});
+
+/// All quantities of mode `contact` in one row of a map: the tip engages at the left end, is drawn
+/// to the right end (trace) and back (retrace), while the base keeps the force along z at the
+/// setpoint; friction has its full direction. It depends on nothing else. Where the tip is lost it
+/// engages again at the next pixel.
+/// @throw Canceled
+[[nodiscard]] std::vector<MapValues>
+rasterLine(const MapInstrument& instrument, const MapPlan& plan, int row, const CancelCheck& check);
 
 }  // namespace asperity

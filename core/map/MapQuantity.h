@@ -9,7 +9,7 @@
 
 namespace asperity {
 
-/// How a map is measured.
+/// Mode in which a map is measured.
 enum class MapMode : std::uint8_t {
     Approach,  ///< approach to a setpoint and retract at each pixel
     Contact,   ///< a raster at constant force, trace and retrace of each row
@@ -19,8 +19,8 @@ template <>
 inline constexpr auto kEnumTable<MapMode> = std::to_array<EnumRow<MapMode>>(
     {{MapMode::Approach, "approach"}, {MapMode::Contact, "contact"}});
 
-/// What a pixel of a map holds. Forces are those of the sample on the tip; "along z" is what a
-/// lever without crosstalk shows.
+/// Quantity of a map. Forces are those of the sample on the tip; "along z" is what a lever without
+/// crosstalk shows.
 enum class MapQuantity : std::uint8_t {
     PullOffForce,      ///< along z, just before the tip pulls off, > 0 pulls
     AdhesionForce,     ///< along z, the strongest pull of the retract, > 0
@@ -31,10 +31,10 @@ enum class MapQuantity : std::uint8_t {
     Indentation,       ///< at the setpoint, of the undeformed surface along the normal
     ContactRadius,     ///< at the setpoint; of a circle with the area of all contacts
     Stiffness,         ///< at the setpoint, d(force)/d(indentation) of the main contact
-    ApparentModulus,   ///< reduced modulus of a DMT fit to the retract, see DmtFit.h
+    ApparentModulus,   ///< reduced modulus of a DMT fit to the retract, see RetractCurve.h
     LateralForce,      ///< at the setpoint, across z
     NormalAngle,       ///< between the normal at the main contact point and z, at the setpoint
-    // By what model and calibration leave open, see MapDeviations.h:
+    // Deviations by model and calibration:
     AdhesionForceDeviation,
     SeparationWorkDeviation,
     IndentationDeviation,
@@ -50,7 +50,7 @@ enum class MapQuantity : std::uint8_t {
     Iterations,  ///< equilibria of the tip that were solved
 };
 
-/// What there is to say of a quantity.
+/// Names, unit and modes of a quantity.
 struct MapQuantityRow {
     MapQuantity value;
     const char* key;   ///< in options, files and names of files
@@ -96,7 +96,7 @@ static_assert(isComplete<MapQuantity>());
 
 inline constexpr std::size_t kMapQuantityCount = kEnumTable<MapQuantity>.size();
 
-/// Whether the mode has the quantity.
+/// Returns whether the mode has the quantity.
 [[nodiscard]] constexpr bool hasQuantity(MapMode mode, const MapQuantityRow& quantity) noexcept {
     return mode == MapMode::Approach ? quantity.inApproach : quantity.inContact;
 }

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <numeric>
-#include <span>
 #include <utility>
 
 namespace asperity {
@@ -41,12 +41,12 @@ void refineStrongest(VerticalPath& path, std::vector<TipAtHeight>& passed, bool 
         if (ofLaw && strongest->state.points == 1) {
             return;
         }
-        const std::ptrdiff_t place = strongest - passed.begin();
+        const std::ptrdiff_t index = strongest - passed.begin();
         if (strongest + 1 != passed.end()) {
-            addBetween(place);
+            addBetween(index);
         }
-        if (place > 0) {
-            addBetween(place - 1);
+        if (index > 0) {
+            addBetween(index - 1);
         }
     }
 }
@@ -78,7 +78,7 @@ double pullingArea(const RetractPoint& from, const RetractPoint& to) {
     return 0.5 * (pull + next) * share * (to.height - from.height);
 }
 
-/// Of bonded states [J].
+/// Energy of bonded states [J].
 double pullingArea(std::span<const RetractPoint> points) {
     double area = 0.0;
     for (std::size_t i = 1; i < points.size(); ++i) {
@@ -87,7 +87,7 @@ double pullingArea(std::span<const RetractPoint> points) {
     return area;
 }
 
-/// Of a free tip, to infinity: exact for a pull that falls with the square of the distance [J].
+/// Energy of a free tip, to infinity: exact for a pull that falls with the distance squared [J].
 double freeArea(std::span<const RetractPoint> points) {
     double area = 0.0;
     double rest = 0.0;
@@ -101,6 +101,37 @@ double freeArea(std::span<const RetractPoint> points) {
     }
     return area + rest;
 }
+
+/// Slope of a least-squares line, of differences from the first point.
+class LineFit {
+public:
+    void add(double x, double y) noexcept {
+        if (count_ == 0) {
+            x0_ = x;
+            y0_ = y;
+        }
+        ++count_;
+        x -= x0_;
+        y -= y0_;
+        x_ += x;
+        y_ += y;
+        xx_ += x * x;
+        xy_ += x * y;
+    }
+    [[nodiscard]] int count() const noexcept { return count_; }
+    [[nodiscard]] double slope() const noexcept {
+        return (count_ * xy_ - x_ * y_) / (count_ * xx_ - x_ * x_);
+    }
+
+private:
+    int count_ = 0;
+    double x0_ = 0.0;
+    double y0_ = 0.0;
+    double x_ = 0.0;
+    double y_ = 0.0;
+    double xx_ = 0.0;
+    double xy_ = 0.0;
+};
 
 }  // namespace
 
@@ -162,6 +193,24 @@ double strongestPull(const VerticalPath& path, const RetractCurve& curve) noexce
     }
     const std::optional<RetractPoint> ofLaw = strongestOfLaw(path, curve);
     return ofLaw ? std::max(pull, -ofLaw->force) : pull;
+}
+
+double dmtModulus(std::span<const RetractPoint> unloading, double adhesion,
+                  double tipRadius) noexcept {
+    constexpr double kLow = 0.3;
+    constexpr double kHigh = 0.9;
+    constexpr int kMinPoints = 3;
+    const double range = unloading.empty() ? 0.0 : unloading.front().force + adhesion;
+    LineFit line;
+    for (const RetractPoint& point : unloading) {
+        const double load = point.force + adhesion;
+        if (load >= kLow * range && load <= kHigh * range) {
+            line.add(point.height, std::cbrt(load * load));
+        }
+    }
+    const double slope = line.count() < kMinPoints ? 0.0 : -line.slope();
+    return slope > 0.0 ? 0.75 * slope * std::sqrt(slope / tipRadius)
+                       : std::numeric_limits<double>::quiet_NaN();
 }
 
 }  // namespace asperity

@@ -1,11 +1,11 @@
 #pragma once
 
-#include "core/probe/OpticalLever.h"
+#include "core/probe/DetectorCalibration.h"
 #include "core/probe/TipEquilibrium.h"
 
 namespace asperity {
 
-/// What the instrument last measured.
+/// Latest measurement of the instrument.
 struct AfmMeasurement {
     LeverSignals signals;
     double age = 0.0;       ///< since it was measured [s]

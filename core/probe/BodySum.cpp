@@ -1,10 +1,13 @@
 #include "core/probe/BodySum.h"
 
 #include "core/Simd.h"
-#include "core/contact/laws/VanDerWaals.h"
+#include "core/contact/laws/AttractiveTail.h"
 #include "core/probe/ProbeSystem.h"
+#include "core/probe/TipEquilibrium.h"
+#include "core/surface/BSplineSurface.h"
 #include "core/surface/HeightMoments.h"
 #include "core/surface/SplineSampling.h"
+#include "core/surface/TangentFrame.h"
 #include "core/surface/closest/ClosestPoint.h"
 
 #include <algorithm>
@@ -69,7 +72,7 @@ struct LawSample {
     double reach = 0.0;  ///< squared distance beyond which it counts nothing [m^2]
 };
 
-/// What the sum is of.
+/// Tip, contacts and law of the sum.
 struct Summand {
     double radius = 0.0;  ///< of the tip [m]
     Vector3 tip;
@@ -94,7 +97,7 @@ struct Quarters {
     bool mayCut = true;
 };
 
-/// What the second derivatives of a surface do to the mean of its heights over a square.
+/// Change of the mean height over a square by the surface's second derivatives.
 struct Curving {
     double mean = 0.0;      ///< over the height in the middle [m]
     double variance = 0.0;  ///< around the plane [m^2]
@@ -139,9 +142,9 @@ struct Mean4 {
 
 ASPERITY_INLINE Mean4 meanAt(const Summand& of, const Traction4& middle, Double4 gap,
                              Double4 variance) {
-    constexpr double kMost = 0.5;  // of the separation: a square that varies more is too large
+    constexpr double kMax = 0.5;  // of the separation: a square that varies more is too large
     const Double4 deviation =
-        least(rootOf(kKurtosis * variance), kMost * (most(gap, Double4{}) + of.joint));
+        least(rootOf(kKurtosis * variance), kMax * (most(gap, Double4{}) + of.joint));
     const Double4 nearer = valueAt(gap - deviation, of.cohesive);
     const Double4 farther = valueAt(gap + deviation, of.cohesive);
     const Double4 second = (0.5 * (nearer + farther) - middle.value) * (1.0 / kKurtosis);
@@ -153,7 +156,7 @@ ASPERITY_INLINE Mean4 meanAt(const Summand& of, const Traction4& middle, Double4
     return {middle.value + second, largest * least(kNext * ratio * ratio, Double4{} + 1.0)};
 }
 
-/// Of a slope across squares, in both directions [m^2].
+/// Variance of heights by a slope across squares, in both directions [m^2].
 ASPERITY_INLINE Double4 varianceOf(const Quarters& squares, Double4 slopeX, Double4 slopeY) {
     constexpr double kOfSide = 1.0 / 12.0;
     const Double4 x = slopeX * squares.width;
@@ -168,7 +171,7 @@ struct Cap4 {
     Double4 slopeY;
 };
 
-/// What the laws of the contacts count over four squares; the value as a mean.
+/// Returns what the laws of the contacts count over four squares; the value as a mean.
 /// @param left becomes what the means are off by
 ASPERITY_INLINE Traction4 countedAt(const Summand& of, const Quarters& squares, const Cap4& cap,
                                     Double4& left) {
@@ -223,8 +226,8 @@ ASPERITY_WITH_AVX2 unsigned addQuarters(const Summand& of, const Quarters& squar
     const double area = squares.width * squares.height;
     const Double4 difference = mean.value - counted.value;
     // Where tip and law see the same sample, both are off by the same.
-    constexpr double kLeast = 0.2;
-    const Double4 alike = most(kLeast * own.value, magnitude(difference));
+    constexpr double kMin = 0.2;
+    const Double4 alike = most(kMin * own.value, magnitude(difference));
     const Long4 isCoarse = area * most(mean.left, left) * alike > of.error * own.value;
     const Long4 isCut = isSeen & isCoarse & (squares.mayCut ? Long4{-1, -1, -1, -1} : Long4{});
     const Long4 isAdded = isSeen & ~isCut;
@@ -275,9 +278,9 @@ public:
             static_cast<int>(std::floor(std::log2(0.5 * of_.radius / widest))), 1, kCoarsest);
         const double width = side(grid.pitchX, level);
         const double height = side(grid.pitchY, level);
-        const auto at = [](double place, double length) {  // far off the scan there is no square
-            constexpr double kMost = 1 << 24;
-            return static_cast<int>(std::clamp(std::floor(place / length), -kMost, kMost));
+        const auto at = [](double position, double length) {  // far off the scan there is no square
+            constexpr double kMax = 1 << 24;
+            return static_cast<int>(std::clamp(std::floor(position / length), -kMax, kMax));
         };
         const Vector3& tip = of_.tip;
         const double reach = std::sqrt(kReach) * of_.radius;
@@ -302,7 +305,7 @@ private:
                 .gradient = ofSample + total(sums_.alongNormal) / of_.normal.z() * of_.normal,
                 .bend = total(sums_.bend),
                 .radius = radius_,
-                .places = places_};
+                .squares = squares_};
     }
 
     void addContact(const Vector3& point) noexcept {
@@ -319,7 +322,7 @@ private:
         contact.touch = kContactSeparation + of_.tip.z() + of_.radius - root - contact.shape.height;
     }
 
-    /// Of a square [m].
+    /// Side of a square [m].
     [[nodiscard]] static double side(double pitch, int level) noexcept {
         return 0.25 * static_cast<double>(1U << static_cast<unsigned>(level - kFinest)) * pitch;
     }
@@ -333,7 +336,7 @@ private:
             const Square square = stack[--count];
             const Quarters quarters = quartersOf(square);
             unsigned cut = addQuarters(of_, quarters, sums_);
-            places_ += 4 - std::popcount(cut);
+            squares_ += 4 - std::popcount(cut);
             for (; cut != 0; cut &= cut - 1) {
                 const int part = std::countr_zero(cut);
                 stack[count++] = {square.level - 1, 2 * square.row + part / 2,
@@ -350,7 +353,7 @@ private:
                           .height = height,
                           .atX = (2.0 * square.column + Double4{0.5, 1.5, 0.5, 1.5}) * width,
                           .atY = (2.0 * square.row + Double4{0.5, 0.5, 1.5, 1.5}) * height,
-                          .mayCut = level > kFinest && places_ < kMaxSquares};
+                          .mayCut = level > kFinest && squares_ < kMaxSquares};
         if (level < 1) {
             sampleQuarters(surface_.sampling(), quarters);
             return quarters;
@@ -372,7 +375,41 @@ private:
     double factor_;  ///< H / (6 pi) [J]
     Summand of_;
     Sums sums_;
-    int places_ = 0;
+    int squares_ = 0;
+};
+
+/// The sample around a contact point, as it is and as the contact's law has it.
+class SampleBeside {
+public:
+    /// @param curved whether the law takes the curvature at the contact point
+    SampleBeside(const BSplineSurface& surface, const ClosestPoint& foot, bool curved) noexcept
+        : surface_(surface)
+        , frame_(tangentFrame(foot.point, foot.normal))
+        , middle_(surface.at(foot.point.x(), foot.point.y()))
+        , curved_(curved) {}
+
+    [[nodiscard]] Vector3 stepAt(double radius, double angle) const noexcept {
+        return radius * (std::cos(angle) * frame_.along + std::sin(angle) * frame_.across);
+    }
+    /// Height over the tangent plane along the normal [m]; beyond the scan that of its edge.
+    [[nodiscard]] double height(const Vector3& step) const noexcept {
+        const double x = std::clamp(frame_.origin.x() + step.x(), 0.0, surface_.sizeX());
+        const double y = std::clamp(frame_.origin.y() + step.y(), 0.0, surface_.sizeY());
+        return (Vector3(x, y, surface_.at(x, y).height) - frame_.origin).dot(frame_.normal);
+    }
+    /// The same of the law's paraboloid.
+    [[nodiscard]] double heightOfLaw(const Vector3& step) const noexcept {
+        const double bend = (middle_.dxx * step.x() * step.x()) +
+                            (2.0 * middle_.dxy * step.x() * step.y()) +
+                            (middle_.dyy * step.y() * step.y());
+        return curved_ ? 0.5 * bend * frame_.normal.z() : 0.0;
+    }
+
+private:
+    const BSplineSurface& surface_;
+    TangentFrame frame_;
+    HeightSample middle_;
+    bool curved_;
 };
 
 }  // namespace
@@ -409,6 +446,50 @@ BodyForce bodyForce(const HeightMoments& sample, const BodyTraction& traction, c
         return {.tip = tip};
     }
     return Sum(sample, traction, tip, points, normal).run();
+}
+
+BodyAttraction bodyAttraction(const BSplineSurface& surface, const ProbeSystem& system,
+                              const TipState& state) noexcept {
+    constexpr double kFlattest = 0.1;  // of the cap's gap: as effectiveRadius() has it in a valley
+    constexpr double kPixels = 0.25;   // between look-ups near the contact
+    constexpr double kDistances = 0.02;  // and farther out
+    const double tipRadius = system.tipRadius();
+    const ContactPair pair = system.pairAt(state.closest.point, state.effectiveRadius);
+    if (pair.workOfAdhesion < kMinAdhesion) {
+        return {};
+    }
+    const double joint = kContactSeparation + system.contact.cohesiveRange();
+    const double touch = kContactSeparation - state.contact.indentation;
+    const auto traction = [cohesive = joint * joint * joint](double separation) {
+        const double apart = std::max(separation, 0.0);
+        const double cube = apart * apart * apart;
+        return cube / ((cube + cohesive) * (cube + cohesive));
+    };
+    const SampleBeside sample(surface, state.closest,
+                              system.curvature && !isSphere(system.contact.law()));
+    double sum = 0.0;
+    double inner = 0.0;
+    while (inner < tipRadius) {
+        const double width = std::max(kPixels * surface.finestPitch(), kDistances * inner);
+        const double outer = std::min(inner + width, tipRadius);
+        const double radius = 0.5 * (inner + outer);
+        const double square = radius * radius;
+        const double cap = square / (tipRadius + std::sqrt((tipRadius * tipRadius) - square));
+        const double around = 2.0 * std::numbers::pi * radius / width;
+        const int directions = std::max(8, static_cast<int>(std::ceil(around)));
+        double ring = 0.0;
+        for (int i = 0; i < directions; ++i) {
+            const Vector3 step = sample.stepAt(radius, 2.0 * std::numbers::pi * i / directions);
+            ring += traction(touch + cap - sample.height(step)) -
+                    traction(touch + std::max(cap - sample.heightOfLaw(step), kFlattest * cap));
+        }
+        sum += ring / directions * (outer * outer - inner * inner);
+        inner = outer;
+    }
+    // pi times the sum is the integral over the area, H / (6 pi) the traction's factor.
+    const double force = -hamakerConstant(pair.workOfAdhesion) / 6.0 * sum;
+    return {.force = force,
+            .share = force / (1.5 * std::numbers::pi * pair.workOfAdhesion * pair.tipRadius)};
 }
 
 }  // namespace asperity

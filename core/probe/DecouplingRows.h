@@ -1,13 +1,13 @@
 #pragma once
 
 #include "core/probe/ForceDecoupling.h"
-#include "core/probe/Sliding.h"
+#include "core/probe/ProbeSystem.h"
 
 #include <algorithm>
 #include <cmath>
 
-/// What decoupling and innovation monitor share: the friction law as an observation with a standard
-/// deviation. Source: docs/theory.md 6.5.
+/// Parts that decoupling and innovation monitor share: the friction law as an observation with a
+/// standard deviation. Source: docs/theory.md 6.5.
 namespace asperity::decoupling {
 
 inline constexpr double kPlanarityDefect = 0.02;   // eta_p
@@ -34,7 +34,7 @@ struct ContactGeometry {
 /// Nobody knows a friction coefficient better than to this: a law of less is not certain of it.
 inline constexpr double kMinFrictionShare = 0.04;
 
-/// What the friction law may be off by beside its own 30 %, at any load [N].
+/// Least error of the friction law beside its own 30 %, at any load [N].
 [[nodiscard]] inline double leastLawError(const DecouplingInput& in, double stated) noexcept {
     const double least = kMinFrictionShare * std::abs(in.normalForceModel);
     return least > stated ? std::sqrt((least * least) - (stated * stated)) : 0.0;
@@ -46,7 +46,7 @@ inline constexpr double kMinFrictionShare = 0.04;
            kMinFriction;
 }
 
-/// What a normal that may be turned adds to the errors of planarity, friction law and contact
+/// Errors that a normal that may be turned adds to those of planarity, friction law and contact
 /// model: standard deviations, or their opposites [N].
 struct NormalErrors {
     double across = 0.0;  ///< of the force across the plane of normal and friction

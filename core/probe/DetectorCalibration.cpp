@@ -6,6 +6,13 @@
 
 namespace asperity {
 
+LeverSignals leverSignals(const Cantilever& cantilever, const Vector3& force) noexcept {
+    const Vector3 local = cantilever.rotation() * force;
+    return {.bending =
+                (cantilever.bendingPerFz() * local.z()) + (cantilever.bendingPerFx() * local.x()),
+            .torsion = cantilever.torsionPerFy() * local.y()};
+}
+
 VoltsToSignals::VoltsToSignals(const Cantilever& cantilever, const DetectorCalibration& detector) {
     if (!detector.invOls || !detector.torsionPerVolt) {
         throw Error("signals in volts need inv_ols_m_v and lateral_sensitivity_rad_v of the probe");

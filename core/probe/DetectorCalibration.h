@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/probe/Cantilever.h"
-#include "core/probe/OpticalLever.h"
+#include "core/Vector.h"
+#include "core/probe/CantileverModes.h"
 
 #include <Eigen/Core>
 
@@ -9,7 +9,18 @@
 
 namespace asperity {
 
-/// How the photodiode's volts belong to the lever's slopes. Source: docs/theory.md 5.2.
+/// Signals of the optical lever: the slope at the tip, and so of the straight rest of the beam up
+/// to its free end, about two axes.
+struct LeverSignals {
+    double bending = 0.0;  ///< alpha = dz/dx at the tip [rad]
+    double torsion = 0.0;  ///< theta [rad]
+};
+
+/// Signals that a force on the tip (lab frame [N]) causes. Source: docs/theory.md 5.2, 5.4.
+[[nodiscard]] LeverSignals leverSignals(const Cantilever& cantilever,
+                                        const Vector3& force) noexcept;
+
+/// Relation of the photodiode's volts to the lever's slopes. Source: docs/theory.md 5.2.
 struct DetectorCalibration {
     /// Inverse optical lever sensitivity: deflection along the lever's normal per volt of the
     /// vertical signal, measured on a hard wall [m/V].

@@ -2,20 +2,29 @@
 
 #include "core/EnumTable.h"
 #include "core/Vector.h"
-#include "core/probe/Cantilever.h"
-#include "core/probe/DecouplingModel.h"
-#include "core/probe/OpticalLever.h"
+#include "core/probe/CantileverModes.h"
+#include "core/probe/DetectorCalibration.h"
 
 #include <cstdint>
 #include <string>
 
 namespace asperity {
 
+/// Model that computes a force from the signals.
+enum class DecouplingModel : std::uint8_t {
+    Planar,    ///< nothing assumed but that the force lies in the plane of normal and motion
+    Estimator  ///< weighted least squares of all that is known
+};
+
+template <>
+inline constexpr auto kEnumTable<DecouplingModel> = std::to_array<EnumRow<DecouplingModel>>(
+    {{DecouplingModel::Planar, "planar"}, {DecouplingModel::Estimator, "estimator"}});
+
 /// A normal that is less certain has no direction, and what it does to the force is not linear
 /// [rad].
 inline constexpr double kMaxNormalDeviation = 1.0;
 
-/// What is known at one instant besides the signals; vectors in the lab frame.
+/// Signals of one instant and what is known besides; vectors in the lab frame.
 struct DecouplingInput {
     LeverSignals signals;
     LeverSignals sigma;                 ///< standard deviation of the signals [rad], > 0
@@ -33,7 +42,7 @@ struct DecouplingInput {
     double frictionLawError = 0.0;
 };
 
-/// Which geometry the estimate met (docs/theory.md 6.3).
+/// Geometry that the estimate met (docs/theory.md 6.3).
 enum class DecouplingCase : std::uint8_t {
     Regular,       ///< planarity and signals determine the force
     NearSingular,  ///< condition > 100: planarity says little, model and friction law decide
@@ -49,7 +58,7 @@ inline constexpr auto kEnumTable<DecouplingCase> =
                                             {DecouplingCase::NoSliding, "no_sliding"},
                                             {DecouplingCase::InvalidInput, "invalid_input"}});
 
-/// Whether the estimated force is one that the assumptions allow. Source: docs/theory.md 6.5 (e).
+/// Signs that the estimated force breaks the assumptions. Source: docs/theory.md 6.5 (e).
 struct Plausibility {
     bool pushesAlong = false;  ///< T < 0 (by more than 1 pN): friction would drive the tip
     /// |T| > max(0, mu N + tau A) by three standard deviations of estimate and friction law, or the
@@ -82,5 +91,25 @@ struct ForceEstimate {
 /// deviation of N. No allocation. Source: docs/theory.md 6.5, 6.7.
 [[nodiscard]] ForceEstimate estimateForce(const Cantilever& cantilever,
                                           const DecouplingInput& input) noexcept;
+
+/// The force that two signals give when nothing is assumed but that it lies in the plane of normal
+/// and motion. What the paper does; estimateForce() also knows what to do where this is singular.
+struct PlanarForce {
+    Vector3 force = Vector3::Zero();  ///< lab frame [N]; zero where singular
+    double determinant = 0.0;         ///< p.b, plane normal times blind direction
+    bool singular = true;             ///< |determinant| < 1e-12, or no sliding
+};
+
+/// @param normal unit, out of the sample, lab frame
+/// @param velocity of the tip relative to the sample, lab frame [m/s]
+/// Source: docs/theory.md 6.3.
+[[nodiscard]] PlanarForce planarForce(const Cantilever& cantilever, const LeverSignals& signals,
+                                      const Vector3& normal, const Vector3& velocity) noexcept;
+
+/// The planar force as an estimate; where it is singular, the contact model's force along the
+/// normal, with that one's variance. The covariance is that of the signals' noise alone, and
+/// nothing is held against the friction law. No allocation.
+[[nodiscard]] ForceEstimate planarEstimate(const Cantilever& cantilever,
+                                           const DecouplingInput& input) noexcept;
 
 }  // namespace asperity

@@ -19,23 +19,23 @@ using decoupling::normalErrors;
 
 constexpr double kFalseAlarms = 1e-4;       // [1/s]
 constexpr double kNormalWander = 0.05;      // [s] in which the defect of N changes by one unit
-constexpr double kFrictionWander = 20.0;    // [s] likewise of T: it belongs to the material
+constexpr double kFrictionWander = 20.0;    // [s] same of T: it belongs to the material
 constexpr double kContradiction = 3.0;      // units of N
 constexpr double kWrongLaw = 0.5;           // standard deviations of the law, 15 % of friction
 constexpr double kStays = 0.8;              // of a threshold, once it was passed
-constexpr double kSignificanceStays = 0.5;  // likewise
+constexpr double kSignificanceStays = 0.5;  // same
 constexpr double kVisibleFriction = 0.1;    // of the torsion's noise: a weaker law is not tested
 constexpr double kJump = 25.0;              // squared innovation: the contact has changed
 constexpr double kNoiseWindow = 200.0;      // measurements
 constexpr double kNoisy = 1.5;              // times the stated variance: 7 deviations of the mean
-constexpr double kNoiseStays = 1.25;        // likewise, once it was passed
+constexpr double kNoiseStays = 1.25;        // same, once it was passed
 constexpr double kNoiseScatter = 0.3;       // of the mean, that noise as stated can reach
 constexpr double kMeanScatter = 9.0;        // variances of a defect that count for nothing
 constexpr double kSlides = 0.5;             // weight of the slip direction from which it counts
 
 double squareOf(double value) noexcept { return value * value; }
 
-/// How one signal, as a force, answers to the two defects.
+/// Response of one signal, as a force, to the two defects.
 struct SignalRow {
     double normal = 0.0;      ///< [N] per unit
     double friction = 0.0;    ///< [N] per unit
@@ -68,7 +68,7 @@ SignalRows rowsOf(const Cantilever& cantilever, const DecouplingInput& in,
         in.normalForceSigma *
         (law > 0.0 ? Vector3(geometry.normal + (in.frictionCoefficient * slip)) : geometry.normal);
     const Vector3 perFriction = frictionUnit * slip;
-    // What neither defect stands for: friction across the motion, and in any direction at rest.
+    // Due to neither defect: friction across the motion, and in any direction at rest.
     const double aside =
         frictionScale(in) * std::hypot(sliding.certainty * kPlanarityDefect, sliding.doubt);
     // Nor for a normal that is turned about either axis.
@@ -99,7 +99,7 @@ double unexplained(const SignalRow& row, const InnovationMemory& memory) noexcep
            (row.friction * memory.frictionDefect);
 }
 
-/// What of a signal's variance the defects leave open: that of N, that of T [N^2].
+/// Returns what of a signal's variance the defects leave open: that of N, that of T [N^2].
 double ofNormal(const SignalRow& row, const InnovationMemory& memory) noexcept {
     return row.normal * row.normal * memory.normalVariance;
 }
@@ -113,7 +113,7 @@ void forgetNormal(InnovationMemory& memory) noexcept {
     memory.normalVariance = InnovationMemory::kWide;
 }
 
-/// The bending tells N. Friction along the beam shows in it a sixth as much at most: it is noise
+/// The bending gives N. Friction along the beam shows in it a sixth as much at most: it is noise
 /// here, as large as stated, and nothing is learned of it.
 double bendingVariance(const SignalRow& row, const InnovationMemory& memory) noexcept {
     return ofNormal(row, memory) + ofFriction(row, std::min(memory.frictionVariance, 1.0)) +
@@ -136,7 +136,7 @@ double takeBending(const SignalRow& row, InnovationMemory& memory) noexcept {
     return rest * rest / variance;
 }
 
-/// The torsion tells T, with N as the bending gave it.
+/// The torsion gives T, with N as the bending gave it.
 double takeTorsion(const SignalRow& row, InnovationMemory& memory) noexcept {
     const double rest = unexplained(row, memory);
     const double known = ofNormal(row, memory) + row.variance;
@@ -169,7 +169,7 @@ double significance(double timeStep) noexcept {
     return -2.0 * std::log(std::min(0.5, kFalseAlarms * timeStep));
 }
 
-/// Whether a defect is large and certain, with hysteresis.
+/// Returns whether a defect is large and certain, with hysteresis.
 bool isOff(double defect, double variance, double size, double threshold, bool before) noexcept {
     const double largeness = before ? kStays * size : size;
     const double certainty = before ? kSignificanceStays * threshold : threshold;
@@ -181,7 +181,7 @@ bool isNoisy(const InnovationMemory& memory) noexcept {
            (memory.noisy ? kNoiseStays : kNoisy);
 }
 
-/// What of the law's error, as far as it is certain, goes beyond its stated deviation [N].
+/// Returns what of the law's error, as far as it is certain, goes beyond its stated deviation [N].
 double frictionLawError(const InnovationMemory& memory, double unit, double stated) noexcept {
     const double square =
         (memory.frictionDefect * memory.frictionDefect) - (kMeanScatter * memory.frictionVariance);
@@ -228,6 +228,19 @@ InnovationVerdict monitorInnovation(const Cantilever& cantilever, const Innovati
                 geometry.sliding.certainty * std::max(frictionLawError(memory, unit, stated),
                                                       decoupling::leastLawError(belief, stated)),
             .covarianceFactor = std::max(1.0, noise)};
+}
+
+LeverSignals stalenessOf(const LeverSignals& expected, double age, double timeStep,
+                         SignalHistory& memory) noexcept {
+    const double kept = age > 0.0 ? std::exp(-timeStep / age) : 0.0;
+    const LeverSignals last = memory.started ? memory.expected : expected;
+    memory = {.expected = expected,
+              .change = {.bending = kept * memory.change.bending +
+                                    std::abs(expected.bending - last.bending),
+                         .torsion = kept * memory.change.torsion +
+                                    std::abs(expected.torsion - last.torsion)},
+              .started = true};
+    return age > 0.0 ? memory.change : LeverSignals{};
 }
 
 }  // namespace asperity

@@ -1,11 +1,12 @@
 #pragma once
 
 #include "core/Vector.h"
+#include "core/probe/DetectorCalibration.h"
 #include "core/probe/ForceDecoupling.h"
 
 namespace asperity {
 
-/// What the innovations up to now say: two defects, that of the contact model's normal force and
+/// Evidence of the innovations up to now: two defects, that of the contact model's normal force and
 /// that of the friction law, in units of their stated standard deviations, and the noise.
 struct InnovationMemory {
     static constexpr double kWide = 25.0;  ///< variance of a defect of which nothing is known
@@ -15,7 +16,7 @@ struct InnovationMemory {
     double normalVariance = kWide;    ///< of normalDefect
     double frictionVariance = kWide;  ///< of frictionDefect
     double bendingNoise = 1.0;        ///< mean square innovation over what is stated
-    double torsionNoise = 1.0;        ///< likewise
+    double torsionNoise = 1.0;        ///< same
     double age = 0.0;                 ///< of the last measurement [s]
     bool contradicted = false;        ///< the contact model is
     bool frictionWrong = false;       ///< the friction law is
@@ -24,7 +25,7 @@ struct InnovationMemory {
     bool operator==(const InnovationMemory&) const = default;
 };
 
-/// What that means for the estimate of a tick.
+/// Consequences of that for the estimate of a tick.
 struct InnovationVerdict {
     bool modelContradicted = false;     ///< N is off by more than three standard deviations
     bool estimateInconsistent = false;  ///< friction law or noise are not as stated
@@ -51,5 +52,21 @@ struct InnovationInput {
 [[nodiscard]] InnovationVerdict monitorInnovation(const Cantilever& cantilever,
                                                   const InnovationInput& input,
                                                   InnovationMemory& memory) noexcept;
+
+/// Changes of the signals that the model expects.
+struct SignalHistory {
+    LeverSignals expected;  ///< in the last tick [rad]
+    LeverSignals change;    ///< over about the age of the signals, all ways added up [rad]
+    bool started = false;
+};
+
+/// Returns how much the signals may differ from those of now, because they were measured `age` ago:
+/// all that the model expected to change since. 0 for signals of now. [rad]
+/// @param expected what the model expects of the signals now [rad]
+[[nodiscard]] LeverSignals stalenessOf(const LeverSignals& expected, double age, double timeStep,
+                                       SignalHistory& memory) noexcept;
+
+/// Signals older than this are flagged, however little the model expects to happen [s].
+inline constexpr double kOldSignals = 0.1;
 
 }  // namespace asperity

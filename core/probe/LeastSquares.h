@@ -4,14 +4,14 @@
 
 namespace asperity {
 
-/// The least-squares solution x of A x = b, three unknowns, and what tells its covariance.
+/// The least-squares solution x of A x = b, three unknowns, and its covariance.
 struct LeastSquares3 {
     Vector3 solution = Vector3::Zero();
     /// Upper triangular; (A^T A)^-1 = inverseRoot inverseRoot^T.
     Matrix3 inverseRoot = Matrix3::Zero();
 };
 
-/// By modified Gram-Schmidt on A and b together, which is as stable as Householder's
+/// Solves by modified Gram-Schmidt on A and b together, which is as stable as Householder's
 /// transformations and, at this size, three times as fast as a general one. A has full rank.
 /// Source: Bjorck (1967), Solving linear least squares problems by Gram-Schmidt orthogonalization.
 template <int Rows>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/contact/Material.h"
+#include "core/contact/ContactState.h"
 #include "core/surface/PixelField.h"
 
 #include <memory>
@@ -19,36 +19,36 @@ struct MaterialMaps {
     }
 };
 
-/// What the sample is made of at one place.
-struct PlaceMaterial {
+/// Material of the sample at one position.
+struct LocalMaterial {
     double youngsModulus = 0.0;   ///< [Pa]
     double workOfAdhesion = 0.0;  ///< of the pair tip-sample [J/m^2]
     double frictionCoefficient = 0.0;
 };
 
-/// A material with the maps of what is not the same everywhere: the law at a place is that of a
+/// A material with the maps of what is not the same everywhere: the law at a position is that of a
 /// uniform sample of the material there. Immutable, safe to read from any thread.
 class MaterialField {
 public:
     /// @param usual where there is no map
-    MaterialField(MaterialMaps maps, const PlaceMaterial& usual, double poissonRatio,
+    MaterialField(MaterialMaps maps, const LocalMaterial& usual, double poissonRatio,
                   const Elastic& tip)
         : maps_(std::move(maps)), usual_(usual), poissonRatio_(poissonRatio), tip_(tip) {}
 
-    /// Linear between pixels; a place outside the scan counts as the nearest one inside.
+    /// Linear between pixels; a position outside the scan counts as the nearest one inside.
     /// @param x, y world [m]
-    [[nodiscard]] PlaceMaterial at(double x, double y) const noexcept;
+    [[nodiscard]] LocalMaterial at(double x, double y) const noexcept;
     /// E* of the material with the tip [Pa].
-    [[nodiscard]] double reducedModulus(const PlaceMaterial& material) const noexcept;
-    /// Whether modulus, adhesion or friction differ by more than a tenth between the middle and
-    /// the rim of a circle around a place [m].
+    [[nodiscard]] double reducedModulus(const LocalMaterial& material) const noexcept;
+    /// Returns whether modulus, adhesion or friction differ by more than a tenth between the middle
+    /// and the rim of a circle around a position [m].
     [[nodiscard]] bool variesWithin(double x, double y, double radius) const noexcept;
 
     [[nodiscard]] const MaterialMaps& maps() const noexcept { return maps_; }
 
 private:
     MaterialMaps maps_;
-    PlaceMaterial usual_;
+    LocalMaterial usual_;
     double poissonRatio_;
     Elastic tip_;
 };

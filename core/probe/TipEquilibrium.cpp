@@ -1,9 +1,7 @@
 #include "core/probe/TipEquilibrium.h"
 
 #include "core/contact/Within.h"
-#include "core/probe/BesideContacts.h"
 #include "core/probe/ProbeSystem.h"
-#include "core/probe/Sliding.h"
 #include "core/probe/TipContactPoint.h"
 #include "core/surface/closest/ContactPoints.h"
 #include "core/surface/sample/SampleSurface.h"
@@ -23,9 +21,9 @@ namespace {
 
 constexpr int kMaxSweeps = 48;
 // From here on a contact that has jumped stays so. Where effective radius and normal change with
-// the place, a bond may break at the place to which it pulls the tip, and hold at the one to which
-// the lever takes the free tip: then no bonded state balances the lever, and the search would go to
-// and fro between the two.
+// the position, a bond may break at the position to which it pulls the tip, and hold at the one to
+// which the lever takes the free tip: then no bonded state balances the lever, and the search would
+// go to and fro between the two.
 constexpr int kJumpsStay = kMaxSweeps / 2;
 constexpr double kPositionTolerance = 1.0 / 15e6;  // of the tip's radius: 1 fm of 15 nm
 constexpr double kSameSlot = 0.25;  // of the tip's radius: a point moves less from tick to tick
@@ -36,8 +34,8 @@ constexpr double kWideLook = 0.02;
 constexpr double kMainPoint = 1.5;  // another point becomes the main one with so much more force
 constexpr double kBears = 1e-3;     // share of the main point's force from which a point counts
 
-/// Whether a place is one from where the contact laws can be asked, whatever lies below it.
-bool isPlace(const Vector3& position) {
+/// Returns whether the contact laws can be asked at a position, whatever lies below it.
+bool isWithinWorld(const Vector3& position) {
     constexpr double kMaxCoordinate = 500.0;  // [m]
     return isWithin(position.x(), -kMaxCoordinate, kMaxCoordinate) &&
            isWithin(position.y(), -kMaxCoordinate, kMaxCoordinate) &&
@@ -50,8 +48,8 @@ TipState nowhere() {
     return state;
 }
 
-/// Search for the tip's place between a lever of given compliance and all its closest points, one
-/// closest point at a time while the others answer to first order.
+/// Search for the tip's position between a lever of given compliance and all its closest points,
+/// one closest point at a time while the others answer to first order.
 class Balance {
 public:
     Balance(const SampleSurface& surface, const ProbeSystem& system, const BaseMotion& base,
@@ -108,23 +106,23 @@ private:
     }
     [[nodiscard]] std::span<TipContactPoint> points() { return {points_.data(), points_.size()}; }
 
-    /// How far the tip may move from where closest points are looked for [m]. A lever bends by less
-    /// than its base moves, as long as nothing jumps.
+    /// Returns how far the tip may move from where closest points are looked for [m]. A lever bends
+    /// by less than its base moves, as long as nothing jumps.
     [[nodiscard]] double marginFor(const EquilibriumMemory& memory) const {
         const double moved = (base_.position - (memory.tip - memory.deflection)).norm();
         const double narrow = kNarrowLook * lookScale();
         return memory.pointCount > 0 && moved <= narrow ? narrow : kWideLook * lookScale();
     }
 
-    /// What is wide for a look [m]: the tip's radius, but for a blunt tip what is beyond the range
-    /// of its attraction many times bears nothing.
+    /// Returns what is wide for a look [m]: the tip's radius, but for a blunt tip what is beyond
+    /// the range of its attraction many times bears nothing.
     [[nodiscard]] double lookScale() const {
         constexpr double kManyRanges = 50.0;  // a wide look doubles the range
         const double radius = system_.tipRadius();
         return range_ > 0.0 ? std::min(radius, kManyRanges * range_) : radius;
     }
 
-    /// How far from the tip's center a closest point bears a force, where nothing bonds it [m].
+    /// Returns how far from the tip's center a closest point without a bond bears a force [m].
     [[nodiscard]] double bearsWithin() const { return system_.tipRadius() + range_; }
 
     void findPoints(const EquilibriumMemory& memory) {
@@ -140,7 +138,7 @@ private:
         }
     }
 
-    /// Whether several points hold the tip, and the base has not been moved to other ones.
+    /// Returns whether several points hold the tip, and the base has not been moved to other ones.
     [[nodiscard]] bool recalls(const EquilibriumMemory& memory) const {
         const auto end = memory.points.begin() + static_cast<std::ptrdiff_t>(memory.pointCount);
         const Vector3 moved = base_.position - (memory.tip - memory.deflection);
@@ -150,8 +148,8 @@ private:
                });
     }
 
-    /// What each point bears where the tip was left. The first one to be settled would else have to
-    /// bear all that the lever pulls, and would let go where they hold the tip together.
+    /// Recalls what each point bears where the tip was left. The first one to be settled would else
+    /// have to bear all that the lever pulls, and would let go where they hold the tip together.
     void recallForces() {
         beside_.pull(points(), tip(), 0.0);
         for (TipContactPoint& closest : points_) {
@@ -169,7 +167,7 @@ private:
         const bool dropped = dropIdlePoints();
         boost::container::static_vector<SearchGuess, kMaxContactPoints> known;
         for (const TipContactPoint& closest : points_) {
-            known.push_back(closest.place.guess());
+            known.push_back(closest.foot.guess());
         }
         const std::size_t before = points_.size();
         addPoints({known.data(), known.size()}, memory);
@@ -186,7 +184,7 @@ private:
         const std::size_t before = points_.size();
         for (std::size_t i = points_.size(); i-- > 1;) {
             if (points_[i].contact.branch == ContactBranch::Far &&
-                points_[i].place.distance > bearsWithin()) {
+                points_[i].foot.distance > bearsWithin()) {
                 points_.erase(points_.begin() + static_cast<std::ptrdiff_t>(i));
             }
         }
@@ -216,24 +214,24 @@ private:
         freeToMove_ = margin_;
         state_.proof = found.proof;
         joined_ = found.joined;
-        for (const ClosestPoint& place : found.list.all()) {
-            if (!isKnown(place, points_.size())) {
-                addPoint(place, memory);
+        for (const ClosestPoint& foot : found.list.all()) {
+            if (!isKnown(foot, points_.size())) {
+                addPoint(foot, memory);
             }
         }
         addHeldPoints(memory);
     }
 
     /// Takes a closest point up that bears a force, or the first one.
-    void addPoint(const ClosestPoint& place, const EquilibriumMemory& memory) {
-        const ClosestPointMemory known = takeMemory(place, memory);
+    void addPoint(const ClosestPoint& foot, const EquilibriumMemory& memory) {
+        const ClosestPointMemory known = takeMemory(foot, memory);
         const bool isBonded = known.contact.branch == ContactBranch::Bonded;
-        if (!points_.empty() && !isBonded && place.distance > bearsWithin()) {
-            freeToMove_ = std::min(freeToMove_, place.distance - bearsWithin());
+        if (!points_.empty() && !isBonded && foot.distance > bearsWithin()) {
+            freeToMove_ = std::min(freeToMove_, foot.distance - bearsWithin());
         } else if (points_.size() == kMaxContactPoints) {
             state_.proof = SearchProof::TooManyPoints;
         } else {
-            points_.push_back({.place = place,
+            points_.push_back({.foot = foot,
                                .memory = known,
                                .model = system_.contact,
                                .friction = system_.friction,
@@ -247,32 +245,32 @@ private:
         for (std::size_t i = 0; i < memory.pointCount; ++i) {
             const ClosestPointMemory& held = memory.points[i];
             if (!taken_[i] && held.contact.branch == ContactBranch::Bonded) {
-                const ClosestPoint place = surface_.localContactPoint(lookedFrom_, held.guess);
-                if (place.converged && !isKnown(place, points_.size())) {
-                    addPoint(place, memory);
+                const ClosestPoint foot = surface_.localContactPoint(lookedFrom_, held.guess);
+                if (foot.converged && !isKnown(foot, points_.size())) {
+                    addPoint(foot, memory);
                 }
             }
         }
     }
 
-    /// Whether one of the first `count` closest points stands there.
-    [[nodiscard]] bool isKnown(const ClosestPoint& place, std::size_t count) const {
+    /// Returns whether one of the first `count` closest points lies there.
+    [[nodiscard]] bool isKnown(const ClosestPoint& foot, std::size_t count) const {
         const double same = kSamePoint * system_.tipRadius();
         return std::any_of(points_.begin(), points_.begin() + static_cast<std::ptrdiff_t>(count),
                            [&](const TipContactPoint& closest) {
-                               return (closest.place.point - place.point).norm() <= same;
+                               return (closest.foot.point - foot.point).norm() <= same;
                            });
     }
 
-    /// What was known of a closest point: of the nearest one remembered that no other closest point
-    /// has taken. The first closest point is always known.
-    [[nodiscard]] ClosestPointMemory takeMemory(const ClosestPoint& place,
+    /// Returns what was known of a closest point: of the nearest one remembered that no other
+    /// closest point has taken. The first closest point is always known.
+    [[nodiscard]] ClosestPointMemory takeMemory(const ClosestPoint& foot,
                                                 const EquilibriumMemory& memory) {
         std::size_t best = points_.empty() ? 0 : memory.pointCount;
         double nearest = kSameSlot * system_.tipRadius();
         for (std::size_t i = 0; i < memory.pointCount; ++i) {
             const SearchGuess& guess = memory.points[i].guess;
-            const double away = std::hypot(guess.x - place.point.x(), guess.y - place.point.y());
+            const double away = std::hypot(guess.x - foot.point.x(), guess.y - foot.point.y());
             if (!taken_[i] && away < nearest) {
                 nearest = away;
                 best = i;
@@ -302,7 +300,7 @@ private:
         Vector3 force = Vector3::Zero();
         for (const TipContactPoint& other : points_) {
             if (&other != &closest) {
-                const Vector3& normal = other.place.normal;
+                const Vector3& normal = other.foot.normal;
                 stiffness += other.stiffness() * normal * normal.transpose();
                 force += other.forceAt(deflection_);
             }
@@ -314,8 +312,8 @@ private:
 
     /// Balances lever and contact at one closest point.
     void settle(TipContactPoint& closest) {
-        closest.place = surface_.localContactPoint(center(), closest.place.guess());
-        const Vector3& normal = closest.place.normal;
+        closest.foot = surface_.localContactPoint(center(), closest.foot.guess());
+        const Vector3& normal = closest.foot.normal;
         closest.slip = slidingOf(normal, base_.velocity).slip();
         const Lever lever = leverOf(closest);
         const double along = normal.dot(lever.compliance * normal);
@@ -332,7 +330,7 @@ private:
         }
         const double ofLoad = slides ? closest.friction.coefficient * closest.contact.force : 0.0;
         // Approach of the undeflected tip towards the tangent plane of the present closest point.
-        const double approach = system_.tipRadius() - closest.place.distance +
+        const double approach = system_.tipRadius() - closest.foot.distance +
                                 normal.dot(deflection_ - lever.offset) -
                                 across * (closest.memory.friction - ofLoad);
         closest.contact = closest.model.equilibrium(approach, slides ? withFriction : along,
@@ -347,7 +345,7 @@ private:
     /// Two valleys' closest points may slide into one: it must not bear its force twice.
     void dropDoubledPoints() {
         for (std::size_t i = points_.size(); i-- > 1;) {
-            if (isKnown(points_[i].place, i)) {
+            if (isKnown(points_[i].foot, i)) {
                 points_.erase(points_.begin() + static_cast<std::ptrdiff_t>(i));
                 beside_.forget();
             }
@@ -371,7 +369,7 @@ private:
             const bool bears =
                 std::abs(closest.contact.force) > kBears * std::abs(main.contact.force);
             state_.points += bears ? 1 : 0;
-            normalForce += closest.contact.force * closest.place.normal;
+            normalForce += closest.contact.force * closest.foot.normal;
             state_.force += closest.force;
             state_.contactArea += closest.area();
             state_.contactRatio = std::max(state_.contactRatio,
@@ -385,24 +383,24 @@ private:
             reportNeighbors(closest);
         }
         state_.tip = base_.position + deflection_;
-        state_.closest = main.place;
+        state_.closest = main.foot;
         state_.contact = main.contact;
         state_.body = main.model.bodyPull();
         state_.slip = main.slip;
         state_.effectiveRadius = main.radius.radius;
         state_.tipFits = main.radius.tipFits;
         state_.anisotropic = main.radius.anisotropic;
-        state_.normal = main.place.normal;
+        state_.normal = main.foot.normal;
         state_.normalForce = main.contact.force;
         if (points_.size() > 1 && normalForce.norm() > 0.0) {
-            const double sign = normalForce.dot(main.place.normal) < 0.0 ? -1.0 : 1.0;
+            const double sign = normalForce.dot(main.foot.normal) < 0.0 ? -1.0 : 1.0;
             state_.normalForce = sign * normalForce.norm();
             state_.normal = normalForce / state_.normalForce;
         }
     }
 
-    /// What the other contacts do to one: a half-space sinks by N / (pi E* d) at a distance d from
-    /// where it is pressed, and contacts nearer to each other than that holds for are no two.
+    /// Reports the other contacts' effect on one: a half-space sinks by N / (pi E* d) at a distance
+    /// d from where it is pressed, and contacts nearer than that holds for are no two.
     void reportNeighbors(const TipContactPoint& closest) {
         if (points_.size() == 1 || !(closest.contact.contactRadius > 0.0)) {
             return;
@@ -412,7 +410,7 @@ private:
             if (&other == &closest || !(other.contact.contactRadius > 0.0)) {
                 continue;
             }
-            const double apart = (other.place.point - closest.place.point).norm();
+            const double apart = (other.foot.point - closest.foot.point).norm();
             state_.overlapping |= closest.reach() + other.reach() > apart;
             sunk += std::abs(other.contact.force) /
                     (std::numbers::pi * other.model.pair().reducedModulus * apart);
@@ -420,12 +418,12 @@ private:
         state_.interaction = std::max(state_.interaction, sunk / closest.depth());
     }
 
-    /// Whether contacts that nobody knows of may hold the tip: where lever and sample have a bonded
-    /// state beside the free one. Necks that share a lever tear off as one does on a lever as many
-    /// times as soft.
+    /// Returns whether contacts that nobody knows of may hold the tip: where lever and sample have
+    /// a bonded state beside the free one. Necks that share a lever tear off as one does on a lever
+    /// as many times as soft.
     [[nodiscard]] bool mayBeHeld() const {
         const TipContactPoint& main = points_.front();
-        const double along = main.place.normal.dot(compliance_ * main.place.normal);
+        const double along = main.foot.normal.dot(compliance_ * main.foot.normal);
         const double tearsOff = main.model.pullOffApproach(kMaxContactPoints * along);
         if (!(tearsOff < main.model.jumpInApproach(along))) {
             return false;
@@ -444,11 +442,11 @@ private:
         memory.pointCount = 0;
         for (const TipContactPoint& closest : points_) {
             const bool isFar = closest.contact.branch == ContactBranch::Far &&
-                               closest.place.distance > bearsWithin();
+                               closest.foot.distance > bearsWithin();
             if (memory.pointCount > 0 && isFar) {
                 continue;
             }
-            memory.points[memory.pointCount++] = {.guess = closest.place.guess(),
+            memory.points[memory.pointCount++] = {.guess = closest.foot.guess(),
                                                   .contact = closest.contact.memory(),
                                                   .friction = closest.memory.friction};
         }
@@ -458,14 +456,14 @@ private:
     const ProbeSystem& system_;
     const BaseMotion& base_;
     const Matrix3& compliance_;
-    double tolerance_;     ///< of the tip's place [m]
+    double tolerance_;     ///< of the tip's position [m]
     double range_;         ///< across which a closest point attracts the tip [m]
     double margin_ = 0.0;  ///< beyond that range, of a look for closest points [m]
     ClosestPointTracker& tracker_;
     Vector3 deflection_ = Vector3::Zero();
     std::array<bool, kMaxContactPoints>
         taken_{};          ///< which of the remembered closest points have been found again
-    bool joined_ = false;  ///< closest points that stand apart count as one
+    bool joined_ = false;  ///< separate closest points count as one
     Vector3 lookedFrom_ =
         Vector3::Zero();       ///< the tip's center when closest points were last looked for
     double freeToMove_ = 0.0;  ///< from there, until another closest point may bear [m]
@@ -479,7 +477,7 @@ private:
 TipState tipEquilibrium(const SampleSurface& surface, const ProbeSystem& system,
                         const BaseMotion& base, EquilibriumMemory& memory,
                         ClosestPointTracker& tracker) noexcept {
-    if (!isPlace(base.position)) {
+    if (!isWithinWorld(base.position)) {
         return nowhere();
     }
     return Balance(surface, system, base, system.cantilever.compliance(), tracker).solve(memory);
@@ -493,7 +491,7 @@ TipState tipEquilibrium(const SampleSurface& surface, const ProbeSystem& system,
 
 TipState heldTip(const SampleSurface& surface, const ProbeSystem& system, const BaseMotion& tip,
                  const EquilibriumMemory& memory, ClosestPointTracker& tracker) noexcept {
-    if (!isPlace(tip.position)) {
+    if (!isWithinWorld(tip.position)) {
         return nowhere();
     }
     EquilibriumMemory held = memory;

@@ -2,7 +2,7 @@
 
 #include "core/Vector.h"
 #include "core/contact/ContactState.h"
-#include "core/contact/laws/BodyPull.h"
+#include "core/contact/laws/ContactModel.h"
 #include "core/surface/closest/ClosestPointTracker.h"
 
 #include <array>
@@ -13,21 +13,22 @@ namespace asperity {
 class SampleSurface;
 struct ProbeSystem;
 
-/// Where the cantilever's base is and how it moves. The base position is given as the place that
-/// the tip's apex takes when the lever is not deflected; lab frame.
+/// Position and motion of the cantilever's base. The position is that of the tip's apex with
+/// the lever undeflected; lab frame.
 struct BaseMotion {
     Vector3 position = Vector3::Zero();  ///< [m]
     Vector3 velocity = Vector3::Zero();  ///< [m/s]
 };
 
-/// What is kept of one closest point of the tip.
+/// Memory of one closest point of the tip.
 struct ClosestPointMemory {
     SearchGuess guess;
     ContactMemory contact;
     double friction = 0.0;  ///< tangential force [N]
 };
 
-/// What one equilibrium hands to the next on the same surface: warm starts and adhesion branches.
+/// State carried from one equilibrium to the next on the same surface: warm starts and adhesion
+/// branches.
 struct EquilibriumMemory {
     std::array<ClosestPointMemory, kMaxContactPoints> points{};
     std::size_t pointCount = 0;            ///< 0: nothing is known yet
@@ -66,13 +67,13 @@ struct TipState {
 };
 
 /// Solves tip = base + C F(tip) for the position of the tip, C the lever's compliance, F the sum
-/// over all closest points, each with the effective radius of its place: those that the tip presses
-/// on, that hold it or that attract it, see ContactModel::attractionRange(), the nearest
-/// kMaxContactPoints of them. Where there are more, the proof is TooManyPoints.
-/// Where the system has the attraction of the sample beside a contact, the main one has it of a
-/// height field, less what the laws of all contacts count.
-/// A base beyond 500 m along an axis or at no number has the contact status ApproachOutOfRange,
-/// does not converge and leaves the memory as it is. Allocation-free, bounded, never throws.
+/// over all closest points, each with the effective radius of its position: those that the tip
+/// presses on, that hold it or that attract it, see ContactModel::attractionRange(), the nearest
+/// kMaxContactPoints of them. Where there are more, the proof is TooManyPoints. If the system has
+/// the attraction of the sample beside a contact, the main one has it of a height field, less what
+/// the laws of all contacts count. A base beyond 500 m along an axis or at no number has the
+/// contact status ApproachOutOfRange, does not converge and leaves the memory as it is.
+/// Allocation-free, bounded, never throws.
 /// @param tracker of this surface: saves time, changes nothing
 /// Source: docs/theory.md 1, 3.8, 7.1-7.2.
 [[nodiscard]] TipState tipEquilibrium(const SampleSurface& surface, const ProbeSystem& system,

@@ -6,7 +6,7 @@
 
 namespace asperity {
 
-/// Hands the latest value of one thread to one other. Neither ever waits: values that nobody read
+/// Passes the latest value of one thread to one other. Neither ever waits: values that nobody read
 /// are overwritten.
 template <typename T>
 class TripleBuffer {

@@ -1,6 +1,7 @@
 #include "core/scene/BelievedModel.h"
 
 #include "core/scene/ModelTerm.h"
+#include "core/scene/Scene.h"
 
 #include <array>
 #include <optional>
@@ -66,6 +67,28 @@ ProbeSystem believedSystem(const SceneDescription& scene, const ForceModelOption
             .cantilever = believedLever(scene.probe, model),
             .friction = model.friction ? material.friction : Friction{},
             .curvature = model.curvature};
+}
+
+ProbeSystem trueSystem(const SceneDescription& description) {
+    const TruthDescription& truth = description.truth;
+    CantileverGeometry probe = description.probe;
+    probe.thickness = thicknessForStiffness(probe, truth.stiffness);
+    const SampleMaterial& material = truth.material;
+    const ContactPair pair = contactPair(description, material);
+    const LawChoice choice = chooseLaw(description.choices.law, pair, material.filmThickness,
+                                       description.tip.coneHalfAngle);
+    return {.contact = ContactModel(choice.law, pair, contactOptions(description, material)),
+            .cantilever = Cantilever(probe),
+            .friction = material.friction};
+}
+
+InstrumentTruth truthOf(const Scene& scene) {
+    const TruthDescription& truth = scene.description.truth;
+    return {.system = scene.truth,
+            .noise = {.bending = truth.signalNoise, .torsion = truth.signalNoise},
+            .seed = truth.noiseSeed,
+            .temperature = truth.temperature,
+            .timeStep = scene.timeStep()};
 }
 
 }  // namespace asperity

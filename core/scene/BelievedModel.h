@@ -1,7 +1,8 @@
 #pragma once
 
-#include "core/contact/laws/LawChoice.h"
+#include "core/contact/laws/ContactModel.h"
 #include "core/probe/ProbeSystem.h"
+#include "core/probe/SimulatedAfm.h"
 #include "core/scene/ForceModelOptions.h"
 #include "core/scene/SceneDescription.h"
 
@@ -11,7 +12,7 @@ namespace asperity {
 /// require, and why. @throw Error as chooseLaw()
 [[nodiscard]] LawChoice usualLaw(const SceneDescription& scene);
 
-/// What the description asks for; where it leaves the choice, all but the half-space.
+/// Returns the model that the description asks for; what it leaves open has all but the half-space.
 /// @throw Error as chooseLaw()
 [[nodiscard]] ForceModelOptions usualModel(const SceneDescription& scene);
 
@@ -23,5 +24,16 @@ namespace asperity {
 /// @throw Error naming what the contact law or the lever refuses
 [[nodiscard]] ProbeSystem believedSystem(const SceneDescription& scene,
                                          const ForceModelOptions& model);
+
+struct Scene;
+struct SceneDescription;
+
+/// Tip, lever and sample as a description says that they truly are.
+/// @throw Error naming what the contact law or the lever refuses
+[[nodiscard]] ProbeSystem trueSystem(const SceneDescription& description);
+
+/// Returns the simulated instrument of a scene: what its description says is true, whatever the
+/// model believes.
+[[nodiscard]] InstrumentTruth truthOf(const Scene& scene);
 
 }  // namespace asperity

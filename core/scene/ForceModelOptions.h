@@ -1,14 +1,14 @@
 #pragma once
 
-#include "core/contact/SolverSetting.h"
 #include "core/contact/laws/ContactLaw.h"
-#include "core/probe/DecouplingModel.h"
+#include "core/contact/laws/ContactOptions.h"
+#include "core/probe/ForceDecoupling.h"
 #include "core/surface/closest/ClosestPoint.h"
 #include "core/surface/deformation/DeformationModel.h"
 
 namespace asperity {
 
-/// Which approximations a model of a scene makes and how it is solved: speed against accuracy. The
+/// Approximations of a scene's model and settings of its solver: speed against accuracy. The
 /// simulated instrument always has everything.
 struct ForceModelOptions {
     ContactLaw law = ContactLaw::Split;

@@ -52,11 +52,11 @@ public:
     }
     [[nodiscard]] double worst() const noexcept { return (*this)[worstQuantity()]; }
 
-    /// Of each quantity the larger one.
+    /// Keeps the larger error of each quantity.
     void raiseTo(const QuantityErrors& other) noexcept {
         combine(other, [](double a, double b) { return std::max(a, b); });
     }
-    /// Of errors that are independent: the root of the sum of squares.
+    /// Adds errors that are independent: the root of the sum of squares.
     void addSquares(const QuantityErrors& other) noexcept {
         combine(other, [](double a, double b) { return std::hypot(a, b); });
     }

@@ -15,9 +15,9 @@ namespace asperity {
                                              const std::optional<MapSource>& present);
 
 /// The rows of sceneFields() on the maps of a material.
-/// @param place lambda without captures from a scene to the material, as in scene_field::at()
-template <class Place>
-std::vector<SceneField> materialMapFields(SceneGroup group, Place /*place*/) {
+/// @param access lambda without captures from a scene to the material, as in scene_field::at()
+template <class Access>
+std::vector<SceneField> materialMapFields(SceneGroup group, Access /*access*/) {
     const auto row = [group]<std::optional<MapSource> MaterialSources::*map>(const char* key,
                                                                              const char* caption) {
         return SceneField{.group = group,
@@ -27,11 +27,11 @@ std::vector<SceneField> materialMapFields(SceneGroup group, Place /*place*/) {
                                     "scan, and after # its channel; empty: the same everywhere"},
                           .input = SceneInput::Text,
                           .get = [](const SceneDescription& scene) -> SceneValue {
-                              return mapText(Place{}(scene).maps.*map);
+                              return mapText(Access{}(scene).maps.*map);
                           },
                           .set =
                               [](SceneDescription& scene, const SceneValue& value) {
-                                  auto& present = Place{}(scene).maps.*map;
+                                  auto& present = Access{}(scene).maps.*map;
                                   present = mapOf(std::get<std::string>(value), present);
                               },
                           .ownForm = true};

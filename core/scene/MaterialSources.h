@@ -14,7 +14,7 @@ struct MapSource {
     bool operator==(const MapSource&) const = default;
 };
 
-/// What a mask tells apart in a material.
+/// Properties of one of the two materials that a mask distinguishes.
 struct MaskedMaterial {
     double youngsModulus = 2e9;   ///< [Pa]
     double workOfAdhesion = 0.0;  ///< of the pair tip-sample [J/m^2]
@@ -32,12 +32,12 @@ struct MaterialMask {
     bool operator==(const MaterialMask&) const = default;
 };
 
-/// Where the quantities of a material that is not the same everywhere stand; none: it is.
+/// Sources of the maps of a material that varies over the sample; none: the quantity is uniform.
 struct MaterialSources {
     std::optional<MapSource> youngsModulus;   ///< [Pa]
     std::optional<MapSource> workOfAdhesion;  ///< [J/m^2]
     std::optional<MapSource> friction;        ///< coefficient
-    std::optional<MaterialMask> mask;         ///< in place of all of these
+    std::optional<MaterialMask> mask;         ///< instead of all of these
 
     [[nodiscard]] bool any() const noexcept {
         return youngsModulus || workOfAdhesion || friction || mask;

@@ -31,13 +31,13 @@ struct ModelChoices {
     bool operator==(const ModelChoices&) const = default;
 };
 
-/// What is said, and all that is open as by default; terms of the law are not regarded.
+/// Returns the stated options, and defaults for all that is open; ignores terms of the law.
 [[nodiscard]] ForceModelOptions optionsOf(const ModelChoices& choices) noexcept;
 
-/// What is said of a term itself; none: nothing, or the contact law says it.
+/// Returns what is stated of a term itself; none: nothing, or the contact law states it.
 [[nodiscard]] std::optional<bool> choiceOf(ModelTerm term, const ModelChoices& choices) noexcept;
 
-/// Whether it is said, be it by the law, if the term is in.
+/// Returns whether the choices settle if the term is in, by themselves or by the law.
 [[nodiscard]] bool isSettled(ModelTerm term, const ModelChoices& choices) noexcept;
 
 /// The choices with the term in or out; none: open. What contradicts that is open, too: other

@@ -1,13 +1,13 @@
 #include "core/scene/ModelTerm.h"
 
-#include "core/contact/ContactStatus.h"
+#include "core/contact/ContactState.h"
 #include "core/scene/SceneDescription.h"
 
 namespace asperity {
 
 namespace {
 
-/// The law that has the term, or has it not, in place of one with which it is the other way round.
+/// The law that has the term, or has it not, instead of one with which it is the other way round.
 ContactLaw switched(ContactLaw law, ModelTerm term, bool on) {
     switch (term) {
     case ModelTerm::Adhesion:

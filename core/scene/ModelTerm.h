@@ -12,11 +12,11 @@ namespace asperity {
 
 struct SceneDescription;
 
-/// What the model of a scene may leave out.
+/// Term that the model of a scene may leave out.
 enum class ModelTerm : std::uint8_t {
     Adhesion,
     VanDerWaalsTail,      ///< attraction across a gap
-    SphereCorrection,     ///< the exact sphere in place of its paraboloid
+    SphereCorrection,     ///< the exact sphere instead of its paraboloid
     FilmBase,             ///< rigid, under a film: the film stiffens
     SampleCurvature,      ///< effective radius at the closest point
     BodyAttraction,       ///< of the tip by the sample beside the contact
@@ -25,7 +25,7 @@ enum class ModelTerm : std::uint8_t {
     MountTilt,            ///< of the lever against the scan
     GlobalSearch,         ///< for closest points elsewhere than downhill
     OutsideDisplacement,  ///< of the surface, outside the contact
-    HalfSpaceSolve,       ///< on the real topography, in place of the closed form
+    HalfSpaceSolve,       ///< on the real topography, instead of the closed form
 };
 
 /// Traits of a term: what a scene file and a panel call it, and where it is written.
@@ -33,9 +33,9 @@ struct ModelTermTraits {
     ModelTerm value;
     const char* key;   ///< in scene files, which say one thing of the two last
     const char* name;  ///< for people
-    /// What a scene says of it; null where it is a matter of closest point search or deformation.
+    /// Choice of a scene for it; null where closest point search or deformation decides.
     std::optional<bool> ModelChoices::*choice = nullptr;
-    /// What a model has of it; null where it follows from law, closest point search or deformation.
+    /// Option of a model for it; null where law, closest point search or deformation decides.
     bool ForceModelOptions::*option = nullptr;
     bool usual = true;  ///< whether a model has it as long as nobody knows whether it matters
 };
@@ -58,7 +58,7 @@ inline constexpr auto kEnumTable<ModelTerm> = std::to_array<ModelTermTraits>(
       &ForceModelOptions::torsion},
      {ModelTerm::MountTilt, "mount_tilt", "mount tilt", &ModelChoices::mountTilt,
       &ForceModelOptions::mountTilt},
-     {ModelTerm::GlobalSearch, "foot_search", "global search"},
+     {ModelTerm::GlobalSearch, "closest_point_search", "global search"},
      {ModelTerm::OutsideDisplacement, "deformation", "outside displacement"},
      {ModelTerm::HalfSpaceSolve, "deformation", "half-space solve"}});
 
@@ -73,21 +73,21 @@ inline constexpr std::array kSwitchedTerms{ModelTerm::Friction, ModelTerm::Torsi
     return *rowOf(term);
 }
 
-/// Whether the contact law has it or not.
+/// Returns whether the contact law decides if the term is in.
 [[nodiscard]] constexpr bool isOfLaw(ModelTerm term) noexcept {
     return traitsOf(term).choice != nullptr && traitsOf(term).option == nullptr;
 }
 
-/// Whether the term is about the picture, not about the force.
+/// Returns whether the term is about the picture, not about the force.
 [[nodiscard]] constexpr bool isOfSurface(ModelTerm term) noexcept {
     return term == ModelTerm::OutsideDisplacement || term == ModelTerm::HalfSpaceSolve;
 }
 
-/// Whether no contact law has both: the exact sphere's takes the sample as flat, the film's neither
-/// adheres nor is it of the exact sphere.
+/// Returns whether no contact law has both: that of the exact sphere treats the sample as flat; the
+/// film's has no adhesion and no exact sphere.
 [[nodiscard]] bool exclude(ModelTerm a, ModelTerm b) noexcept;
 
-/// Whether the sample has what the term is about: adhesion, a film, a topography around the
+/// Returns whether the sample has what the term is about: adhesion, a film, a topography around the
 /// contact.
 [[nodiscard]] bool isPossible(ModelTerm term, const SceneDescription& scene) noexcept;
 
@@ -96,7 +96,7 @@ inline constexpr std::array kSwitchedTerms{ModelTerm::Friction, ModelTerm::Torsi
 /// The model less the term, as cheap as that makes it; the same where it is not in.
 [[nodiscard]] ForceModelOptions without(ForceModelOptions model, ModelTerm term) noexcept;
 
-/// The model with the term added, in place of those that exclude it, see exclude().
+/// The model with the term added, instead of those that exclude it, see exclude().
 [[nodiscard]] ForceModelOptions with(ForceModelOptions model, ModelTerm term) noexcept;
 
 }  // namespace asperity

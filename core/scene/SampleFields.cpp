@@ -39,7 +39,7 @@ SceneField row(const char* key, const SceneWords& words, SceneInput input, const
             .set = set};
 }
 
-/// A row that files write in a form of its own, see core/io/scene/SampleKeys.cpp.
+/// A row that files write in a form of its own, see core/io/scene/SceneKeys.cpp.
 SceneField inOwnForm(SceneField field) {
     field.ownForm = true;
     return field;
@@ -69,7 +69,7 @@ std::vector<double> numbersIn(std::string_view text) {
 
 bool isBlank(const std::string& text) { return text.find_first_not_of(' ') == std::string::npos; }
 
-std::string placesText(const std::optional<LevelPoints>& points) {
+std::string pointsText(const std::optional<LevelPoints>& points) {
     std::string text;
     if (points) {
         for (const Vector2& point : *points) {
@@ -80,17 +80,17 @@ std::string placesText(const std::optional<LevelPoints>& points) {
     return text;
 }
 
-/// None where there are fewer numbers than those of three places, or more.
-std::optional<LevelPoints> placesOf(const std::string& text) {
+/// None where there are fewer numbers than those of three positions, or more.
+std::optional<LevelPoints> pointsOf(const std::string& text) {
     const std::vector<double> numbers = numbersIn(text);
-    LevelPoints places;
-    if (numbers.size() != 2 * places.size()) {
+    LevelPoints points;
+    if (numbers.size() != 2 * points.size()) {
         return std::nullopt;
     }
-    for (std::size_t i = 0; i < places.size(); ++i) {
-        places[i] = Vector2(fromUnit(numbers[2 * i], kNano), fromUnit(numbers[2 * i + 1], kNano));
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        points[i] = Vector2(fromUnit(numbers[2 * i], kNano), fromUnit(numbers[2 * i + 1], kNano));
     }
-    return places;
+    return points;
 }
 
 std::string cropText(const std::optional<PixelRectangle>& crop) {
@@ -100,10 +100,10 @@ std::string cropText(const std::optional<PixelRectangle>& crop) {
 
 /// None where the text says no rectangle.
 std::optional<PixelRectangle> cropOf(const std::string& text) {
-    constexpr double kMost = 1e9;  // pixels along a side
+    constexpr double kMax = 1e9;  // pixels along a side
     const std::vector<double> numbers = numbersIn(text);
     const bool arePixels = std::ranges::all_of(numbers, [](double number) {
-        return isWithin(number, 0.0, kMost) && number == std::floor(number);
+        return isWithin(number, 0.0, kMax) && number == std::floor(number);
     });
     if (numbers.size() != 4 || !arePixels || numbers[2] == 0.0 || numbers[3] == 0.0) {
         return std::nullopt;
@@ -151,11 +151,10 @@ std::vector<SceneField> scaleFields() {
                 GivenScale& scale = scene.sample.scale;
                 setSide(scale.sizeY, scale.sizeX, std::get<double>(value));
             }),
-        at(
+        at<&SceneDescription::sample, &SampleDescription::scale, &GivenScale::heightPerValue>(
             SceneGroup::Sample, "z_scale_m",
             {"Height of 1", "Height of a value of 1 in the file; 0: as in the file", "nm", kNano},
-            {0.0, 1e6, "lie between 0 and 1e6"},
-            [](auto& scene) -> auto& { return scene.sample.scale.heightPerValue; }),
+            {0.0, 1e6, "lie between 0 and 1e6"}),
     };
     for (SceneField& field : fields) {
         field.isStated = [](const SceneDescription& scene) { return scene.sample.scale.hasSize(); };
@@ -181,15 +180,15 @@ std::vector<SceneField> levelingFields() {
         row(
             "level_points_m",
             {"Level points",
-             "Three places of the step “three points”: x y, x y, x y from the lower "
+             "Three points of the step “three points”: x y, x y, x y from the lower "
              "left corner",
              "nm", kNano},
-            SceneInput::Places, {},
+            SceneInput::Positions, {},
             [](const SceneDescription& scene) -> SceneValue {
-                return placesText(scene.sample.levelPoints);
+                return pointsText(scene.sample.levelPoints);
             },
             [](SceneDescription& scene, const SceneValue& value) {
-                scene.sample.levelPoints = placesOf(std::get<std::string>(value));
+                scene.sample.levelPoints = pointsOf(std::get<std::string>(value));
             }),
     };
     fields[0].ownForm = fields[1].ownForm = true;
@@ -197,7 +196,7 @@ std::vector<SceneField> levelingFields() {
         return levelingSteps(text) ? std::string() : "steps of " + levelingKeys();
     };
     fields[1].refusal = [](const std::string& text) {
-        return isBlank(text) || placesOf(text) ? std::string() : std::string("x y of three places");
+        return isBlank(text) || pointsOf(text) ? std::string() : std::string("x y of three points");
     };
     return fields;
 }
@@ -257,15 +256,14 @@ std::vector<SceneField> filterFields() {
                 scene.sample.smoothingPixels =
                     std::get<double>(value) > 0.0 ? std::optional(0.0) : std::nullopt;
             })),
-        at(
+        at<&SceneDescription::sample, &SampleDescription::imagingTipRadius>(
             SceneGroup::Sample, "imaging_tip_radius_m",
             {"Imaging tip radius", "Of the tip that recorded the scan; 0: not known", "nm", kNano},
-            {1e-12, 1.0, "be 0 or lie between 1e-12 and 1", true},
-            [](auto& scene) -> auto& { return scene.sample.imagingTipRadius; }),
-        at(
+            {1e-12, 1.0, "be 0 or lie between 1e-12 and 1", true}),
+        at<&SceneDescription::sample, &SampleDescription::erode>(
             SceneGroup::Sample, "erode",
             {"Remove the imaging tip", "Takes that tip's shape out of the scan, after smoothing"},
-            {}, [](auto& scene) -> auto& { return scene.sample.erode; }),
+            {}),
     };
 }
 
@@ -310,12 +308,10 @@ SceneField ofShape(const char* key, const SceneWords& words, const Limits& limit
 
 std::vector<SceneField> sampleFields() {
     std::vector<SceneField> fields{
-        at(
-            SceneGroup::Sample, "file", {"File", "The height map of the scan"}, {},
-            [](auto& scene) -> auto& { return scene.sample.file; }),
-        at(
-            SceneGroup::Sample, "channel", {"Channel", "Of the file, that is shown"}, {},
-            [](auto& scene) -> auto& { return scene.sample.channel; })};
+        at<&SceneDescription::sample, &SampleDescription::file>(
+            SceneGroup::Sample, "file", {"File", "The height map of the scan"}, {}),
+        at<&SceneDescription::sample, &SampleDescription::channel>(
+            SceneGroup::Sample, "channel", {"Channel", "Of the file, that is shown"}, {})};
     fields[0].input = SceneInput::File;
     fields[1].input = SceneInput::Choice;  // of those that the file has
     fields.push_back(cropField());

@@ -9,7 +9,7 @@ namespace asperity {
 /// The rows of sceneFields() on the map of a scan and what is done to it.
 [[nodiscard]] std::vector<SceneField> sampleFields();
 
-/// Those on a shape in place of a map.
+/// Returns the fields of a shape instead of a map.
 [[nodiscard]] std::vector<SceneField> shapeFields();
 
 }  // namespace asperity

@@ -17,6 +17,9 @@ Map named(bool isNamed, const Map& read, const std::string& what) {
     return isNamed ? read : nullptr;
 }
 
+constexpr double kHardnessOverModulus = 1.0 / 20.0;
+constexpr double kMinEstimatedModulus = 1e9;  ///< [Pa]
+
 }  // namespace
 
 MaterialMaps mapsOf(const SampleMaterial& material, const MaterialMaps& read,
@@ -62,11 +65,26 @@ std::shared_ptr<const MaterialField> materialField(MaterialMaps maps,
     if (!maps.any()) {
         return nullptr;
     }
-    const PlaceMaterial usual{.youngsModulus = material.elastic.youngsModulus,
+    const LocalMaterial usual{.youngsModulus = material.elastic.youngsModulus,
                               .workOfAdhesion = material.workOfAdhesion,
                               .frictionCoefficient = friction.coefficient};
     return std::make_shared<const MaterialField>(std::move(maps), usual,
                                                  material.elastic.poissonRatio, tip);
+}
+
+SampleHardness hardnessOf(const SampleMaterial& material) noexcept {
+    if (!material.yields) {
+        return {.source = HardnessSource::DoesNotYield};
+    }
+    if (material.hardness > 0.0) {
+        return {.source = HardnessSource::Stated, .value = material.hardness};
+    }
+    const bool isMapped = material.maps.youngsModulus || material.maps.mask;
+    const double modulus = material.elastic.youngsModulus;
+    return isMapped || modulus < kMinEstimatedModulus
+               ? SampleHardness{}
+               : SampleHardness{.source = HardnessSource::Estimated,
+                                .value = kHardnessOverModulus * modulus};
 }
 
 }  // namespace asperity

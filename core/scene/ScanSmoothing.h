@@ -11,7 +11,7 @@ namespace asperity {
 /// A low-pass that a scene leaves to the program.
 struct SmoothingChoice {
     double pixels = 0.0;  ///< standard deviation along both axes [pixel]; 0: none
-    /// Whether more would take more from the curvature than it takes of the noise; false: noise
+    /// True where a wider one would take more from the curvature than from the noise; false: noise
     /// moves the effective radius by less than the tolerance.
     bool isBounded = false;
 
@@ -27,7 +27,7 @@ struct SmoothingChoice {
 [[nodiscard]] SmoothingChoice chooseSmoothing(const CurvatureNoise& scan, double tipRadius,
                                               double tolerance);
 
-/// What a scan is smoothed by.
+/// Smoothing of a scan, and the noise that it leaves.
 struct ScanSmoothing {
     Smoothing width;
     double heightNoise = 0.0;     ///< white noise of the heights that curvatures show after it [m]
@@ -49,7 +49,7 @@ template <class Map>
     return {.x = pixels, .y = pixels};
 }
 
-/// Whether it leaves the low-pass to the program.
+/// Returns whether it leaves the low-pass to the program.
 [[nodiscard]] inline bool leavesSmoothing(const SampleDescription& sample) noexcept {
     return !sample.smoothingPixels && sample.smoothingLength == 0.0;
 }

@@ -2,24 +2,19 @@
 
 #include "core/Error.h"
 #include "core/probe/CantileverModes.h"
-#include "core/probe/ThermalNoise.h"
-#include "core/scene/AsperityValidity.h"
+#include "core/probe/SimulatedAfm.h"
 #include "core/scene/BelievedModel.h"
 #include "core/scene/SampleMaterials.h"
-#include "core/scene/ScanSmoothing.h"
-#include "core/scene/SceneTruth.h"
 #include "core/scene/ShapeSample.h"
+#include "core/scene/TipValidity.h"
+#include "core/surface/HeightMap.h"
 #include "core/surface/HeightMoments.h"
-#include "core/surface/InvalidPixels.h"
 #include "core/surface/fit/BSplineFit.h"
 #include "core/surface/imaging/TipErosion.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
-#include <memory>
 #include <utility>
-#include <vector>
 
 namespace asperity {
 
@@ -45,8 +40,8 @@ void checkMap(const Map& map) {
     }
 }
 
-/// What is made of a map.
-struct Ground {
+/// The sample as made from a height map.
+struct PreparedSample {
     std::vector<RemovedByStep> removed;
     BSplineSurface surface;
     CertaintyMap certainty;
@@ -55,7 +50,7 @@ struct Ground {
     std::shared_ptr<const HeightMoments> moments = nullptr;  ///< where they are known already
 };
 
-/// What is known of the surface under the image that a tip recorded; the image itself stands for it
+/// Returns what is known of the surface under the image that a tip recorded: the image itself
 /// unless the scene says that the tip's shape is to be taken out.
 template <class Map>
 BasicTipReconstruction<Map> surfaceUnder(const SampleDescription& sample, Map image,
@@ -70,7 +65,7 @@ BasicTipReconstruction<Map> surfaceUnder(const SampleDescription& sample, Map im
 
 /// Smoothing goes before erosion, which would take every dip of the noise for the surface.
 template <class Map>
-Ground groundUnder(const SceneDescription& scene, LeveledMap<Map> level, Progress* progress) {
+PreparedSample prepared(const SceneDescription& scene, LeveledMap<Map> level, Progress* progress) {
     const SampleDescription& sample = scene.sample;
     const ScanSmoothing smoothing = smoothingFor(scene, level.map);
     ProgressPart smoothingPart(progress, 0.0, 0.2);
@@ -85,14 +80,14 @@ Ground groundUnder(const SceneDescription& scene, LeveledMap<Map> level, Progres
 }
 
 template <class Map>
-Ground groundOf(const SceneDescription& scene, Map map, Progress* progress) {
+PreparedSample prepareSample(const SceneDescription& scene, Map map, Progress* progress) {
     const SampleDescription& sample = scene.sample;
     ProgressPart leveling(progress, 0.0, 0.4);
     LeveledMap<Map> level =
         leveledInSteps(std::move(map), sample.leveling, sample.levelPoints, &leveling);
     ProgressPart rest(progress, 0.4, 1.0);
     if (sample.imagingTipRadius > 0.0) {
-        return groundUnder(scene, std::move(level), &rest);
+        return prepared(scene, std::move(level), &rest);
     }
     const ScanSmoothing smoothing = smoothingFor(scene, level.map);
     return {std::move(level.removed),
@@ -101,7 +96,7 @@ Ground groundOf(const SceneDescription& scene, Map map, Progress* progress) {
             smoothing};
 }
 
-/// What the surface of a scene was smoothed by, but for the width, which its description states.
+/// Returns the smoothing of a scene's surface, but for the width, which its description states.
 ScanSmoothing keptSmoothing(const Scene& scene) {
     return {.width = {},
             .heightNoise = scene.heightNoise,
@@ -120,8 +115,8 @@ std::shared_ptr<const MaterialField> believedField(const Scene& scene) {
                          description.tip.elastic);
 }
 
-/// Whether the sample beside contacts attracts the tip: the instrument has it where it does, the
-/// model where the scene says so, or where nothing else is said and the law has a tail.
+/// Finds whether the sample beside contacts attracts the tip: the instrument has it where it does,
+/// the model where the scene says so, or where nothing else is said and the law has a tail.
 /// @param known moments of the surface; null: not yet
 void findBodyAttraction(Scene& scene, std::shared_ptr<const HeightMoments> known) {
     const std::optional<bool> said = scene.description.choices.bodyAttraction;
@@ -146,9 +141,9 @@ LeverSignals signalDeviation(const SceneDescription& description) {
 }
 
 /// The description of the scene states a low-pass that was chosen.
-Scene assemble(SceneDescription description, Ground ground, const SceneMaps& read) {
-    if (ground.smoothing.choice && leavesSmoothing(description.sample)) {
-        description.sample.smoothingPixels = ground.smoothing.choice->pixels;
+Scene assemble(SceneDescription description, PreparedSample sample, const SceneMaps& read) {
+    if (sample.smoothing.choice && leavesSmoothing(description.sample)) {
+        description.sample.smoothingPixels = sample.smoothing.choice->pixels;
     }
     SampleMaterial& believed = description.sample.material;
     SampleMaterial& actual = description.truth.material;
@@ -159,14 +154,14 @@ Scene assemble(SceneDescription description, Ground ground, const SceneMaps& rea
     checkScene(description);
     const ForceModelOptions model = usualModel(description);
     Scene scene{.description = description,
-                .removedBySteps = ground.removed,
-                .removedPlane = sumOfPlanes(ground.removed),
-                .surface = std::move(ground.surface),
-                .certainty = std::move(ground.certainty),
-                .heightNoise = ground.smoothing.heightNoise,
-                .curvatureNoise = ground.smoothing.curvatureNoise,
-                .smoothing = ground.smoothing.choice,
-                .shape = std::move(ground.shape),
+                .removedBySteps = sample.removed,
+                .removedPlane = sumOfPlanes(sample.removed),
+                .surface = std::move(sample.surface),
+                .certainty = std::move(sample.certainty),
+                .heightNoise = sample.smoothing.heightNoise,
+                .curvatureNoise = sample.smoothing.curvatureNoise,
+                .smoothing = sample.smoothing.choice,
+                .shape = std::move(sample.shape),
                 .maps = maps,
                 .model = model,
                 .belief = believedSystem(description, model),
@@ -177,7 +172,7 @@ Scene assemble(SceneDescription description, Ground ground, const SceneMaps& rea
     scene.belief.field = believedField(scene);
     scene.truth.field =
         materialField(maps.truth, actual, scene.truth.friction, description.tip.elastic);
-    findBodyAttraction(scene, std::move(ground.moments));
+    findBodyAttraction(scene, std::move(sample.moments));
     return scene;
 }
 
@@ -186,7 +181,17 @@ Scene sceneOn(const SceneDescription& description, Map map, Progress* progress,
               const SceneMaps& maps) {
     checkScene(description);
     checkMap(map);
-    return assemble(description, groundOf(description, std::move(map), progress), maps);
+    return assemble(description, prepareSample(description, std::move(map), progress), maps);
+}
+
+bool haveSameSurface(SampleDescription a, const SampleDescription& b) {
+    a.material = b.material;
+    return a == b;
+}
+
+bool haveSameMaps(const SceneDescription& a, const SceneDescription& b) {
+    return a.sample.material.maps == b.sample.material.maps &&
+           a.truth.material.maps == b.truth.material.maps;
 }
 
 }  // namespace
@@ -255,6 +260,29 @@ void setModel(Scene& scene, const ForceModelOptions& model) {
     scene.leftOut.reset();
     scene.belief.field = believedField(scene);
     scene.belief.beside = model.bodyAttraction ? scene.moments : nullptr;
+}
+
+SceneChange changeBetween(const SceneDescription& from, const SceneDescription& to) {
+    if (from == to) {
+        return SceneChange::None;
+    }
+    if (!haveSameSurface(from.sample, to.sample) || !haveSameMaps(from, to)) {
+        return SceneChange::Surface;
+    }
+    SceneDescription shown = from;
+    adoptShown(shown, to);
+    // The one deviation that the tick reads.
+    const bool isSameEstimate =
+        from.uncertainty.normalDeviation() == to.uncertainty.normalDeviation();
+    return shown == to && isSameEstimate ? SceneChange::Shown : SceneChange::Model;
+}
+
+void adoptShown(SceneDescription& scene, const SceneDescription& from) {
+    scene.setpoint = from.setpoint;
+    scene.zoomHalfWidth = from.zoomHalfWidth;
+    scene.uncertainty = from.uncertainty;
+    scene.markers = from.markers;
+    scene.settings = from.settings;
 }
 
 }  // namespace asperity

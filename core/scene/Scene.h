@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/Progress.h"
-#include "core/probe/OpticalLever.h"
+#include "core/probe/DetectorCalibration.h"
 #include "core/probe/ProbeSystem.h"
 #include "core/probe/TipEquilibrium.h"
 #include "core/scene/ForceModelOptions.h"
@@ -11,11 +11,12 @@
 #include "core/scene/Settings.h"
 #include "core/surface/BSplineSurface.h"
 #include "core/surface/HeightMap.h"
-#include "core/surface/imaging/CertaintyMap.h"
+#include "core/surface/imaging/TipErosion.h"
 #include "core/surface/leveling/Leveling.h"
 #include "core/surface/nurbs/NurbsSurface.h"
 #include "core/surface/sample/SampleSurface.h"
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -43,13 +44,13 @@ struct Scene {
     /// Standard deviation of the mean curvature of the recorded surface by noise [1/m].
     double curvatureNoise = 0.0;
     std::optional<SmoothingChoice> smoothing;  ///< none: the scene file stated it, or has a shape
-    std::optional<NurbsSurface> shape;         ///< what the tip touches in place of `surface`
+    std::optional<NurbsSurface> shape;         ///< what the tip touches instead of `surface`
     SceneMaps maps;                            ///< of materials that are not the same everywhere
-    /// Of the surface, where the tip is blunt on it, see AsperityValidity.h; else null.
+    /// Moments of the surface where the tip is blunt on it, see TipValidity.h; else null.
     std::shared_ptr<const HeightMoments> moments = nullptr;
     ForceModelOptions model;  ///< with which the believed force is computed
-    /// What the terms that the model leaves out, or its law has no room for, change each quantity
-    /// by, where fitModel() has found it.
+    /// Change of each quantity by the terms that the model leaves out, or that its law cannot have;
+    /// where fitModel() has found it.
     std::optional<QuantityErrors> leftOut = std::nullopt;
     ProbeSystem belief;            ///< what the operator's side takes tip, lever and sample to be
     ProbeSystem truth;             ///< what they are inside the simulated instrument
@@ -68,10 +69,10 @@ struct Scene {
     [[nodiscard]] double timeStep() const noexcept { return 1.0 / description.tickRate; }  ///< [s]
 };
 
-/// The contact law of a system with material and effective radius of the tip's place.
+/// The contact law of a system with material and effective radius of the tip's position.
 [[nodiscard]] ContactModel contactModelAt(const ProbeSystem& system,
                                           const TipState& state) noexcept;
-/// The believed contact law, likewise.
+/// The same for the believed contact law.
 [[nodiscard]] ContactModel contactModelAt(const Scene& scene, const TipState& state) noexcept;
 
 /// Levels, fills, smooths, on request erodes, and fits the map, and sets up both sides of the
@@ -100,5 +101,19 @@ struct Scene {
 
 /// Sets another model, of whose error nothing is known. @throw Error as believedSystem()
 void setModel(Scene& scene, const ForceModelOptions& model);
+
+/// Part that must be made again where a scene gets another description.
+enum class SceneChange : std::uint8_t {
+    None,     ///< nothing: it is the same
+    Shown,    ///< nothing that acts: markers, view, setpoint, knobs that a run starts with
+    Model,    ///< tip, lever, material or model, on the surface that is there
+    Surface,  ///< the surface and the maps of its materials, from files or the shape
+};
+
+/// @param from of the scene that is there
+[[nodiscard]] SceneChange changeBetween(const SceneDescription& from, const SceneDescription& to);
+
+/// Gives a scene that is in use what changeBetween() calls Shown; the rest stays.
+void adoptShown(SceneDescription& scene, const SceneDescription& from);
 
 }  // namespace asperity

@@ -1,13 +1,13 @@
 #include "core/scene/SceneDescription.h"
 
 #include "core/Error.h"
+#include "core/FormattedText.h"
 #include "core/Units.h"
-#include "core/contact/ContactStatus.h"
-#include "core/contact/Within.h"
+#include "core/contact/ContactState.h"
 #include "core/scene/BelievedModel.h"
+#include "core/scene/ModelTerm.h"
 #include "core/scene/SceneFields.h"
 #include "core/scene/SettingFields.h"
-#include "core/scene/TermChecks.h"
 
 #include <algorithm>
 #include <cmath>
@@ -47,7 +47,7 @@ void checkLeveling(const SampleDescription& sample) {
     const bool needsPoints =
         std::ranges::find(sample.leveling, LevelingStep::ThreePoint) != sample.leveling.end();
     require(!needsPoints || sample.levelPoints, "[sample]: level three_point needs level_points_m "
-                                                "(or --level-points), three places on the scan");
+                                                "(or --level-points), three points on the scan");
     const std::string refusal = sample.levelPoints ? refusalOf(*sample.levelPoints) : "";
     require(refusal.empty(), "[sample]: level_points_m: " + refusal);
 }
@@ -71,7 +71,7 @@ void check(const SampleDescription& sample) {
             "scan: another radius would make up a surface");
 }
 
-/// A law of a paraboloid would leave the cone out without a word; its name stands for that shape
+/// A law of a paraboloid would leave the cone out without a word; its name means that shape
 /// in every file, so that it is not read as another law's.
 void checkLawHasCone(const SceneDescription& scene) {
     const LawChoice choice = usualLaw(scene);
@@ -91,6 +91,32 @@ double widestWindow(const ShapeDescription& shape) {
     constexpr double kOfASphere = 1.25;    // radii: its corners lie at 0.88 of the radius
     constexpr double kOfACylinder = 1.75;  // radii: its sides lie at 0.88 of the radius
     return shape.radius * (shape.kind == ShapeKind::Sphere ? kOfASphere : kOfACylinder);
+}
+
+[[noreturn]] void refuse(ModelTerm term, const std::string& reason) {
+    throw Error(std::string("[fidelity]: ") + keyOf(term) + " cannot be on: " + reason);
+}
+
+void checkOn(const SceneDescription& scene, ModelTerm term) {
+    if (!isPossible(term, scene)) {
+        refuse(term, term == ModelTerm::FilmBase ? "the sample's film_thickness_m is 0"
+                     : scene.sample.shape && term == ModelTerm::BodyAttraction
+                         ? "the sample is a shape, which has nothing beside the contact"
+                         : "the sample's work_of_adhesion_j_m2 is 0");
+    }
+    for (const ModelTerm other : kModelTerms) {
+        if (exclude(term, other) && choiceOf(other, scene.choices) == true) {
+            refuse(term, std::string(keyOf(other)) + " is on, and no contact law has both");
+        }
+    }
+    const bool isOfTail = term == ModelTerm::BodyAttraction;
+    if ((isOfTail || term == ModelTerm::VanDerWaalsTail) &&
+        choiceOf(ModelTerm::Adhesion, scene.choices) == false) {
+        refuse(term, "adhesion is off");
+    }
+    if (isOfTail && choiceOf(ModelTerm::VanDerWaalsTail, scene.choices) == false) {
+        refuse(term, "van_der_waals_tail is off, of which it is a part");
+    }
 }
 
 }  // namespace
@@ -161,9 +187,28 @@ void checkScene(const SceneDescription& scene) {
             "[physics]: a meniscus needs both meniscus_tension_n_m and meniscus_range_m");
     check(scene.markers);
     checkTerms(scene);
-    require(isWithin(scene.tickRate, 100.0, 20000.0),
-            "[haptics]: rate_hz must lie between 100 and 20000");
+    require(isWithin(scene.tickRate, kMinTickRate, kMaxTickRate),
+            formatted("[haptics]: rate_hz must lie between %g and %g", kMinTickRate, kMaxTickRate));
     checkSettings(scene.settings);
+}
+
+void checkTerms(const SceneDescription& scene) {
+    for (const ModelTerm term : kModelTerms) {
+        const std::optional<bool> on = choiceOf(term, scene.choices);
+        if (on && isOfLaw(term) && scene.choices.law) {
+            throw Error(std::string("[fidelity]: ") + keyOf(term) +
+                        " is the matter of [physics] law, which is " + keyOf(*scene.choices.law) +
+                        "; leave out one of them");
+        }
+        if (on == true && term == ModelTerm::SampleCurvature && scene.choices.law &&
+            isSphere(*scene.choices.law)) {
+            refuse(term, std::string("[physics] law is ") + keyOf(*scene.choices.law) +
+                             ", which takes the sample as flat");
+        }
+        if (on == true) {
+            checkOn(scene, term);
+        }
+    }
 }
 
 }  // namespace asperity

@@ -1,19 +1,18 @@
 #pragma once
 
 #include "core/EnumTable.h"
-#include "core/contact/Material.h"
+#include "core/contact/ContactState.h"
 #include "core/contact/Within.h"
 #include "core/contact/laws/ContactOptions.h"
-#include "core/probe/Cantilever.h"
+#include "core/probe/CantileverModes.h"
 #include "core/probe/DetectorCalibration.h"
-#include "core/probe/Friction.h"
-#include "core/scene/Marker.h"
+#include "core/probe/ProbeSystem.h"
 #include "core/scene/MaterialSources.h"
 #include "core/scene/ModelChoices.h"
 #include "core/scene/Settings.h"
 #include "core/scene/Uncertainty.h"
 #include "core/surface/GivenScale.h"
-#include "core/surface/PixelRectangle.h"
+#include "core/surface/HeightMap.h"
 #include "core/surface/RoundTip.h"
 #include "core/surface/leveling/LevelingStep.h"
 
@@ -23,6 +22,15 @@
 #include <vector>
 
 namespace asperity {
+
+/// A named position on the sample, world frame, to travel to.
+struct Marker {
+    std::string name;
+    double x = 0.0;  ///< [m]
+    double y = 0.0;  ///< [m]
+
+    bool operator==(const Marker&) const = default;
+};
 
 /// A sample material as the tip meets it.
 struct SampleMaterial {
@@ -34,14 +42,14 @@ struct SampleMaterial {
     double hardness = 0.0;
     bool yields = true;          ///< false: an elastomer or a gel, which has no hardness
     double filmThickness = 0.0;  ///< of a film on a rigid base [m]; 0: a half-space
-    /// Of what is not the same everywhere. Once they are read, the quantity above is the map's
-    /// largest: it stands for the sample where one number must.
+    /// Maps of what is not the same everywhere. Once they are read, the quantity above is the map's
+    /// largest: it is that of the sample where one number must be used.
     MaterialSources maps;
 
     bool operator==(const SampleMaterial&) const = default;
 };
 
-/// Shapes that a sample can have without error, in place of a height map.
+/// Shapes that a sample can have without error, instead of a height map.
 enum class ShapeKind : std::uint8_t { Sphere, Cylinder, Plane };
 
 template <>
@@ -68,11 +76,11 @@ struct SampleDescription {
     GivenScale scale;                       ///< of a file that does not say its own
     std::optional<PixelRectangle> crop;     ///< the part of the map that is loaded; none: all of it
     LevelingSteps leveling{LevelingStep::Plane};
-    std::optional<LevelPoints> levelPoints;  ///< places of the step three_point
+    std::optional<LevelPoints> levelPoints;  ///< positions of the step three_point
     /// Standard deviation of the Gaussian low-pass [pixel]; 0: none; without a value it is chosen,
     /// and stated, when a scene is built.
     std::optional<double> smoothingPixels;
-    double smoothingLength = 0.0;   ///< above 0: it is this, in place of smoothingPixels [m]
+    double smoothingLength = 0.0;   ///< above 0: it is this, instead of smoothingPixels [m]
     double imagingTipRadius = 0.0;  ///< of the tip that recorded the map [m]; 0: not known
     bool erode = false;             ///< whether that tip's shape is taken out of the map
     SampleMaterial material;
@@ -90,7 +98,7 @@ struct TipDescription {
     bool operator==(const TipDescription&) const = default;
 };
 
-/// What the instrument really is; by default the same as what the scene says.
+/// Properties of the real instrument; by default the same as what the scene says.
 struct TruthDescription {
     SampleMaterial material;
     double stiffness = 0.0;     ///< of the lever along z [N/m]
@@ -114,7 +122,7 @@ struct SceneDescription {
     ModelChoices choices;
     double tolerance = 0.05;   ///< by which terms left out may change forces and the surface
     double tickRate = 1000.0;  ///< [Hz]
-    /// That a run starts with; scene files say those that have a key, see listSettings().
+    /// Settings that a run starts with; scene files say those that have a key, see listSettings().
     Settings settings{
         .guide = {.stiffness = 200.0, .damping = 0.5, .forceLimit = 1.0, .captureDistance = 50e-9}};
     double setpoint = 5e-9;      ///< at which an approach ends: force along z [N]
@@ -125,14 +133,16 @@ struct SceneDescription {
     bool operator==(const SceneDescription&) const = default;
 };
 
-inline constexpr double kMinSetpoint = 1e-12;  ///< [N]
-inline constexpr double kMaxSetpoint = 1e-3;   ///< [N]
-/// Whether a scene may have this setpoint [N].
+inline constexpr double kMinTickRate = 100.0;    ///< [Hz]
+inline constexpr double kMaxTickRate = 20000.0;  ///< [Hz]
+inline constexpr double kMinSetpoint = 1e-12;    ///< [N]
+inline constexpr double kMaxSetpoint = 1e-3;     ///< [N]
+/// Returns whether a scene may have this setpoint [N].
 [[nodiscard]] inline bool isSetpoint(double force) noexcept {
     return isWithin(force, kMinSetpoint, kMaxSetpoint);
 }
 
-/// The scene that a height map alone stands for: polystyrene, 15 nm silicon tip, 14 N/m lever.
+/// The scene of a height map alone: polystyrene, 15 nm silicon tip, 14 N/m lever.
 [[nodiscard]] SceneDescription defaultScene();
 
 /// The scene with another material. The instrument's truth goes along where it was the same as what
@@ -142,7 +152,7 @@ inline constexpr double kMaxSetpoint = 1e-3;   ///< [N]
 /// Tip and a material of the scene as one pair.
 [[nodiscard]] ContactPair contactPair(const SceneDescription& scene,
                                       const SampleMaterial& material);
-/// What else a contact with that material has.
+/// Returns what else a contact with that material has.
 [[nodiscard]] ContactOptions contactOptions(const SceneDescription& scene,
                                             const SampleMaterial& material);
 
@@ -151,5 +161,29 @@ void checkShape(const ShapeDescription& shape);
 
 /// @throw Error naming the section and key of the first value outside its range
 void checkScene(const SceneDescription& scene);
+
+/// Calls visit(file) with the path of each file that a scene is read from: the scan and the maps of
+/// its materials. @param scene SceneDescription, const or not
+template <class Scene, class Visit>
+void forEachFile(Scene& scene, const Visit& visit) {
+    if (!scene.sample.shape) {
+        visit(scene.sample.file);
+    }
+    for (auto* maps : {&scene.sample.material.maps, &scene.truth.material.maps}) {
+        forEachSource(*maps, [&visit](auto& source) { visit(source.file); });
+    }
+}
+
+/// The scene as its user writes it: it may be opened with maps that have changed since.
+[[nodiscard]] inline SceneDescription withoutHashes(SceneDescription scene) {
+    for (MaterialSources* maps : {&scene.sample.material.maps, &scene.truth.material.maps}) {
+        forEachSource(*maps, [](MapSource& source) { source.sha256.clear(); });
+    }
+    return scene;
+}
+
+/// Checks that one model can have all that the scene says of its terms.
+/// @throw Error naming the first key that contradicts another, the contact law or the material
+void checkTerms(const SceneDescription& scene);
 
 }  // namespace asperity

@@ -51,7 +51,7 @@ CantileverGeometry calibrated(const CantileverGeometry& before, const Cantilever
     return fitted;
 }
 
-/// Whether the quantity of a material's field is not the same everywhere.
+/// Returns whether the quantity of a material's field is not the same everywhere.
 bool isMapped(const SceneField& field, const MaterialSources& maps) {
     const bool masked = maps.mask.has_value();
     return (isKey(field, "youngs_modulus_pa") && (masked || maps.youngsModulus)) ||

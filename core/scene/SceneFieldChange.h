@@ -7,7 +7,7 @@
 
 namespace asperity {
 
-/// What a lab has measured of a lever: it stays where length, width, density or modulus change.
+/// Measured property of a lever: it stays where length, width, density or modulus change.
 enum class LeverCalibration : std::uint8_t {
     Thickness,
     Stiffness,
@@ -29,24 +29,24 @@ inline constexpr auto kEnumTable<LeverCalibration> = std::to_array<EnumRow<Lever
 [[nodiscard]] SceneDescription withValue(const SceneDescription& scene, const SceneField& field,
                                          const SceneValue& value, LeverCalibration calibration);
 
-/// What the instrument's truth took from the scene before it takes from it still.
+/// Sets the instrument's truth to the scene's values where it had those of the scene before.
 void carryTruth(const SceneDescription& before, SceneDescription& scene);
 
 /// The scene that says nothing but its file or shape: the values that keys have by default.
 [[nodiscard]] SceneDescription defaultsOf(const SceneDescription& scene);
 
-/// Whether a key has the same value in both, but for rounding.
+/// Returns whether a key has the same value in both, up to rounding.
 [[nodiscard]] bool isSame(const SceneField& field, const SceneDescription& a,
                           const SceneDescription& b);
 
-/// Why a key of the sample means nothing for it, be it a scan or a shape; empty: it means
+/// Returns why a key of the sample means nothing for it, be it a scan or a shape; empty: it means
 /// something.
 [[nodiscard]] std::string whyNotOfSample(const SceneField& field, const SceneDescription& scene);
 
-/// Why a key means nothing in a scene; empty: it means something.
+/// Returns why a key means nothing in a scene; empty: it means something.
 [[nodiscard]] std::string whyIdle(const SceneField& field, const SceneDescription& scene);
 
-/// What the name of a changed material ends in.
+/// Suffix of the name of a changed material.
 inline constexpr const char* kEditedSuffix = " (edited)";
 
 }  // namespace asperity

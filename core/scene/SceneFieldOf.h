@@ -12,7 +12,7 @@
 
 namespace asperity {
 
-/// The rows of a scene's fields from the place where the value stands: `place` is a lambda without
+/// The rows of a scene's fields from the member with the value: `access` is a lambda without
 /// captures from a scene to its member.
 namespace scene_field {
 
@@ -40,7 +40,7 @@ std::vector<SceneChoice> choicesOf(bool open) {
     return choices;
 }
 
-/// What a value is called or is, whatever its type.
+/// Returns the name of a value, or the value itself, whatever its type.
 template <class Value>
 SceneValue shown(const Value& value) {
     if constexpr (kIsOptional<Value>) {
@@ -61,7 +61,7 @@ SceneValue shown(const Value& value) {
     }
 }
 
-/// 0 stands for a number that is not known; a key that is none of the list changes nothing.
+/// 0: the number is not known; a key that is none of the list changes nothing.
 template <class Value>
 void take(Value& value, const SceneValue& given) {
     if constexpr (kIsOptional<Value>) {
@@ -116,26 +116,33 @@ std::vector<SceneChoice> listOf() {
 }
 
 /// A row by the type of the value.
-template <class Place>
+template <class Access>
 SceneField at(SceneGroup group, const char* key, const SceneWords& words, const Limits& limits,
-              Place /*place*/) {
-    using Value = std::decay_t<decltype(Place{}(std::declval<SceneDescription&>()))>;
+              Access /*access*/) {
+    using Value = std::decay_t<decltype(Access{}(std::declval<SceneDescription&>()))>;
     return {.group = group,
             .key = key,
             .words = words,
             .limits = limits,
             .input = inputOf<Value>(),
             .choices = listOf<Value>(),
-            .get = [](const SceneDescription& scene) { return shown(Place{}(scene)); },
+            .get = [](const SceneDescription& scene) { return shown(Access{}(scene)); },
             .set = [](SceneDescription& scene,
-                      const SceneValue& value) { take(Place{}(scene), value); },
+                      const SceneValue& value) { take(Access{}(scene), value); },
             .isStated =
                 [](const SceneDescription& scene) {
                     if constexpr (std::is_same_v<Value, std::optional<double>>) {
-                        return Place{}(scene).has_value();
+                        return Access{}(scene).has_value();
                     }
                     return true;
                 }};
+}
+
+/// A row of a value that lies in members of a scene, one in the other.
+template <auto... Members>
+SceneField at(SceneGroup group, const char* key, const SceneWords& words, const Limits& limits) {
+    return at(
+        group, key, words, limits, [](auto& scene) -> auto& { return (scene.*....*Members); });
 }
 
 }  // namespace scene_field

@@ -12,7 +12,7 @@
 
 namespace asperity {
 
-/// What the keys of a scene are about; of one section of a file each.
+/// Topic of keys of a scene; those of one are in one section of a file.
 enum class SceneGroup : std::uint8_t {
     Sample,
     Shape,
@@ -41,22 +41,22 @@ inline constexpr auto kEnumTable<SceneGroup> =
                                         {SceneGroup::Approach, "approach", "Approach"},
                                         {SceneGroup::View, "view", "View"}});
 
-/// How files and panels call what a key leaves to the program.
+/// Word in files and panels for what a key leaves to the program.
 inline constexpr const char* kLeftOpen = "auto";
 
 /// A number [SI], a switch, or a text: that of a choice is its key.
 using SceneValue = std::variant<double, bool, std::string>;
 
-/// How a value is entered.
+/// Input of a value in a panel.
 enum class SceneInput : std::uint8_t {
     Number,
     Whole,   ///< a number without decimals
     Switch,  ///< bool
     Choice,  ///< of a list
     Text,
-    File,    ///< a height map: opened, not typed
-    Steps,   ///< of leveling, in order: "plane, zero"
-    Places,  ///< of a leveling step [nm]: "10 20, 30 40, 50 10"; entered with the steps
+    File,       ///< a height map: opened, not typed
+    Steps,      ///< of leveling, in order: "plane, zero"
+    Positions,  ///< of a leveling step [nm]: "10 20, 30 40, 50 10"; entered with the steps
 };
 
 /// One of the values that a key can have.
@@ -65,7 +65,7 @@ struct SceneChoice {
     std::string name;  ///< for people
 };
 
-/// How people see a key.
+/// Words for a key in the window.
 struct SceneWords {
     const char* caption;
     const char* toolTip;
@@ -85,12 +85,12 @@ struct SceneField {
     SceneValue (*get)(const SceneDescription& scene) = nullptr;
     /// Nothing that follows from it goes along, see SceneFieldChange.h.
     void (*set)(SceneDescription& scene, const SceneValue& value) = nullptr;
-    /// Why a text is no value, after "it must be"; empty: it is one. Null: any text is.
+    /// Returns why a text is no value, after "it must be"; empty: it is one. Null: any text is.
     std::string (*refusal)(const std::string& text) = nullptr;
-    /// Whether a file states the value that a scene has; null: always.
+    /// Returns whether a file states the value that a scene has; null: always.
     bool (*isStated)(const SceneDescription& scene) = nullptr;
-    /// Whether a file says it in another form than get() does, such as a list or a table, or in
-    /// place of another key: readers of the section have it.
+    /// True where a file states it in another form than get(), such as a list or a table, or
+    /// instead of another key: readers of the section have it.
     bool ownForm = false;
 };
 

@@ -15,7 +15,7 @@ void require(bool holds, const std::string& key, const std::string& words) {
     }
 }
 
-/// What no field can be held to alone.
+/// Checks conditions on several fields together.
 void checkTogether(const Settings& settings) {
     constexpr double kMaxLength = 1.0;  // [m]
     const VirtualFixture& guide = settings.guide;

@@ -10,7 +10,7 @@
 
 namespace asperity {
 
-/// What a number may be, both ends included.
+/// Range of a number, both ends included.
 struct Limits {
     double low = std::numeric_limits<double>::lowest();
     double high = std::numeric_limits<double>::max();  ///< infinity: it may be that, too
@@ -27,7 +27,7 @@ inline constexpr Limits kAboveZero{.low = std::numeric_limits<double>::denorm_mi
 inline constexpr Limits kZeroOrMore{.low = 0.0, .words = "be zero or a positive number"};
 inline constexpr Limits kNotNegative{.low = 0.0, .words = "not be negative"};
 
-/// What a knob is about.
+/// Topic of a knob.
 enum class SettingGroup : std::uint8_t {
     Hidden,  ///< no page shows it: it is of a run, or of a device
     Gains,
@@ -46,7 +46,7 @@ inline constexpr auto kEnumTable<SettingGroup> =
                                            {SettingGroup::Clutch, "Clutch and tip control"},
                                            {SettingGroup::Guide, "Guide"}});
 
-/// How people see a knob.
+/// Words for a knob in the window.
 struct SettingWords {
     SettingGroup group = SettingGroup::Hidden;
     const char* caption = "";
@@ -55,9 +55,9 @@ struct SettingWords {
     double scale = 1.0;     ///< that unit [SI]
 };
 
-/// How the bar of the window shows a knob, too.
+/// Properties of a knob that is also in the bar of the window.
 struct KnobWords {
-    int place = 0;          ///< from the left; 0: it is not in the bar
+    int slot = 0;           ///< from the left; 0: it is not in the bar
     const char* name = "";  ///< of the widget
     double low = 0.0;       ///< that can be set there, > 0: its steps go by factors
     double high = 0.0;
@@ -79,7 +79,7 @@ void listGuide(Guide& guide, const Visitor& field) {
     constexpr Limits kGain{0.0, 1e4, "lie between 0 and 1e4"};
     constexpr Limits kReach{kAboveZero.low, std::numeric_limits<double>::infinity(), "be above 0"};
     constexpr SettingGroup kGroup = SettingGroup::Guide;
-    const auto place = [](const char* caption) {
+    const auto coordinate = [](const char* caption) {
         return SettingWords{kGroup, caption, "A point of the guide, world frame", "nm", 1e-9};
     };
     const auto axis = [](const char* caption) {
@@ -87,9 +87,9 @@ void listGuide(Guide& guide, const Visitor& field) {
     };
     field({.column = "guide", .words = {kGroup, "Guide", "Helps to hold a plane, line or point"}},
           guide.kind);
-    field({.column = "guide_x_m", .words = place("x")}, guide.point.x());
-    field({.column = "guide_y_m", .words = place("y")}, guide.point.y());
-    field({.column = "guide_z_m", .words = place("z")}, guide.point.z());
+    field({.column = "guide_x_m", .words = coordinate("x")}, guide.point.x());
+    field({.column = "guide_y_m", .words = coordinate("y")}, guide.point.y());
+    field({.column = "guide_z_m", .words = coordinate("z")}, guide.point.z());
     field({.column = "guide_axis_x", .words = axis("Axis, x")}, guide.axis.x());
     field({.column = "guide_axis_y", .words = axis("Axis, y")}, guide.axis.y());
     field({.column = "guide_axis_z", .words = axis("Axis, z")}, guide.axis.z());
@@ -112,13 +112,13 @@ void listGuide(Guide& guide, const Visitor& field) {
           guide.captureDistance);
 }
 
-/// What is of a device, not of a scene.
+/// Lists what belongs to a device, not to a scene.
 template <class Knobs, class Visitor>
 void listDevice(Knobs& settings, const Visitor& field) {
     auto& workspace = settings.workspace;
-    field({.column = "hand_turn_x_rad", .key = nullptr}, settings.deviceTurn.x());
-    field({.column = "hand_turn_y_rad", .key = nullptr}, settings.deviceTurn.y());
-    field({.column = "hand_turn_z_rad", .key = nullptr}, settings.deviceTurn.z());
+    field({.column = "device_turn_x_rad", .key = nullptr}, settings.deviceTurn.x());
+    field({.column = "device_turn_y_rad", .key = nullptr}, settings.deviceTurn.y());
+    field({.column = "device_turn_z_rad", .key = nullptr}, settings.deviceTurn.z());
     field({.column = "workspace_x_m", .key = nullptr}, workspace.center.x());
     field({.column = "workspace_y_m", .key = nullptr}, workspace.center.y());
     field({.column = "workspace_z_m", .key = nullptr}, workspace.center.z());
@@ -161,7 +161,7 @@ void listGovernor(Governor& governor, const Visitor& field) {
            .words = {kGroup, "Ramp", "Time in which the force comes on", "s"}},
           governor.engageTime);
     field(
-        {.column = "max_hand_speed_m_s",
+        {.column = "max_device_speed_m_s",
          .limits = {0.01, 10.0, "lie between 0.01 and 10"},
          .words = {kGroup, "Largest speed", "Of the device; above it the force trips off", "m/s"}},
         governor.maxDeviceSpeed);

@@ -8,7 +8,7 @@
 
 namespace asperity {
 
-/// What the loop knows of the device; its frame is the lab's frame scaled.
+/// State of the device as the loop knows it; its frame is the lab's frame scaled.
 struct DeviceState {
     Vector3 position = Vector3::Zero();  ///< [m]
     std::uint32_t buttons = 0;           ///< bit i: button i is down
@@ -17,9 +17,9 @@ struct DeviceState {
     bool streams = false;  ///< it reports all the time: that it falls silent is a fault
     double age = 0.0;      ///< of its newest report [s]
 
-    /// Whether the force governor stands between tick and device.
+    /// Returns whether the force governor is between tick and device.
     [[nodiscard]] bool rendersForce() const noexcept { return maxForce > 0.0; }
-    /// Whether a button is down; kNoButton never is.
+    /// Returns whether a button is down; kNoButton never is.
     [[nodiscard]] bool holds(int button) const noexcept {
         return button != kNoButton && ((buttons >> static_cast<unsigned>(button)) & 1U) != 0U;
     }
@@ -31,9 +31,9 @@ struct TickInput {
     AfmMeasurement measurement;
     Settings settings;
     double timeStep = 1e-3;    ///< [s]
-    std::uint32_t starts = 0;  ///< of the loop: after each the force comes on anew
+    std::uint32_t starts = 0;  ///< of the loop: after each the force comes on again
 
-    /// Whether the device moves without commanding anything.
+    /// Returns whether the device moves without commanding anything.
     [[nodiscard]] bool clutched() const noexcept {
         return settings.clutched || device.holds(settings.clutchButton);
     }

@@ -10,7 +10,7 @@
 
 namespace asperity {
 
-/// Why the device force was switched off; latched until the operator resets it.
+/// Reason why the device force was switched off; latched until the operator resets it.
 enum class Fault : std::uint8_t {
     None,
     NotFinite,       ///< a value of the input or of the result was NaN or infinite
@@ -31,8 +31,7 @@ inline constexpr auto kEnumTable<Fault> = std::to_array<EnumRow<Fault>>(
      {Fault::SolverFailed, "solver_failed", "equilibrium not found: forces switched off"},
      {Fault::InstrumentLost, "instrument_lost", "instrument not connected: forces switched off"}});
 
-/// What becomes of the force on its way to the device. A device that only senses knows On, Off,
-/// Fault.
+/// State of the force on its way to the device. A device that only senses knows On, Off, Fault.
 enum class ForceState : std::uint8_t {
     Off,       ///< the operator switched it off
     Released,  ///< the dead-man switch is not held
@@ -46,7 +45,7 @@ enum class ForceState : std::uint8_t {
     Fault,    ///< off, see TickOutput::fault
 };
 
-/// For people; empty where it acts as wanted or a fault says why it does not.
+/// Texts for people; empty where it acts as wanted or a fault says why it does not.
 template <>
 inline constexpr auto kEnumTable<ForceState> = std::to_array<NamedRow<ForceState>>(
     {{ForceState::Off, "forces off"},
@@ -59,7 +58,7 @@ inline constexpr auto kEnumTable<ForceState> = std::to_array<NamedRow<ForceState
      {ForceState::Fading, "forces fade: device silent"},
      {ForceState::Fault, ""}});
 
-/// What one tick makes; lab frame.
+/// Result of one tick; lab frame.
 struct TickOutput {
     BaseMotion base;                        ///< commanded
     TipState model;                         ///< equilibrium of the believed system

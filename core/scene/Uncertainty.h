@@ -8,7 +8,7 @@
 
 namespace asperity {
 
-/// What model and calibration leave open in a result; see docs/uncertainty.md.
+/// Input of model and calibration that leaves a result uncertain; see docs/uncertainty.md.
 enum class UncertaintyInput : std::uint8_t {
     Stiffness,           ///< of the lever
     InvOls,              ///< deflection per volt
@@ -49,7 +49,7 @@ struct Uncertainty {
     bool operator==(const Uncertainty&) const = default;
 };
 
-/// What there is to say of an input.
+/// Names, unit and limits of an input.
 struct UncertaintyRow {
     UncertaintyInput value;
     const char* key;   ///< in scenes, "stiffness", and summaries

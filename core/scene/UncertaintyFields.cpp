@@ -31,15 +31,17 @@ void addRows(std::vector<SceneField>& fields, std::index_sequence<I...> /*rows*/
 }  // namespace
 
 std::vector<SceneField> uncertaintyFields() {
-    std::vector<SceneField> fields{scene_field::at(
-        kGroup, "enabled", {"Stated with results", "Off: results carry the detector's noise alone"},
-        {}, [](auto& scene) -> auto& { return scene.uncertainty.enabled; })};
+    std::vector<SceneField> fields{
+        scene_field::at<&SceneDescription::uncertainty, &Uncertainty::enabled>(
+            kGroup, "enabled",
+            {"Stated with results", "Off: results carry the detector's noise alone"}, {})};
     addRows(fields, std::make_index_sequence<kUncertaintyInputCount>());
-    fields.push_back(scene_field::at(
-        kGroup, "thermal_stiffness",
-        {"Stiffness by InvOLS",
-         "On: from a thermal spectrum read with the same InvOLS; forces go as 1/InvOLS"},
-        {}, [](auto& scene) -> auto& { return scene.uncertainty.thermalStiffness; }));
+    fields.push_back(
+        scene_field::at<&SceneDescription::uncertainty, &Uncertainty::thermalStiffness>(
+            kGroup, "thermal_stiffness",
+            {"Stiffness by InvOLS",
+             "On: from a thermal spectrum read with the same InvOLS; forces go as 1/InvOLS"},
+            {}));
     return fields;
 }
 

@@ -6,7 +6,7 @@
 
 namespace asperity {
 
-/// The rows of sceneFields() on what model and calibration leave open. A file of their own: they
+/// The rows of sceneFields() on the uncertainty of model and calibration. A file of their own: they
 /// follow from kEnumTable<UncertaintyInput> by a template, where the others are written out.
 [[nodiscard]] std::vector<SceneField> uncertaintyFields();
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -7,7 +8,7 @@
 
 namespace asperity {
 
-/// What a result does not hold for, or what to mind about it. The force goes on; people are told.
+/// Limit of a result's validity, or a caution about it. The force stays on; users are told.
 enum class Validity : std::uint32_t {
     LargeContact = 1U << 0U,  ///< contact radius > 0.3 effective radii: beyond linear elasticity
     OutsideScan = 1U << 1U,   ///< the closest point lies outside the scan
@@ -20,15 +21,15 @@ enum class Validity : std::uint32_t {
     Anisotropic = 1U << 8U,           ///< single effective radius is approximate
     NarrowValley = 1U << 9U,          ///< valley about as narrow as the tip, or narrower
     SeveralContactPoints =
-        1U << 10U,               ///< the tip touches at several places; their forces are summed
-    TipNotHeld = 1U << 11U,      ///< no place of the base holds the tip where the device wants it
-    ElasticLimit = 1U << 12U,    ///< peak pressure above the onset of yield, see yieldPressure()
-    ThinFilm = 1U << 13U,        ///< contact too wide for the film and the law: see ContactValidity
-    SnapInAhead = 1U << 14U,     ///< the lever is so soft that the tip will jump within 1 nm
-    Implausible = 1U << 15U,     ///< the estimate breaks the friction law by more than 3 sigma
+        1U << 10U,             ///< the tip touches at several positions; their forces are summed
+    TipNotHeld = 1U << 11U,    ///< no position of the base holds the tip where the device wants it
+    ElasticLimit = 1U << 12U,  ///< peak pressure above the onset of yield, see yieldPressure()
+    ThinFilm = 1U << 13U,      ///< contact too wide for the film and the law: see ContactValidity
+    SnapInAhead = 1U << 14U,   ///< the lever is so soft that the tip will jump within 1 nm
+    Implausible = 1U << 15U,   ///< the estimate breaks the friction law by more than 3 sigma
     UncertainPixel = 1U << 16U,  ///< the tip that recorded the scan may not have touched here
     SearchNotExhaustive =
-        1U << 17U,  ///< other places may bear as the contact points do, or are more than are summed
+        1U << 17U,  ///< other positions may bear as the contact points do, or more than are summed
     LawOutOfRange = 1U << 18U,  ///< the contact law leaves out what acts here, see LawRange
     EstimateInconsistent =
         1U << 19U,               ///< friction law or noise are not as stated: InnovationMonitor
@@ -38,7 +39,7 @@ enum class Validity : std::uint32_t {
     InteractingContacts =
         1U << 23U,  ///< contacts lower each other's surface by more than 5 % of the indentation
     UnresolvedCurvature = 1U << 24U,  ///< pixels or smoothing blur the curvature: AsperityValidity
-    BeyondAsperity = 1U << 25U,       ///< the contact is wider than what it stands on
+    BeyondAsperity = 1U << 25U,       ///< the contact is wider than the asperity
     BodyAttraction = 1U << 26U,       ///< the sample beside the asperity attracts, too
     RetardedAttraction = 1U << 27U,   ///< van der Waals attraction is retarded across this gap
     LargeDeflection = 1U << 28U,      ///< the lever is bent so far that it is no longer linear
@@ -46,7 +47,7 @@ enum class Validity : std::uint32_t {
     BeyondSphere = 1U << 30U,  ///< contact as wide as a sphere whose shank the scene leaves out
 };
 
-/// What a flag means for a result, the mildest first.
+/// Meaning of a flag for a result, the mildest first.
 enum class Severity : std::uint8_t {
     Notice,       ///< announces what comes; the result holds
     Approximate,  ///< the result holds, less exactly
@@ -54,10 +55,10 @@ enum class Severity : std::uint8_t {
     Invalid,      ///< there is no result to rely on
 };
 
-/// What a flag is found in.
+/// Basis on which a flag is found.
 enum class FlagBasis : std::uint8_t {
     Tick,     ///< a single tick
-    Contact,  ///< likewise, and it means nothing once the contact is gone
+    Contact,  ///< same, and it means nothing once the contact is gone
     Signals,  ///< noisy signals: a single tick says little, many ticks do
 };
 
@@ -71,7 +72,7 @@ struct ValidityTraits {
     FlagBasis basis;
 };
 
-/// By bit.
+/// Flags by bit.
 inline constexpr std::array kValidityTraits{
     ValidityTraits{Validity::LargeContact, "large_contact", "contact radius > 0.3 R",
                    "contact radius above 0.3 effective radii: strain beyond linear elasticity",
@@ -81,8 +82,9 @@ inline constexpr std::array kValidityTraits{
     ValidityTraits{Validity::FilledPixel, "filled_pixel", "no data here: filled in",
                    "the scan holds no data here: height filled in", Severity::Doubt,
                    FlagBasis::Tick},
-    ValidityTraits{Validity::ClosestPointNotFound, "foot_not_found", "closest point not found",
-                   "closest point on the surface not found", Severity::Invalid, FlagBasis::Tick},
+    ValidityTraits{Validity::ClosestPointNotFound, "closest_point_not_found",
+                   "closest point not found", "closest point on the surface not found",
+                   Severity::Invalid, FlagBasis::Tick},
     ValidityTraits{Validity::NotInEquilibrium, "not_in_equilibrium", "equilibrium not found",
                    "equilibrium of tip and cantilever not found", Severity::Invalid,
                    FlagBasis::Tick},
@@ -100,9 +102,9 @@ inline constexpr std::array kValidityTraits{
     ValidityTraits{Validity::NarrowValley, "sharp_valley", "valley narrower than tip",
                    "valley narrower than the tip: contact law not valid", Severity::Doubt,
                    FlagBasis::Contact},
-    ValidityTraits{Validity::SeveralContactPoints, "several_feet", "several contact points",
-                   "several contact points: forces summed", Severity::Approximate,
-                   FlagBasis::Contact},
+    ValidityTraits{Validity::SeveralContactPoints, "several_contact_points",
+                   "several contact points", "several contact points: forces summed",
+                   Severity::Approximate, FlagBasis::Contact},
     ValidityTraits{Validity::TipNotHeld, "tip_not_held", "tip cannot be held here",
                    "the cantilever cannot hold the tip at the commanded position", Severity::Doubt,
                    FlagBasis::Tick},
@@ -120,7 +122,7 @@ inline constexpr std::array kValidityTraits{
     ValidityTraits{Validity::UncertainPixel, "uncertain_pixel", "height uncertain here",
                    "height uncertain: the imaging tip may not have touched here",
                    Severity::Approximate, FlagBasis::Contact},
-    ValidityTraits{Validity::SearchNotExhaustive, "feet_unproven", "search not exhaustive",
+    ValidityTraits{Validity::SearchNotExhaustive, "search_not_exhaustive", "search not exhaustive",
                    "another contact point may exist (search not exhaustive)", Severity::Approximate,
                    FlagBasis::Tick},
     ValidityTraits{Validity::LawOutOfRange, "law_out_of_range", "adhesion beyond the law",
@@ -187,7 +189,7 @@ private:
     std::uint32_t bits_ = 0;
 };
 
-/// Whether one of the flags says that there is no result to rely on.
+/// Returns whether one of the flags says that there is no result to rely on.
 [[nodiscard]] inline bool isInvalid(ValidityFlags flags) noexcept {
     for (const ValidityTraits& traits : kValidityTraits) {
         if (traits.severity == Severity::Invalid && flags.has(traits.flag)) {
@@ -199,5 +201,44 @@ private:
 
 /// Keys joined by '|', or "-" when none is set.
 [[nodiscard]] std::string validityText(ValidityFlags flags);
+
+/// All flags in the order in which people are told: by severity, within it by how much the force
+/// that is shown may be off, the worst first; docs/physics.md, "What a result does not hold for".
+inline constexpr std::array kFlagsByEffect{
+    // Invalid: there is no force of a tip on this sample.
+    Validity::NotInEquilibrium, Validity::ClosestPointNotFound, Validity::OutsideScan,
+    Validity::FrictionLock,
+    // Doubt. Shape or law are not those of the contact: the force may be off by several times.
+    Validity::FilledPixel, Validity::BeyondSphere, Validity::NarrowValley,
+    Validity::OverlappingContacts, Validity::LawOutOfRange, Validity::ThinFilm,
+    Validity::ElasticLimit,
+    // The signals say that model or estimate are off by more than 3 sigma.
+    Validity::ModelContradicted, Validity::Implausible,
+    // The force is that of another position, or off by some ten per cent.
+    Validity::TipNotHeld, Validity::LargeDeflection, Validity::LargeContact,
+    // Approximate. By a tenth or more; by some per cent; error bars alone.
+    Validity::UnresolvedCurvature, Validity::BeyondAsperity, Validity::VariedMaterial,
+    Validity::UncertainPixel, Validity::SearchNotExhaustive, Validity::BodyAttraction,
+    Validity::InteractingContacts, Validity::RetardedAttraction, Validity::Anisotropic,
+    Validity::SeveralContactPoints, Validity::SingularGeometry, Validity::StaleSignals,
+    Validity::EstimateInconsistent,
+    // Notices.
+    Validity::SnapInAhead, Validity::StrengthLimited};
+
+static_assert(kFlagsByEffect.size() == kValidityFlagCount);
+
+/// Returns the index of a flag into kValidityTraits.
+[[nodiscard]] constexpr std::size_t indexOf(Validity flag) noexcept {
+    const auto* const found = std::ranges::find(kValidityTraits, flag, &ValidityTraits::flag);
+    return static_cast<std::size_t>(found - kValidityTraits.begin());
+}
+
+/// Returns the traits of a flag.
+[[nodiscard]] constexpr const ValidityTraits& traitsOf(Validity flag) noexcept {
+    return kValidityTraits.at(indexOf(flag));
+}
+
+static_assert(std::ranges::is_sorted(kFlagsByEffect, std::ranges::greater(),
+                                     [](Validity flag) { return traitsOf(flag).severity; }));
 
 }  // namespace asperity

@@ -1,14 +1,12 @@
 #include "core/studies/DeformationStudy.h"
 
-#include "core/deformation/ContactPatch.h"
-#include "core/deformation/HalfSpaceModel.h"
+#include "core/deformation/ContactDeformation.h"
 #include "core/fidelity/ModelRun.h"
 #include "core/scene/Scene.h"
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <optional>
 #include <utility>
 
 namespace asperity {
@@ -74,7 +72,7 @@ std::optional<TipState> loadedState(const Scene& scene, double load) {
     return std::nullopt;
 }
 
-/// A place where every model is compared.
+/// A position where every model is compared.
 struct Site {
     const Scene& scene;
     TipState state;

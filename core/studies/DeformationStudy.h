@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/Progress.h"
-#include "core/deformation/HalfSpaceAnswer.h"
+#include "core/deformation/HalfSpaceModel.h"
 #include "core/surface/deformation/SurfaceDeformation.h"
 
 #include <array>
@@ -29,7 +29,7 @@ struct DeformationResult {
     double coldTime = 0.0;      ///< median of one patch from nothing [s]
     bool compared = false;      ///< there is a reference to be compared with
     double errorRms = 0.0;      ///< over the patch, relative to the indentation
-    double errorMax = 0.0;      ///< likewise
+    double errorMax = 0.0;      ///< same
     double lawForce = 0.0;      ///< normal force of the contact law [N]
     double ownForce = 0.0;      ///< the half-space's own [N]; the law's for the other models
     std::optional<HalfSpaceAnswer> halfSpace;  ///< of its model

@@ -4,6 +4,8 @@
 #include "core/scene/ModelTerm.h"
 #include "core/studies/TradeOffStudy.h"
 
+#include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace asperity {
@@ -24,8 +26,8 @@ public:
     /// The models, taking turns.
     [[nodiscard]] std::vector<TickResult> measured(const std::vector<ForceModelOptions>& models);
 
-    /// Of the times measured so far, as a share: half of what the rounds of an option differ by,
-    /// and no less than what the next run of the program differs by.
+    /// Returns the resolution of the times measured so far, as a share: half of what the rounds of
+    /// an option differ by, and no less than what the next run of the program differs by.
     [[nodiscard]] double timeResolution() const;
 
     /// Fills in what is known of the reference, and what it leaves out itself.
@@ -34,7 +36,7 @@ public:
 private:
     [[nodiscard]] ModelRun run(const ForceModelOptions& model);
     [[nodiscard]] TickResult resultOf(const ForceModelOptions& options);
-    /// What a term moves the force by that the reference has no room for, root mean square [N].
+    /// Returns the change of the force by a term that the reference lacks, root mean square [N].
     [[nodiscard]] double missedBy(ModelTerm term);
     void chooseReference();
 
@@ -46,5 +48,27 @@ private:
     ModelRun reference_;
     std::vector<double> spreads_;  ///< of each option's rounds
 };
+
+/// A whole way to run a scene: ticks of one kind at one rate, 1 kHz or more, and pictures of one
+/// kind sixty times a second.
+struct Composition {
+    std::size_t tick = 0;   ///< index in TradeOff::ticks
+    std::size_t rate = 0;   ///< in TradeOff::rates
+    std::size_t frame = 0;  ///< in TradeOff::frames
+    double load = 0.0;      ///< of one core
+    /// The larger of two shares: of the force, what tick and rate miss together; of the
+    /// indentation, what the picture does.
+    double error = 0.0;
+
+    [[nodiscard]] CostAndError costAndError() const { return {load, error}; }
+};
+
+/// Returns the Pareto-optimal ones, the cheapest first.
+[[nodiscard]] std::vector<Composition> bestCompositions(const TradeOff& study);
+
+/// Returns, of all whose error is at most `tolerance`, the nearest of those that cannot be told
+/// from the cheapest.
+[[nodiscard]] std::optional<Composition> cheapestComposition(const TradeOff& study,
+                                                             double tolerance);
 
 }  // namespace asperity

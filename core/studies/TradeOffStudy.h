@@ -1,16 +1,76 @@
 #pragma once
 
 #include "core/Progress.h"
+#include "core/scene/ForceModelOptions.h"
 #include "core/scene/ModelTerm.h"
-#include "core/studies/Pareto.h"
-#include "core/studies/TradeOffModels.h"
 
+#include <cstddef>
 #include <cstdint>
+#include <span>
+#include <string>
 #include <vector>
 
 namespace asperity {
 
 struct Scene;
+
+/// Accuracy with which a picture shows the surface around the contact.
+struct FrameOptions {
+    DeformationModel deformation = DeformationModel::ClosedForm;
+    int samples = 97;  ///< of the patch, a side
+};
+
+/// Returns the name for people: "closed form, 97 x 97".
+[[nodiscard]] std::string nameOf(const FrameOptions& options);
+
+/// The models that a tick of this scene can take: each law that its sample allows, with each solver
+/// but the one afresh and each search for closest points, and all other terms; then the scene's own
+/// model, and the same with all other terms but one.
+[[nodiscard]] std::vector<ForceModelOptions> tickModels(const Scene& scene);
+
+/// All options for its picture.
+[[nodiscard]] std::vector<FrameOptions> frameOptions();
+
+/// A choice: what it costs and how wrong it is, both the less the better.
+struct CostAndError {
+    double cost = 0.0;
+    double error = 0.0;
+};
+
+/// Below what choices cannot be told apart.
+struct Resolution {
+    double cost = 0.0;   ///< as a share
+    double error = 0.0;  ///< errors below it count as that: nothing is known of them
+};
+
+/// Returns cost and error of each result.
+template <class Result>
+[[nodiscard]] std::vector<CostAndError> costsAndErrors(const std::vector<Result>& results) {
+    std::vector<CostAndError> choices;
+    for (const Result& result : results) {
+        choices.push_back(result.costAndError());
+    }
+    return choices;
+}
+
+/// Returns for each choice whether it is on the front: cheaper than all on it that are as near or
+/// nearer. The nearest of all begins it: the cheapest of those that cannot be told from it.
+[[nodiscard]] std::vector<bool> paretoFront(std::span<const CostAndError> choices,
+                                            const Resolution& resolution);
+
+/// Has results say whether they are on the front.
+template <class Result>
+void markFront(std::vector<Result>& results, const Resolution& resolution) {
+    const std::vector<bool> front = paretoFront(costsAndErrors(results), resolution);
+    for (std::size_t i = 0; i < results.size(); ++i) {
+        results[i].onFront = front[i];
+    }
+}
+
+/// Returns, of the choices whose error is at most `tolerance`, the nearest of those that cannot be
+/// told from the cheapest. Their count where there is none.
+[[nodiscard]] std::size_t cheapestWithin(std::span<const CostAndError> choices, double tolerance,
+                                         const Resolution& resolution);
 
 /// Cost of one model for the tick and its error against the reference on the same inputs.
 struct TickResult {
@@ -38,7 +98,7 @@ struct FrameResult {
     [[nodiscard]] CostAndError costAndError() const { return {median, surfaceErrorRms}; }
 };
 
-/// What a tick rate costs, and what the force misses that is held from tick to tick.
+/// Cost of a tick rate, and the error of a force that is held from tick to tick.
 struct RateResult {
     double rate = 0.0;          ///< [Hz]
     double load = 0.0;          ///< share of one core
@@ -51,7 +111,7 @@ struct MissedTerm {
     double force = 0.0;  ///< root mean square [N]
 };
 
-/// How it is known how far the reference's surface may be off.
+/// Source of the error of the reference's surface.
 enum class SurfaceDoubt : std::uint8_t {
     ByCoarser,     ///< by a half-space of half as many pixels a side
     CoarserFails,  ///< not at all: that one does not hold
@@ -66,14 +126,14 @@ struct TradeOffReference {
     double forceScale = 0.0;         ///< root mean square of its force over the runs [N]
     double contactRatio = 0.0;       ///< largest contact radius over tip radius
     int contacts = 0;                ///< at which pictures are compared: those where it holds
-    int contactsAsked = 0;           ///< of so many
+    int contactsAsked = 0;           ///< of these
     double indentation = 0.0;        ///< root mean square over these contacts [m]
     double forceDoubt = 0.0;         ///< root mean square [N]
     double surfaceDoubt = 0.0;       ///< root mean square [m]
     std::vector<MissedTerm> missed;  ///< forceDoubt, by term
     SurfaceDoubt surfaceDoubtBy = SurfaceDoubt::NothingFiner;
-    /// Of the normal force against the half-space's own, at the contacts where that holds, root
-    /// mean square [N].
+    /// Difference of the normal force from the half-space's own, at the contacts where that holds,
+    /// root mean square [N].
     double halfSpaceForce = 0.0;
 };
 
@@ -85,23 +145,23 @@ struct TradeOff {
     std::vector<RateResult> rates;
     double timeResolution = 0.0;  ///< shares by which times differ without meaning it
 
-    /// What cannot be told apart, of ticks and of pictures.
+    /// Returns the smallest differences that count, of ticks and of pictures.
     [[nodiscard]] Resolution ofTicks() const { return {timeResolution, reference.forceDoubt}; }
     [[nodiscard]] Resolution ofFrames() const { return {timeResolution, reference.surfaceDoubt}; }
 };
 
-/// How much is measured.
+/// Number and length of the measurements.
 struct TradeOffPlan {
-    double duration =
-        2.0;  ///< of each of two runs: approach at the highest feature, raster at another place [s]
-    int rounds = 5;   ///< timed runs of each option, options taking turns
-    int patches = 6;  ///< moments of the run at which surfaces are compared
+    double duration = 2.0;  ///< of each of two runs: approach at the highest feature, raster at
+                            ///< another position [s]
+    int rounds = 5;         ///< timed runs of each option, options taking turns
+    int patches = 6;        ///< moments of the run at which surfaces are compared
 };
 
 /// Runs the scene with every option. Accuracy is taken on the virtual clock and is reproducible;
 /// times are of this machine, the options interleaved so that they share its mood. Of the
 /// references see TickStudy and studySurfaces().
-/// @param scene    has its model changed meanwhile; it is left as it was, also by a throw
+/// @param scene    has its model changed; it is left as it was, also by a throw
 /// @param progress may be null  @throw Canceled
 [[nodiscard]] TradeOff studyTradeOff(Scene& scene, const TradeOffPlan& plan,
                                      Progress* progress = nullptr);

@@ -6,12 +6,12 @@
 #include "core/surface/HeightMap.h"
 #include "core/surface/SplineSampling.h"
 
-#include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <utility>
 
 namespace asperity {
@@ -93,6 +93,32 @@ double heightScaleOf(const BSplineSurface::Grid& grid) {
            largestMagnitude(grid.controlRests);
 }
 
+constexpr double kStep = 0.5;      // of a pixel, along the surface
+constexpr int kMaxSteps = 100000;  // beyond, steps become longer
+constexpr int kMaxHalvings = 200;
+constexpr double kTolerance = 1e-14;  // of the part of the ray that is searched
+
+/// A part of a ray, by multiples of its direction.
+struct Stretch {
+    double from = 0.0;
+    double to = std::numeric_limits<double>::infinity();
+
+    /// Keeps what lies between two planes across one axis.
+    void clip(double origin, double direction, double low, double high) {
+        if (direction == 0.0) {
+            if (origin < low || origin > high) {
+                to = -1.0;
+            }
+            return;
+        }
+        const double first = (low - origin) / direction;
+        const double second = (high - origin) / direction;
+        from = std::max(from, std::min(first, second));
+        to = std::min(to, std::max(first, second));
+    }
+    [[nodiscard]] bool empty() const { return !(from <= to); }
+};
+
 }  // namespace
 
 BSplineSurface::Parts::Parts(Grid usable, Progress* progress)
@@ -125,8 +151,8 @@ bool BSplineSurface::isMeasured(double x, double y) const noexcept {
     if (grid.invalid.empty()) {
         return true;
     }
-    const auto pixelAt = [](double place, double size, double perPitch, int pixels) {
-        const auto pixel = static_cast<int>(clampedToScan(place, size) * perPitch);
+    const auto pixelAt = [](double position, double size, double perPitch, int pixels) {
+        const auto pixel = static_cast<int>(clampedToScan(position, size) * perPitch);
         return static_cast<std::size_t>(std::min(pixel, pixels - 1));
     };
     const std::size_t column = pixelAt(x, sizeX(), parts_->inversePitchX, grid.columns);
@@ -150,8 +176,8 @@ double BSplineSurface::controlInRow(int row, int column) const noexcept {
     });
 }
 
-void sampleThin(const BSplineSurface::Grid& grid, const SpanPlace& across, const SpanPlace& up,
-                HeightSample& sample) noexcept {
+void sampleThin(const BSplineSurface::Grid& grid, const SpanPosition& across,
+                const SpanPosition& up, HeightSample& sample) noexcept {
     const Eigen::Matrix4d controls = cellControls(grid, up.first, across.first);
     std::array<Double4, 4> rows{};
     for (int i = 0; i < 4; ++i) {
@@ -173,6 +199,76 @@ Eigen::Matrix4d cellControls(const BSplineSurface::Grid& grid, int row, int colu
         }
     }
     return controls;
+}
+
+Vector2 nearestMeasured(const BSplineSurface& surface, const Vector2& position) {
+    if (surface.isMeasured(position.x(), position.y())) {
+        return position;
+    }
+    const BSplineSurface::Grid& grid = surface.grid();
+    Vector2 nearest = position;
+    double distance = std::numeric_limits<double>::max();
+    for (int row = 0; row < grid.rows; ++row) {
+        for (int column = 0; column < grid.columns; ++column) {
+            const Vector2 center((column + 0.5) * grid.pitchX, (row + 0.5) * grid.pitchY);
+            const double here = (center - position).squaredNorm();
+            if (here < distance && surface.isMeasured(center.x(), center.y())) {
+                distance = here;
+                nearest = center;
+            }
+        }
+    }
+    return nearest;
+}
+
+std::optional<Vector3> firstHit(const BSplineSurface& surface, const SurfaceRay& ray,
+                                const Vector2& low, const Vector2& high) {
+    const Vector3 direction = ray.direction.normalized();
+    if (!direction.allFinite() || !ray.origin.allFinite()) {
+        return std::nullopt;
+    }
+    Stretch stretch;
+    stretch.clip(ray.origin.x(), direction.x(), low.x(), high.x());
+    stretch.clip(ray.origin.y(), direction.y(), low.y(), high.y());
+    const double pixel = std::min(surface.grid().pitchX, surface.grid().pitchY);
+    const double top = surface.heightScale() + pixel;  // no height is larger in magnitude
+    stretch.clip(ray.origin.z(), direction.z(), -top, top);
+    if (stretch.empty() || !std::isfinite(stretch.to)) {
+        return std::nullopt;
+    }
+    const auto pointAt = [&](double way) -> Vector3 { return ray.origin + way * direction; };
+    const auto above = [&](double way) {
+        const Vector3 point = pointAt(way);
+        return point.z() - surface.at(point.x(), point.y()).height;
+    };
+    const auto position = [&](double way) -> Vector3 {
+        const Vector3 point = pointAt(way);
+        return {point.x(), point.y(), surface.at(point.x(), point.y()).height};
+    };
+    const double length = stretch.to - stretch.from;
+    const double levelLength = direction.head<2>().norm() * length;
+    const int steps = static_cast<int>(
+        std::clamp(std::ceil(levelLength / (kStep * pixel)), 1.0, double(kMaxSteps)));
+    double before = stretch.from;
+    if (above(before) < 0.0) {
+        return std::nullopt;
+    }
+    for (int step = 1; step <= steps; ++step) {
+        double after = std::lerp(stretch.from, stretch.to, step / double(steps));
+        if (above(after) > 0.0) {
+            before = after;
+            continue;
+        }
+        for (int i = 0; i < kMaxHalvings && after - before > kTolerance * length; ++i) {
+            const double middle = 0.5 * (before + after);
+            if (middle <= before || middle >= after) {
+                break;
+            }
+            (above(middle) > 0.0 ? before : after) = middle;
+        }
+        return position(after);
+    }
+    return std::nullopt;
 }
 
 }  // namespace asperity

@@ -3,11 +3,12 @@
 #include "core/Progress.h"
 #include "core/Vector.h"
 #include "core/surface/CellBounds.h"
-#include "core/surface/HeightSample.h"
+#include "core/surface/Curvature.h"
 #include "core/surface/PixelVector.h"
 
 #include <algorithm>
 #include <memory>
+#include <optional>
 
 namespace asperity {
 
@@ -20,9 +21,9 @@ struct SplineSampling;
 /// counted from the BOTTOM (y up), so that the spline's parameter grows with world x and y.
 ///
 /// Control heights are kept in single precision, so that large scans fit into memory, and relative
-/// to a datum, so that single precision tells them to 2^-24 of their distance from it. Where pixels
-/// are so fine that this would show in the curvature, what it leaves of them is kept beside them.
-/// Both together DEFINE the surface: at() evaluates them in double precision.
+/// to a datum, so that single precision resolves them to 2^-24 of their distance from it. Where
+/// pixels are so fine that this would show in the curvature, what it leaves of them is kept beside
+/// them. Both together DEFINE the surface: at() evaluates them in double precision.
 class BSplineSurface {
 public:
     struct Grid {
@@ -32,7 +33,7 @@ public:
         double pitchY = 0.0;                ///< [m]
         double datum = 0.0;                 ///< height that control heights are relative to [m]
         PixelVector<float> controlHeights;  ///< (rows + 2) x (columns + 2), bottom row first [m]
-        /// What single precision leaves of them, as many; empty: nothing that matters [m].
+        /// Remainders beyond single precision, as many; empty: nothing that matters [m].
         PixelVector<float> controlRests = {};
         PixelMask invalid;  ///< rows x columns, bottom row first; empty: all valid
     };
@@ -42,15 +43,15 @@ public:
     explicit BSplineSurface(Grid grid, Progress* progress = nullptr);
 
     /// Height and derivatives at world (x, y) [m]. Outside the pixel centers the spline of the
-    /// nearest span is continued; outside the scan the place is clamped to its edge. Along an axis
-    /// with a single pixel the surface is level. A place that is not a number counts as 0.
+    /// nearest span is continued; outside the scan the position is clamped to its edge. Along an
+    /// axis with a single pixel the surface is level. A position that is not a number counts as 0.
     [[nodiscard]] HeightSample at(double x, double y) const noexcept;
 
     /// The same for SplineSampling.h.
     [[nodiscard]] SplineSampling sampling() const noexcept;
 
     [[nodiscard]] bool contains(double x, double y) const noexcept;
-    /// Whether the pixel under (x, y) held data in the scan (false: filled by us).
+    /// Returns whether the pixel under (x, y) held data in the scan (false: filled by us).
     [[nodiscard]] bool isMeasured(double x, double y) const noexcept;
 
     [[nodiscard]] double sizeX() const noexcept { return grid().columns * grid().pitchX; }  ///< [m]
@@ -65,7 +66,7 @@ public:
     [[nodiscard]] double control(int row, int column) const noexcept;
     /// No control height is larger in magnitude [m]: the scale of rounding errors in at().
     [[nodiscard]] double heightScale() const noexcept { return parts_->heightScale; }
-    /// What is known of each cell without looking into it.
+    /// Bounds of each cell, known without looking into it.
     [[nodiscard]] const CellBounds& bounds() const noexcept { return parts_->bounds; }
 
 private:
@@ -87,5 +88,23 @@ private:
 /// The 4 x 4 control heights of a cell (see CellBounds) above the grid's datum, rows along y [m].
 [[nodiscard]] Eigen::Matrix4d cellControls(const BSplineSurface::Grid& grid, int row,
                                            int column) noexcept;
+
+/// The position itself where the scan holds data, else the center of the nearest pixel that holds
+/// some; the position, too, where no pixel does. World frame [m].
+[[nodiscard]] Vector2 nearestMeasured(const BSplineSurface& surface, const Vector2& position);
+
+/// A straight line of sight, from the eye on; world frame.
+struct SurfaceRay {
+    Vector3 origin = Vector3::Zero();       ///< [m]
+    Vector3 direction = -Vector3::UnitZ();  ///< of any length but 0
+};
+
+/// The first position of the surface that a line of sight meets within a rectangle of the scan,
+/// from above; found to 1e-13 of the surface's extent. The ray is followed in steps of half a
+/// pixel: a ridge that it touches over less than that may be missed. None where the ray does not
+/// meet the surface there, or is below it where it comes into the rectangle: it sees the cut face.
+/// @param low, high corners of the rectangle, world x, y [m]
+[[nodiscard]] std::optional<Vector3> firstHit(const BSplineSurface& surface, const SurfaceRay& ray,
+                                              const Vector2& low, const Vector2& high);
 
 }  // namespace asperity

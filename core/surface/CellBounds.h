@@ -7,7 +7,7 @@
 
 namespace asperity {
 
-/// What is known of a rectangle of spline cells without looking into it; true everywhere in it.
+/// Bounds of a rectangle of spline cells, known without looking into it; true everywhere in it.
 struct BoxBounds {
     double lowest = 0.0;     ///< height, world [m]
     double highest = 0.0;    ///< height, world [m]
@@ -37,7 +37,7 @@ public:
         }
     };
 
-    /// What the encoded numbers are multiples of.
+    /// Units of the encoded numbers.
     struct Units {
         double base = 0.0;       ///< world height of `highest` 0 [m]
         float step = 0.0F;       ///< of `highest` [m]
@@ -54,7 +54,7 @@ public:
     [[nodiscard]] int levels() const noexcept { return static_cast<int>(levels_.size()); }
     [[nodiscard]] const Units& units() const noexcept { return units_; }
     [[nodiscard]] BoxBounds at(int level, int row, int column) const noexcept;
-    /// Of the whole surface.
+    /// Bounds of the whole surface.
     [[nodiscard]] BoxBounds all() const noexcept { return at(levels() - 1, 0, 0); }
 
 private:

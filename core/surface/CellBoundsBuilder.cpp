@@ -23,7 +23,7 @@ struct RawBounds {
     float concavity = 0.0F;  ///< [1/m]
 };
 
-/// Single precision tells a Bezier point to this share of the largest height that it is made of.
+/// Single precision resolves a Bezier point to this share of the largest height that it is made of.
 constexpr float kBoundRounding = 0x1p-20F;
 /// Below this no scan's heights differ; keeps the scales away from zero [m].
 constexpr float kMinReach = 1e-30F;

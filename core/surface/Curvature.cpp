@@ -1,7 +1,6 @@
 #include "core/surface/Curvature.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace asperity {
 

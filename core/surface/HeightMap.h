@@ -1,10 +1,12 @@
 #pragma once
 
+#include "core/Progress.h"
 #include "core/surface/PixelVector.h"
 
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 namespace asperity {
@@ -49,7 +51,7 @@ struct ScanMap : BasicHeightMap<PixelVector<float>> {
 /// @throw Error when the heights lie too far apart for single precision
 [[nodiscard]] double middleHeight(const HeightMap& map);
 
-/// Whether a height is a finite number. Told by its bits: over a whole map the compiler turns
+/// Returns whether a height is a finite number. Tests its bits: over a whole map the compiler turns
 /// std::isfinite into comparisons that raise the invalid flag on a NaN.
 [[nodiscard]] constexpr bool isFiniteHeight(double height) {
     constexpr std::uint64_t kExponent = 0x7ff0000000000000U;
@@ -64,5 +66,65 @@ struct ScanMap : BasicHeightMap<PixelVector<float>> {
 /// @throw Error when it has no pixels, its arrays do not match its size, or a pitch is not positive
 template <class Heights>
 void requireUsable(const BasicHeightMap<Heights>& map);
+
+/// A height map as those take it who need one row after the other: writers of files.
+struct HeightRows {
+    int columns = 0;
+    int rows = 0;
+    double pitchX = 0.0;  ///< pixel width [m]
+    double pitchY = 0.0;  ///< pixel height [m]
+    /// Writes the heights of a row, 0 at the top [m]; NaN where the scan holds no data.
+    std::function<void(int row, double* heights)> readRow;
+    /// The same with heights that were filled in where the scan holds none; empty: none were.
+    std::function<void(int row, double* heights)> readFilledRow = {};
+
+    [[nodiscard]] double sizeX() const { return columns * pitchX; }  ///< [m]
+    [[nodiscard]] double sizeY() const { return rows * pitchY; }     ///< [m]
+};
+
+/// The rows of a map, which must outlive them. @throw Error when the map is unusable
+[[nodiscard]] HeightRows rowsOf(const HeightMap& map);
+[[nodiscard]] HeightRows rowsOf(const ScanMap& map);
+
+/// Calls visit(row, heights), from the top down, with a std::vector<double>&.
+/// @throw Canceled
+template <class Visit>
+void forEachRow(const HeightRows& rows, Progress* progress, const Visit& visit) {
+    constexpr int kReports = 50;
+    const int step = rows.rows / kReports + 1;
+    std::vector<double> heights(static_cast<std::size_t>(rows.columns));
+    for (int row = 0; row < rows.rows; ++row) {
+        if (row % step == 0) {
+            reportTo(progress, static_cast<double>(row) / rows.rows);
+        }
+        rows.readRow(row, heights.data());
+        visit(row, heights);
+    }
+    reportTo(progress, 1.0);
+}
+
+/// A rectangle of pixels of a scan.
+struct PixelRectangle {
+    int column = 0;   ///< its left column; 0 is that of the scan
+    int row = 0;      ///< its top row; 0 is that of the scan
+    int columns = 0;  ///< how many
+    int rows = 0;     ///< how many
+
+    /// Returns whether it holds a pixel, and none outside a scan of this size.
+    [[nodiscard]] constexpr bool liesIn(int scanColumns, int scanRows) const {
+        return column >= 0 && row >= 0 && columns > 0 && rows > 0 &&
+               columns <= scanColumns - column && rows <= scanRows - row;
+    }
+    bool operator==(const PixelRectangle&) const = default;
+};
+
+/// The map with a height in every pixel: those that held none get a blend of their surroundings,
+/// grown inward from the rim of each hole, and are marked in the mask. Linear time.
+///
+/// A pixel holds no height when its value is not a finite number. A pixel that is marked invalid
+/// but holds a finite height (filled before, or masked by the user) keeps both.
+/// @throw Error when the map is unusable or no pixel holds a height
+[[nodiscard]] HeightMap withInvalidPixelsFilled(HeightMap map);
+[[nodiscard]] ScanMap withInvalidPixelsFilled(ScanMap map);
 
 }  // namespace asperity

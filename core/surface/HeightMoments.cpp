@@ -6,10 +6,10 @@ namespace asperity {
 
 namespace {
 
-constexpr double kOfSide = 1.0 / 12.0;  // variance of a place along the side of a rectangle
+constexpr double kOfSide = 1.0 / 12.0;  // variance of a position along the side of a rectangle
 
-/// Of a pixel's square, from the surface's derivatives in its middle, relative to a datum: of the
-/// quadratic that has them.
+/// Moments of a pixel's square, from the surface's derivatives in its middle, relative to a datum:
+/// of the quadratic that has them.
 HeightSpread spreadOfPixel(const BSplineSurface& surface, int row, int column) noexcept {
     const BSplineSurface::Grid& grid = surface.grid();
     const HeightSample middle = surface.at((column + 0.5) * grid.pitchX, (row + 0.5) * grid.pitchY);
@@ -46,7 +46,7 @@ public:
                     kOfSide * (square(width_ * part.slopeX) + square(height_ * part.slopeY));
     }
 
-    /// The plane nearest to all. Where a side has one part only, that one's slope stands for it.
+    /// The plane nearest to all. Where a side has one part only, that one's slope counts.
     [[nodiscard]] HeightSpread whole() const noexcept {
         const double share = 1.0 / count_;
         HeightSpread whole{.mean = share * mean_,

@@ -21,9 +21,9 @@ class HeightMoments {
 public:
     explicit HeightMoments(const BSplineSurface& surface);
 
-    /// Of the block of 2^level pixels a side, level >= 1, rows from the bottom; a block beyond the
-    /// scan is as high and rough as the nearest one on it, and level; one larger than the scan is
-    /// as the whole scan.
+    /// Plane of the block of 2^level pixels a side, level >= 1, rows from the bottom; a block
+    /// beyond the scan is level, and as high and rough as the nearest one on it; one larger than
+    /// the scan is as the whole scan.
     [[nodiscard]] HeightSpread at(int level, int row, int column) const noexcept;
     [[nodiscard]] const BSplineSurface& surface() const noexcept { return surface_; }
 

@@ -41,10 +41,10 @@ struct PixelAllocator {
     void deallocate(Number* memory, std::size_t /*count*/) noexcept { std::free(memory); }
     // NOLINTEND(cppcoreguidelines-no-malloc)
 
-    void construct(Number* /*place*/) noexcept {}
+    void construct(Number* /*item*/) noexcept {}
     template <class Value>
-    void construct(Number* place, const Value& value) noexcept {
-        *place = value;
+    void construct(Number* item, const Value& value) noexcept {
+        *item = value;
     }
 
     friend bool operator==(const PixelAllocator&, const PixelAllocator&) { return true; }
@@ -53,7 +53,7 @@ private:
     static constexpr std::size_t kLargePage = std::size_t{1} << 21U;  // [bytes]
 };
 
-/// For the pixels of large scans; PixelVector<float>(count) has any values.
+/// Vector for the pixels of large scans; PixelVector<float>(count) has any values.
 template <class Number>
 using PixelVector = std::vector<Number, PixelAllocator<Number>>;
 

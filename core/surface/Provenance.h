@@ -9,7 +9,7 @@ namespace asperity {
 struct Provenance {
     std::string what;
     std::string value;
-    std::string source;  ///< place in the file, or what decided where the file does not say
+    std::string source;  ///< position in the file, or what decided where the file does not say
 };
 
 }  // namespace asperity

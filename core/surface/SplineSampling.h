@@ -10,25 +10,25 @@
 
 namespace asperity {
 
-/// Brings a place into [0, size]; the comparisons are quiet for a place that is not a number.
-ASPERITY_INLINE double clampedToScan(double place, double size) {
-    if (!std::isgreater(place, 0.0)) {
+/// Brings a position into [0, size]; the comparisons are quiet for a position that is not a number.
+ASPERITY_INLINE double clampedToScan(double position, double size) {
+    if (!std::isgreater(position, 0.0)) {
         return 0.0;
     }
-    return std::isless(place, size) ? place : size;
+    return std::isless(position, size) ? position : size;
 }
 
-/// A place within a span of one axis.
-struct SpanPlace {
+/// A position within a span of one axis.
+struct SpanPosition {
     int first = 0;   ///< control height that the span starts with, in the padded grid
     double t = 0.0;  ///< 0..1 in the span; beyond it at the scan's edges
 };
 
-/// The span at `place` pixels from the scan's edge.
-ASPERITY_INLINE SpanPlace spanAt(double place, int pixels) {
+/// The span at `position` pixels from the scan's edge.
+ASPERITY_INLINE SpanPosition spanAt(double position, int pixels) {
     // The conversion rounds up only below 0, where span 0 is continued anyway.
-    const int first = std::clamp(static_cast<int>(place - 0.5), 0, std::max(pixels - 2, 0));
-    return {.first = first, .t = place - 0.5 - first};
+    const int first = std::clamp(static_cast<int>(position - 0.5), 0, std::max(pixels - 2, 0));
+    return {.first = first, .t = position - 0.5 - first};
 }
 
 /// A uniform cubic B-spline on one span as the polynomial c0 + c1 t + c2 t^2 + c3 t^3, for four
@@ -50,7 +50,7 @@ struct Cubic4 {
     }
 };
 
-/// From the four rows of control heights that shape the span.
+/// Returns the cubic of the four rows of control heights that shape the span.
 ASPERITY_INLINE Cubic4 cubicOf(Double4 a, Double4 b, Double4 c, Double4 d) {
     const Double4 bend = 0.5 * (a + c) - b;
     return {b + bend * (1.0 / 3.0), 0.5 * (c - a), bend, ((d - a) + 3.0 * (b - c)) * (1.0 / 6.0)};
@@ -80,8 +80,8 @@ ASPERITY_INLINE Double4 widened(const float* heights) {
     return Double4{heights[0], heights[1], heights[2], heights[3]};
 }
 
-/// What the heights of a surface are sampled from, for functions of their own AVX2 version: all of
-/// this is inlined into them.
+/// Data that the heights of a surface are sampled from, for functions of their own AVX2 version:
+/// all of this is inlined into them.
 struct SplineSampling {
     const BSplineSurface::Grid& grid;
     double perPitchX = 0.0;  ///< [1/m]
@@ -109,17 +109,17 @@ ASPERITY_INLINE CellCorner cornerOf(const BSplineSurface::Grid& grid, std::ptrdi
 }
 
 /// On a grid with a single pixel along an axis; apart, so that it costs the others nothing.
-void sampleThin(const BSplineSurface::Grid& grid, const SpanPlace& across, const SpanPlace& up,
-                HeightSample& sample) noexcept;
+void sampleThin(const BSplineSurface::Grid& grid, const SpanPosition& across,
+                const SpanPosition& up, HeightSample& sample) noexcept;
 
 /// As BSplineSurface::at().
 ASPERITY_INLINE HeightSample sampledAt(const SplineSampling& surface, double x, double y) {
     const BSplineSurface::Grid& grid = surface.grid;
     const double perX = surface.perPitchX;
     const double perY = surface.perPitchY;
-    const SpanPlace across =
+    const SpanPosition across =
         spanAt(clampedToScan(x, grid.columns * grid.pitchX) * perX, grid.columns);
-    const SpanPlace up = spanAt(clampedToScan(y, grid.rows * grid.pitchY) * perY, grid.rows);
+    const SpanPosition up = spanAt(clampedToScan(y, grid.rows * grid.pitchY) * perY, grid.rows);
     HeightSample sample;
     if (grid.columns == 1 || grid.rows == 1) {
         sampleThin(grid, across, up, sample);

@@ -50,14 +50,14 @@ TangentFrame tangentFrame(const Vector3& origin, const Vector3& normal) {
 
 std::vector<double> heightsOver(const BSplineSurface& surface, const TangentFrame& frame,
                                 int samples, double pitch) {
-    const auto place = [&](int index) { return (index - 0.5 * (samples - 1)) * pitch; };
+    const auto position = [&](int index) { return (index - 0.5 * (samples - 1)) * pitch; };
     std::vector<double> heights;
     heights.reserve(static_cast<std::size_t>(samples) * static_cast<std::size_t>(samples));
     for (int row = 0; row < samples; ++row) {
-        const Vector3 start = frame.origin + place(row) * frame.across;
+        const Vector3 start = frame.origin + position(row) * frame.across;
         for (int column = 0; column < samples; ++column) {
             heights.push_back(
-                heightAlong(surface, start + place(column) * frame.along, frame.normal));
+                heightAlong(surface, start + position(column) * frame.along, frame.normal));
         }
     }
     return heights;

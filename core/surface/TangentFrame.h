@@ -14,7 +14,7 @@ struct TangentFrame {
     Vector3 across = Vector3::UnitY();  ///< in the plane
     Vector3 normal = Vector3::UnitZ();  ///< out of the sample
 
-    /// A world point by its places along the three axes [m].
+    /// A world point by its positions along the three axes [m].
     [[nodiscard]] Vector3 local(const Vector3& world) const;
 };
 

@@ -10,12 +10,12 @@
 
 namespace asperity {
 
-/// Why the shares of the inputs in a result are not known.
+/// Reason why the shares of the inputs in a result are not known.
 enum class UnknownShares : std::uint8_t {
     None,             ///< they are known
     SeveralContacts,  ///< the law is of one
     MissingTicks,     ///< part of the reading has no state of the model
-    NoLandmark,       ///< the law at the place has nothing like the reading
+    NoLandmark,       ///< the law at the position has nothing like the reading
     NotComputed,      ///< nobody has asked for them
 };
 
@@ -24,7 +24,7 @@ inline constexpr auto kEnumTable<UnknownShares> = std::to_array<EnumRow<UnknownS
     {{UnknownShares::None, "none", "known"},
      {UnknownShares::SeveralContacts, "several_contacts", "several contacts at once"},
      {UnknownShares::MissingTicks, "missing_ticks", "ticks without a state of the model"},
-     {UnknownShares::NoLandmark, "no_landmark", "the law has none at this place"},
+     {UnknownShares::NoLandmark, "no_landmark", "the law has none at this point"},
      {UnknownShares::NotComputed, "not_computed", "not computed"}});
 static_assert(isComplete<UnknownShares>());
 
@@ -32,14 +32,14 @@ static_assert(isComplete<UnknownShares>());
 struct Budget {
     double value = 0.0;
     double noise = 0.0;  ///< what the detector cannot resolve
-    /// By what each input moves the result, in the order of UncertaintyInput, >= 0; NaN: not known.
+    /// Change of the result by each input, in the order of UncertaintyInput, >= 0; NaN: not known.
     std::array<double, kUncertaintyInputCount> shares{};
-    /// By how much the value is too large because the scan still has the shape of its imaging tip:
-    /// value - shift is the best estimate, about which the deviations are. Known in size and sign,
-    /// it is no deviation: an interval by its square would hold the truth too often.
+    /// Amount by which the value is too large because the scan still has the shape of its imaging
+    /// tip: value - shift is the best estimate, about which the deviations are. Known in size and
+    /// sign, it is no deviation: an interval by its square would hold the truth too often.
     double shift = 0.0;
-    /// What terms that the model leaves out, or its law has no room for, change the result by, at
-    /// most on the sampled runs of SceneNeeds, >= 0. It counts as a standard deviation. NaN: not
+    /// Largest change of the result, on the sampled runs of RequiredTerms, by terms that the model
+    /// leaves out or that its law cannot have, >= 0. It counts as a standard deviation. NaN: not
     /// known.
     double leftOut = 0.0;
     bool isLeftOutJudged = true;  ///< false: no runs were sampled; `leftOut` is 0 for want of them
@@ -51,11 +51,11 @@ struct Budget {
     [[nodiscard]] double share(UncertaintyInput input) const noexcept {
         return shares[static_cast<std::size_t>(input)];
     }
-    /// What the inputs leave open: all shares, as independent ones; NaN: not known.
+    /// Returns the uncertainty by the inputs: all shares, as independent ones; NaN: not known.
     [[nodiscard]] double inputs() const noexcept;
-    /// What model and calibration leave open: the inputs, and terms left out.
+    /// Returns the uncertainty by model and calibration: the inputs, and terms left out.
     [[nodiscard]] double model() const noexcept;
-    /// Whether that is known, but for terms left out that were not judged.
+    /// Returns whether that is known, but for terms left out that were not judged.
     [[nodiscard]] bool isModelKnown() const noexcept;
     /// Returns whether it is known what terms left out do.
     [[nodiscard]] bool isLeftOutKnown() const noexcept;
@@ -70,7 +70,7 @@ struct Budget {
     [[nodiscard]] bool isMostLeftOut() const noexcept;
     /// The inputs that make up nine tenths of the variance by all inputs, the largest first.
     [[nodiscard]] std::vector<UncertaintyInput> mainInputs() const;
-    /// What smoothing and pixels move the result by, relative to its value.
+    /// Returns the change of the result by smoothing and pixels, relative to its value.
     [[nodiscard]] double resolutionShare() const noexcept;
     /// The same relative shares of another reading of the result; where it is 0, or there is none,
     /// no share of a reading that is not is known. @param deviation by noise

@@ -46,11 +46,11 @@ UnknownShares unknownIn(const ContactCycle& cycle) {
     return cycle.interrupted ? UnknownShares::MissingTicks : UnknownShares::None;
 }
 
-Budget budgetOf(const CycleReading& row, const Reading& reading, const PlaceBudgets& budgets,
+Budget budgetOf(const CycleReading& row, const Reading& reading, const LandmarkBudgets& budgets,
                 UnknownShares unknown) {
-    const Budget& ofPlace = budgetOf(budgets, row.landmark);
+    const Budget& ofPosition = budgetOf(budgets, row.landmark);
     const bool isOfLever = row.landmark == Landmark::NormalForce;
-    const Budget budget = ofPlace.of(reading.value, reading.sigma);
+    const Budget budget = ofPosition.of(reading.value, reading.sigma);
     if (unknown != UnknownShares::None && !isOfLever) {
         return budget.withoutShares(unknown);
     }
@@ -60,7 +60,7 @@ Budget budgetOf(const CycleReading& row, const Reading& reading, const PlaceBudg
 
 }  // namespace
 
-std::vector<CycleBudget> cycleBudgets(const PlaceBudgets& budgets, const ContactCycle& cycle) {
+std::vector<CycleBudget> cycleBudgets(const LandmarkBudgets& budgets, const ContactCycle& cycle) {
     std::vector<CycleBudget> list;
     // Where the law has nothing like it either, noise makes cycles that are none.
     const bool pushes = cycle.maxForce && cycle.maxForce->value > cycle.maxForce->sigma;
@@ -84,8 +84,25 @@ std::optional<Budget> budgetNamed(const std::vector<CycleBudget>& budgets, std::
 }
 
 std::vector<CycleBudget> cycleBudgets(const Scene& scene, const ContactCycle& cycle) {
-    return cycleBudgets(budgetsAt(scene, cycle.place, cycle.maxForce.value_or(Reading{}).value),
+    return cycleBudgets(budgetsAt(scene, cycle.position, cycle.maxForce.value_or(Reading{}).value),
                         cycle);
+}
+
+double ownStiffnessDeviation(const Uncertainty& given) noexcept {
+    const double common = given.thermalStiffness ? 2.0 * given.invOls : 0.0;
+    return std::sqrt(std::max(0.0, (given.stiffness * given.stiffness) - (common * common)));
+}
+
+Budget forceBudget(const Uncertainty& given, double force, double noise) noexcept {
+    Budget budget{.value = force, .noise = noise};
+    if (given.enabled) {
+        const auto set = [&](UncertaintyInput input, double deviation) {
+            budget.shares[static_cast<std::size_t>(input)] = std::abs(force) * deviation;
+        };
+        set(UncertaintyInput::Stiffness, ownStiffnessDeviation(given));
+        set(UncertaintyInput::InvOls, given.invOls);
+    }
+    return budget;
 }
 
 }  // namespace asperity

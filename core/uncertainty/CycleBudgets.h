@@ -1,7 +1,8 @@
 #pragma once
 
-#include "core/haptics/cycle/ContactCycle.h"
-#include "core/uncertainty/PlaceBudgets.h"
+#include "core/haptics/cycle/CurveBranch.h"
+#include "core/uncertainty/Budget.h"
+#include "core/uncertainty/LandmarkBudgets.h"
 
 #include <optional>
 #include <string_view>
@@ -33,17 +34,25 @@ struct CycleBudget {
     Budget budget;
 };
 
-/// Computes what model and calibration leave open in the readings of a cycle, at its place and its
-/// largest force; noise is the cycle's own. What a cycle does not show is left out. Where it has
-/// several contacts, or a part without a state of the model, only the force's is known.
+/// Computes the deviations by model and calibration of the readings of a cycle, at its position and
+/// its largest force; noise is the cycle's own. What a cycle does not show is left out. Where it
+/// has several contacts, or a part without a state of the model, only the force's is known.
 [[nodiscard]] std::vector<CycleBudget> cycleBudgets(const Scene& scene, const ContactCycle& cycle);
 
-/// The same by budgets of the cycle's place that are known already.
-[[nodiscard]] std::vector<CycleBudget> cycleBudgets(const PlaceBudgets& budgets,
+/// The same by budgets of the cycle's position that are known already.
+[[nodiscard]] std::vector<CycleBudget> cycleBudgets(const LandmarkBudgets& budgets,
                                                     const ContactCycle& cycle);
 
 /// Returns the budget of a reading; none: it has none. @param key of the reading
 [[nodiscard]] std::optional<Budget> budgetNamed(const std::vector<CycleBudget>& budgets,
                                                 std::string_view key);
+
+/// Returns the relative deviation of the stiffness that is no matter of InvOLS: a stiffness from a
+/// thermal spectrum goes as 1 / InvOLS^2. Source: docs/uncertainty.md 1.1.
+[[nodiscard]] double ownStiffnessDeviation(const Uncertainty& given) noexcept;
+
+/// Budget of a force as the signals of the lever show it: its scale is stiffness times InvOLS.
+/// @param force [N] @param noise its standard deviation by noise [N]
+[[nodiscard]] Budget forceBudget(const Uncertainty& given, double force, double noise) noexcept;
 
 }  // namespace asperity

@@ -2,15 +2,53 @@
 
 #include "core/surface/fit/LineFit.h"
 
+#include <Eigen/LU>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <span>
 
 namespace asperity {
 
 namespace {
+
+Vector2 across(const HeightSample& sample) noexcept { return sample.normal().head<2>(); }
+
+/// Derivative of the position over which the point lies that is `length` along the normal.
+Eigen::Matrix2d spreadOf(const HeightSample& sample, double length) noexcept {
+    const Vector2 slope(sample.dx, sample.dy);
+    Eigen::Matrix2d bend;
+    bend << sample.dxx, sample.dxy, sample.dxy, sample.dyy;
+    const double square = 1.0 + slope.squaredNorm();
+    const Eigen::Matrix2d identity = Eigen::Matrix2d::Identity();
+    return identity -
+           (length / std::sqrt(square)) * (identity - (slope * slope.transpose() / square)) * bend;
+}
+
+/// The position whose point that far along the normal lies over a target, by Newton's method from
+/// the target on; none: the surface folds on the way.
+std::optional<Vector2> positionUnder(const BSplineSurface& surface, const Vector2& target,
+                                     double length) noexcept {
+    constexpr int kIterations = 30;
+    constexpr double kClose = 1e-6;  // of a pixel
+    Vector2 position = target;
+    for (int i = 0; i < kIterations; ++i) {
+        const HeightSample sample = surface.at(position.x(), position.y());
+        const Vector2 missing = target - position - (length * across(sample));
+        if (missing.norm() < kClose * surface.finestPitch()) {
+            return position;
+        }
+        const Eigen::Matrix2d spread = spreadOf(sample, length);
+        if (!(spread.determinant() > 0.0)) {
+            return std::nullopt;
+        }
+        position += spread.inverse() * missing;
+    }
+    return std::nullopt;
+}
 
 /// Order of the derivative along x and along y of each entry of a Relief.
 struct Orders {
@@ -34,14 +72,14 @@ struct ScanAxis {
     int samples = 0;
     double pitch = 0.0;      ///< [m]
     double smoothing = 0.0;  ///< [pixel]
-    double place = 0.0;      ///< [m]
+    double position = 0.0;   ///< [m]
 
     [[nodiscard]] double size() const { return samples * pitch; }
     /// Over which a blur is seen: its own width and a pixel's [m].
     [[nodiscard]] double step() const { return pitch * std::hypot(smoothing, 1.0); }
-    /// The place, or the nearest one that has a step on either side.
+    /// The position, or the nearest one that has a step on either side.
     [[nodiscard]] double middle() const {
-        return step() < size() / 2.0 ? std::clamp(place, step(), size() - step()) : size() / 2.0;
+        return step() < size() / 2.0 ? std::clamp(position, step(), size() - step()) : size() / 2.0;
     }
 };
 
@@ -57,24 +95,24 @@ Eigen::Matrix<double, 4, 3> splineBasis(double t) {
     return basis;
 }
 
-/// The samples around a place that shape it: a line as long as the whole one, or so long that its
-/// far end does not matter.
+/// The samples around a position that shape it: a line as long as the whole one, or so long that
+/// its far end does not matter.
 class LineWindow {
 public:
     explicit LineWindow(const ScanAxis& axis)
         : axis_(axis), samples_(std::min(axis.samples, enoughFor(axis.smoothing))) {
-        const double center = (axis.place / axis.pitch) - 0.5 - (samples_ / 2.0);
+        const double center = (axis.position / axis.pitch) - 0.5 - (samples_ / 2.0);
         first_ = std::clamp(static_cast<int>(std::lround(center)), 0, axis.samples - samples_);
         weights_ = lineFitWeights(samples_, axis.smoothing);
     }
 
-    [[nodiscard]] LineWeights at(double place) const {
+    [[nodiscard]] LineWeights at(double position) const {
         LineWeights line = LineWeights::Zero(samples_, 3);
         if (axis_.samples == 1) {  // level along this axis
             line(0, 0) = 1.0;
             return line;
         }
-        const double u = (std::clamp(place, 0.0, axis_.size()) / axis_.pitch) - 0.5 - first_;
+        const double u = (std::clamp(position, 0.0, axis_.size()) / axis_.pitch) - 0.5 - first_;
         const int span = std::clamp(static_cast<int>(std::floor(u)), 0, samples_ - 2);
         const Eigen::Matrix<double, 4, 3> basis = splineBasis(u - span);
         const Eigen::Vector3d units(1.0, 1.0 / axis_.pitch, 1.0 / (axis_.pitch * axis_.pitch));
@@ -104,8 +142,8 @@ Eigen::Matrix<double, 6, 6> productsOf(const ScanAxis& axis) {
     const LineWindow window(axis);
     const double step = axis.step();
     const double middle = axis.middle();
-    Eigen::Matrix<double, Eigen::Dynamic, 6> all(window.at(axis.place).rows(), 6);
-    all.leftCols<3>() = window.at(axis.place);
+    Eigen::Matrix<double, Eigen::Dynamic, 6> all(window.at(axis.position).rows(), 6);
+    all.leftCols<3>() = window.at(axis.position);
     all.rightCols<3>() =
         (window.at(middle + step) + window.at(middle - step) - (2.0 * window.at(middle))) /
         (step * step);
@@ -132,13 +170,47 @@ constexpr int kDifference = 3;  // first column of the differences in the produc
 
 }  // namespace
 
+RecordedScan::RecordedScan(const Scene& scene)
+    : RecordedScan(scene.surface, scene.description.sample.erode
+                                      ? scene.description.sample.imagingTipRadius
+                                      : 0.0) {}
+
+Relief RecordedScan::reliefAt(double x, double y) const noexcept {
+    const std::optional<Vector2> under = positionUnder(surface_, Vector2(x, y), erodedBy_);
+    if (!under) {
+        return reliefOf(surface_.at(x, y));
+    }
+    HeightSample sample = surface_.at(under->x(), under->y());
+    Eigen::Matrix2d bend;
+    bend << sample.dxx, sample.dxy, sample.dxy, sample.dyy;
+    bend *= spreadOf(sample, erodedBy_).inverse();
+    return {sample.dx, sample.dy, bend(0, 0), 0.5 * (bend(0, 1) + bend(1, 0)), bend(1, 1)};
+}
+
+RecordedPositions recordedPositions(const Scene& scene, const TipState& state) noexcept {
+    const SampleDescription& sample = scene.description.sample;
+    const Vector2 point = state.closest.point.head<2>();
+    const Vector2 normal = state.closest.normal.head<2>();
+    if (sample.erode) {
+        const Vector2 recorded = point + (sample.imagingTipRadius * normal);
+        return {recorded, recorded};
+    }
+    if (sample.imagingTipRadius == 0.0) {
+        return {point, point};
+    }
+    const double tip = scene.belief.tipRadius();
+    const std::optional<Vector2> touched =
+        positionUnder(scene.surface, point + (tip * normal), tip - sample.imagingTipRadius);
+    return {point, touched.value_or(point)};
+}
+
 FitResponse::FitResponse(const RecordedScan& scan, const Smoothing& smoothing, double x, double y) {
     const BSplineSurface::Grid& grid = scan.grid();
     const ScanAxis axisX{grid.columns, grid.pitchX, smoothing.x, x};
     const ScanAxis axisY{grid.rows, grid.pitchY, smoothing.y, y};
     alongX_ = productsOf(axisX);
     alongY_ = productsOf(axisY);
-    const auto at = [&scan](double placeX, double placeY) { return scan.reliefAt(placeX, placeY); };
+    const auto at = [&scan](double u, double v) { return scan.reliefAt(u, v); };
     const double stepX = axisX.step();
     const double stepY = axisY.step();
     const double middleX = axisX.middle();

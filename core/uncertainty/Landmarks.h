@@ -11,7 +11,7 @@
 
 namespace asperity {
 
-/// What a user reads off a force curve.
+/// Quantity that a user reads off a force curve.
 enum class Landmark : std::uint8_t {
     AdhesionForce,   ///< strongest pull of the retract, > 0
     PullOffForce,    ///< just before the tip comes off, > 0 pulls
@@ -26,13 +26,13 @@ enum class Landmark : std::uint8_t {
     ContactTravel,   ///< of the base from the setpoint to the pull-off
 };
 
-/// What there is to say of a landmark.
+/// Names, unit and judged error of a landmark.
 struct LandmarkRow {
     Landmark value;
     const char* key;   ///< in summaries
     const char* name;  ///< for people
     const char* unit;  ///< SI
-    /// Whose error a term that is left out makes it; none: that is not judged.
+    /// Quantity whose error by a left-out term it shows; none: that is not judged.
     std::optional<JudgedQuantity> judged;
 };
 

@@ -25,7 +25,8 @@ std::string partText(double deviation, double factor, const std::string& inputs)
                : std::string();
 }
 
-/// Where it would move the 95 % interval by more than a twentieth of its half-width.
+/// Names the shift where it would move the 95 % interval by more than a twentieth of its
+/// half-width.
 std::string shiftText(const Budget& budget, double factor) {
     constexpr double kSeen = 0.1;  // standard deviations
     const double shift = std::abs(budget.shift);
@@ -36,7 +37,7 @@ std::string shiftText(const Budget& budget, double factor) {
            " (imaging tip)";
 }
 
-/// Where it raises the deviation of the model by more than a twentieth.
+/// Names what is left out where it raises the deviation of the model by more than a twentieth.
 std::string leftOutText(const Budget& budget, double factor) {
     constexpr double kSeen = 0.32;  // of the inputs' deviation
     const double inputs = std::isfinite(budget.inputs()) ? budget.inputs() : 0.0;
@@ -44,7 +45,7 @@ std::string leftOutText(const Budget& budget, double factor) {
                                            : std::string();
 }
 
-/// What is not known where the shares are not.
+/// Returns what is unknown where the shares are.
 const char* unknownParts(const Budget& budget) {
     return budget.isLeftOutKnown() ? "calibration, tip and material" : "model and calibration";
 }
@@ -58,12 +59,12 @@ std::string unknownPartText(const Budget& budget) {
 }
 
 std::string inputList(const Budget& budget) {
-    constexpr std::size_t kMost = 4;
+    constexpr std::size_t kMax = 4;
     std::string list;
     std::size_t count = 0;
     for (const UncertaintyInput input : budget.mainInputs()) {
         list += (list.empty() ? "" : ", ") + std::string(nameOf(input));
-        if (++count == kMost) {
+        if (++count == kMax) {
             break;
         }
     }
@@ -93,12 +94,12 @@ std::string mostBy(const Budget& budget) {
 
 std::string unknownText(const Budget& budget, const char* name) {
     if (budget.unknown != UnknownShares::None) {
-        return formatted("what %s leave open in the %s is not known: %s", unknownParts(budget),
-                         name, nameOf(budget.unknown));
+        return formatted("the uncertainty of the %s from %s is not known: %s", name,
+                         unknownParts(budget), nameOf(budget.unknown));
     }
     return budget.isLeftOutKnown()
                ? std::string()
-               : formatted("what the terms left out change in the %s is not known", name);
+               : formatted("the effect of the terms left out on the %s is not known", name);
 }
 
 std::string resolutionText(const Budget& budget, const char* name, double tolerance) {
@@ -111,7 +112,7 @@ std::string resolutionText(const Budget& budget, const char* name, double tolera
     }
     if (hidden > tolerance) {
         return formatted("noise of the heights hides roughness that may move the %s by %.2g %%; "
-                         "the stated deviations do not hold it",
+                         "the stated deviations do not include it",
                          name, 100.0 * hidden);
     }
     return {};

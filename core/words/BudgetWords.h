@@ -14,11 +14,11 @@ namespace asperity {
 /// @param unit SI
 [[nodiscard]] std::string budgetText(const Budget& budget, const char* unit);
 
-/// What leaves most of a result open, for people, or that it is not known; "–": nothing.
+/// Returns what adds most to a result's uncertainty, or that it is not known; "–": nothing.
 [[nodiscard]] std::string mostBy(const Budget& budget);
 
-/// Returns a note on what is not known of a result, and why: "what model and calibration leave open
-/// in the pull-off force is not known: several contacts at once". Empty where all is known.
+/// Returns a note on what is not known of a result, and why: "the uncertainty of the pull-off force
+/// from model and calibration is not known: several contacts at once". Empty where all is known.
 /// @param name of the result
 [[nodiscard]] std::string unknownText(const Budget& budget, const char* name);
 

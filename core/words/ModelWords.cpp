@@ -67,7 +67,7 @@ std::string surfaceText(ModelTerm term, const SurfaceNeeds& surface) {
                                                 : sentenceOf(surface.deepest);
 }
 
-std::string reasonText(const TermNeed& need, const SceneNeeds& needs) {
+std::string reasonText(const TermNeed& need, const RequiredTerms& needs) {
     if (need.fact) {
         return factText(need.term, *need.fact);
     }
@@ -139,7 +139,7 @@ std::string sentenceOf(const HalfSpaceAnswer& answer) {
            formatSi(answer.state.normalForce, "N");
 }
 
-std::string whyOf(const TermNeed& need, const SceneNeeds& needs) {
+std::string whyOf(const TermNeed& need, const RequiredTerms& needs) {
     std::string why = reasonText(need, needs);
     for (const ModelTerm other : kModelTerms) {
         if (need.effect > needs.tolerance && exclude(need.term, other) && has(needs.full, other) &&
@@ -150,7 +150,7 @@ std::string whyOf(const TermNeed& need, const SceneNeeds& needs) {
     return why;
 }
 
-std::string modelErrorText(const SceneNeeds& needs) {
+std::string modelErrorText(const RequiredTerms& needs) {
     if (needs.pending) {
         return "error not measured yet";
     }
@@ -160,20 +160,20 @@ std::string modelErrorText(const SceneNeeds& needs) {
     const QuantityErrors total = needs.totalErrors();
     const JudgedQuantity worst = total.worstQuantity();
     if (total.worst() == 0.0) {
-        return "no error by what is left out";
+        return "no error by omitted terms";
     }
     std::string text = "within " + percent(total.worst()) + " (" + nameOf(worst) + ")";
     if (needs.lawErrors[worst] > 0.0) {
         std::string missed;
         std::ranges::for_each(needs.lawMisses, [&](ModelTerm term) { list(missed, term); });
-        text += ": " + percent(needs.wholeErrors[worst]) + " by what is left out, " +
-                percent(needs.lawErrors[worst]) +
-                " by what no contact law combines with the rest (" + missed + ")";
+        text += ": " + percent(needs.wholeErrors[worst]) + " by omitted terms, " +
+                percent(needs.lawErrors[worst]) + " by terms that no contact law combines (" +
+                missed + ")";
     }
     return text;
 }
 
-std::string modelNote(const SceneNeeds& needs) {
+std::string modelNote(const RequiredTerms& needs) {
     std::string out;
     for (const TermNeed& need : needs.terms) {
         const auto& misses = needs.lawMisses;

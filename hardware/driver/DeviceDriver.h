@@ -13,12 +13,12 @@ namespace asperity {
 
 class HidTransport;
 
-/// Where devices are found and opened.
+/// Context in which devices are found and opened.
 struct DeviceSite {
-    /// The way to HID devices; outlives the device. @throw Error where there is none
+    /// The access to HID devices; outlives the device. @throw Error where there is none
     std::function<HidTransport&()> hid;
     std::filesystem::path data = {};  ///< the folder `data` that belongs to the program
-    Vector3 start = Vector3::Zero();  ///< where the device before it is [m]
+    Vector3 start = Vector3::Zero();  ///< position of the device before it [m]
 };
 
 /// A device that is there.

@@ -1,8 +1,10 @@
 #pragma once
 
-#include "core/haptics/device/DeviceStatus.h"
-#include "hardware/hid/HidList.h"
+#include "core/haptics/device/HapticDevice.h"
+#include "hardware/hid/HidTransport.h"
+#include "hardware/hid/HidapiTransport.h"
 
+#include <array>
 #include <condition_variable>
 #include <functional>
 #include <mutex>
@@ -27,14 +29,14 @@ public:
     /// @param label of the kind, for people
     HidFollower(HidTransport& transport, HidKind isOfKind, const char* label);
 
-    /// Whether it has a device; only before start().
+    /// Returns whether it has a device; only before start().
     [[nodiscard]] bool hasDevice() const noexcept { return found_.connection != nullptr; }
 
     /// Once. The follower's end stops the thread and waits for it: what `follow` uses must outlive
     /// the follower.
     void start(Follow follow);
 
-    /// Which device it is, or why there is none. Any thread.
+    /// Returns which device it is, or why there is none. Any thread.
     [[nodiscard]] DeviceStatus status() const;
 
 private:
@@ -54,5 +56,33 @@ private:
     FoundDevice found_;    ///< the thread's own once that runs
     std::jthread thread_;  ///< last: it uses all the others
 };
+
+/// Result of reading a device's waiting reports.
+enum class Drained : std::uint8_t {
+    All,       ///< all reports that waited, or none came in time
+    Overflow,  ///< the kernel's queue was full: the newest reports are lost
+    Lost,      ///< the device is lost
+};
+
+/// Hands each report that waits to `take`, the oldest first. Waits up to `patience` for the
+/// first.
+template <typename Take>
+Drained drainReports(HidConnection& device, std::chrono::milliseconds patience, const Take& take) {
+    constexpr std::size_t kMaxReportSize = 64;  // of a full-speed USB device [byte]
+    constexpr int kKernelQueue = 63;  // reports that the kernel keeps; it drops later ones
+    std::array<std::uint8_t, kMaxReportSize> report{};
+    for (int count = 0; count < kKernelQueue; ++count) {
+        const std::optional<std::size_t> size = device.read(report, patience);
+        if (!size) {
+            return Drained::Lost;
+        }
+        if (*size == 0) {
+            return Drained::All;
+        }
+        take(std::span<const std::uint8_t>(report).first(*size));
+        patience = std::chrono::milliseconds(0);
+    }
+    return Drained::Overflow;
+}
 
 }  // namespace asperity

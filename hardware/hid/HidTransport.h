@@ -12,7 +12,7 @@
 
 namespace asperity {
 
-/// What a collection of a HID device is for, in the numbers of the HID Usage Tables.
+/// Usage of a collection of a HID device, in the numbers of the HID Usage Tables.
 struct HidUsage {
     std::uint16_t page = 0;
     std::uint16_t id = 0;
@@ -30,11 +30,11 @@ struct HidDeviceInfo {
     std::vector<HidUsage> usages;  ///< of all its collections
     bool permitted = true;         ///< this user may read and write it
 
-    /// Whether one of its collections is for this.
+    /// Returns whether one of its collections is for this.
     [[nodiscard]] bool hasCollection(const HidUsage& usage) const {
         return std::ranges::find(usages, usage) != usages.end();
     }
-    /// What a user calls it.
+    /// Returns its name for a user.
     [[nodiscard]] std::string name() const {
         if (!product.empty()) {
             return product;
@@ -54,11 +54,11 @@ public:
                                             std::chrono::milliseconds patience) = 0;
 
     /// Sends an output report, its id first. May take milliseconds, at worst seconds.
-    /// @return whether the device took it
+    /// @return whether the device accepted it
     virtual bool write(std::span<const std::uint8_t> report) = 0;
 };
 
-/// The way to HID devices: the system's, or one made up by a test. Any thread.
+/// The access to HID devices: the system's, or one made up by a test. Any thread.
 class HidTransport {
 public:
     virtual ~HidTransport() = default;
@@ -66,7 +66,7 @@ public:
     /// Every HID device, each once. @throw Error when the system cannot list them
     virtual std::vector<HidDeviceInfo> enumerate() = 0;
 
-    /// @throw Error with the reason and what helps
+    /// @throw Error with the reason and the remedy
     virtual std::unique_ptr<HidConnection> open(const std::string& path) = 0;
 };
 

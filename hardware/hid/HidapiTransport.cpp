@@ -37,7 +37,7 @@ public:
         return instance;
     }
 
-    /// The one that the process has, made anew when there is none.
+    /// The one that the process has, made when there is none.
     static std::shared_ptr<Library> shared() {
         static std::mutex making;
         static std::weak_ptr<Library> current;
@@ -189,6 +189,20 @@ std::unique_ptr<HidConnection> HidapiTransport::open(const std::string& path) {
         throw Error(path + ": the device cannot be opened: " + toUtf8(hid_error(nullptr)));
     }
     return std::make_unique<Connection>(library_, device);
+}
+
+std::vector<ListedDevice> listHid(const DeviceSite& site, HidKind isOfKind) {
+    std::vector<ListedDevice> list;
+    for (const HidDeviceInfo& device : site.hid().enumerate()) {
+        if (isOfKind(device)) {
+            list.push_back({.name = device.name(),
+                            .path = device.path,
+                            .vendorId = device.vendorId,
+                            .productId = device.productId,
+                            .obstacle = device.permitted ? "" : kNoPermission});
+        }
+    }
+    return list;
 }
 
 }  // namespace asperity

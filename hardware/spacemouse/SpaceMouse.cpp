@@ -1,19 +1,49 @@
 #include "hardware/spacemouse/SpaceMouse.h"
 
-#include "hardware/hid/DrainReports.h"
-#include "hardware/spacemouse/SpaceMouseDriver.h"
+#include "hardware/hid/HidapiTransport.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <utility>
 
 namespace asperity {
 
 namespace {
 
+constexpr std::uint8_t kMotionId = 1;
+constexpr std::uint8_t kRotationId = 2;
+constexpr std::uint8_t kButtonsId = 3;
+constexpr std::size_t kThreeAxes = 6;  // [byte]
+constexpr std::size_t kSixAxes = 12;   // [byte]
+constexpr double kFullDeflection = 350.0;
+
+using Payload = std::span<const std::uint8_t>;
+
+double axis(Payload payload, std::size_t index) noexcept {
+    const auto low = static_cast<unsigned>(payload[2 * index]);
+    const auto high = static_cast<unsigned>(payload[2 * index + 1]);
+    const auto counts = static_cast<std::int16_t>(low | (high << 8U));
+    return std::clamp(counts / kFullDeflection, -1.0, 1.0);
+}
+
+/// The device's frame is the lab's turned by half a turn about x.
+Vector3 labVector(Payload payload) noexcept {
+    return {axis(payload, 0), -axis(payload, 1), -axis(payload, 2)};
+}
+
+std::uint32_t buttonBits(Payload payload) noexcept {
+    std::uint32_t bits = 0;
+    for (std::size_t i = 0; i < std::min(payload.size(), sizeof(bits)); ++i) {
+        bits |= static_cast<std::uint32_t>(payload[i]) << (8 * i);
+    }
+    return bits;
+}
+
 constexpr std::chrono::milliseconds kReportPatience{20};  // how long a stop may have to wait
 
-constexpr double kDeadZone = 0.05;    // a knob let go does not always rest at zero
+constexpr double kDeadZone = 0.05;    // a released knob does not always rest at zero
 constexpr double kGentleSlope = 0.2;  // speed per deflection where it begins
 
 /// Speed, as a share of the full one, for the deflection of one axis. It grows with the cube, so
@@ -55,11 +85,45 @@ std::optional<SpaceMouseState> drain(HidConnection& device, SpaceMouseState stat
     if (drained == Drained::Lost) {
         return std::nullopt;
     }
-    // Where reports are gone, one of them may have said that the knob was let go.
+    // A lost report may have said that the knob was released.
     return drained == Drained::Overflow ? SpaceMouseState{.buttons = state.buttons} : state;
 }
 
+struct ProductRange {
+    std::uint16_t vendorId;
+    std::uint16_t first;
+    std::uint16_t last;
+};
+
+// Logitech made them first. CadMice lie at 256f:c650-c658, among them the receiver for all, c652.
+constexpr std::array kSpaceMice = {ProductRange{0x046d, 0xc603, 0xc640},
+                                   ProductRange{0x256f, 0xc62e, 0xc64f},
+                                   ProductRange{0x256f, 0xc652, 0xc652}};
+
+constexpr HidUsage kMultiAxisController = {.page = 0x01, .id = 0x08};
+
 }  // namespace
+
+SpaceMouseState afterReport(const SpaceMouseState& before,
+                            std::span<const std::uint8_t> report) noexcept {
+    SpaceMouseState state = before;
+    if (report.size() < 2) {
+        return state;
+    }
+    const std::uint8_t id = report.front();
+    const Payload payload = report.subspan(1);
+    if (id == kMotionId && payload.size() == kSixAxes) {
+        state.translation = labVector(payload.first(kThreeAxes));
+        state.rotation = labVector(payload.subspan(kThreeAxes));
+    } else if (id == kMotionId && payload.size() == kThreeAxes) {
+        state.translation = labVector(payload);
+    } else if (id == kRotationId && payload.size() == kThreeAxes) {
+        state.rotation = labVector(payload);
+    } else if (id == kButtonsId) {
+        state.buttons = buttonBits(payload);
+    }
+    return state;
+}
 
 SpaceMouse::SpaceMouse(HidTransport& transport, Vector3 start, double fullSpeed)
     : position_(std::move(start))
@@ -94,6 +158,26 @@ void SpaceMouse::follow(HidConnection& device, const std::stop_token& stop) {
         reading.state = *state;
         reading_.write(reading);
     }
+}
+
+bool isSpaceMouse(const HidDeviceInfo& device) {
+    const bool known = std::ranges::any_of(kSpaceMice, [&device](const ProductRange& range) {
+        return device.vendorId == range.vendorId && device.productId >= range.first &&
+               device.productId <= range.last;
+    });
+    return known && device.hasCollection(kMultiAxisController);
+}
+
+const DeviceDriver& spaceMouseDriver() {
+    static const DeviceDriver driver{
+        .key = "SpaceMouse",
+        .label = "SpaceMouse",
+        .senses = {"x", "y", "z", "rx", "ry", "rz", "buttons"},
+        .list = [](const DeviceSite& site) { return listHid(site, isSpaceMouse); },
+        .open = [](const DeviceSite& site) -> std::unique_ptr<HapticDevice> {
+            return std::make_unique<SpaceMouse>(site.hid(), site.start);
+        }};
+    return driver;
 }
 
 }  // namespace asperity

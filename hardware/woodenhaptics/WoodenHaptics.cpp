@@ -1,10 +1,9 @@
 #include "hardware/woodenhaptics/WoodenHaptics.h"
 
+#include "core/io/scene/DeviceFiles.h"
 #include "core/realtime/PacedThread.h"
-#include "hardware/hid/DrainReports.h"
-#include "hardware/woodenhaptics/WoodenHapticsDriver.h"
+#include "hardware/hid/HidapiTransport.h"
 
-#include <algorithm>
 #include <utility>
 
 namespace asperity {
@@ -14,7 +13,7 @@ namespace {
 using std::chrono::milliseconds;
 
 constexpr milliseconds kAnswerPatience{10};  // the board speaks when spoken to: then ask it again
-constexpr int kOldReadings = 3;        // may be on their way when it is calibrated, and one more
+constexpr int kOldReadings = 3;        // may be in transfer when it is calibrated, and one more
 constexpr double kFirstReading = 0.2;  // how long the beginning waits for it [s]
 constexpr double kNever = 0.0;         // no reading: longer ago than any force lasts [s]
 constexpr double kForceLasts = 40e-3;  // after the reading that it answers [s]
@@ -31,6 +30,8 @@ private:
     HidConnection& device_;
     WoodenHapticsBoard board_;
 };
+
+constexpr HidUsage kTeensySerialPort = {.page = 0xFFC9, .id = 0x04};
 
 }  // namespace
 
@@ -114,8 +115,8 @@ bool WoodenHaptics::listen(Link& link) {
     return drained != Drained::Lost;
 }
 
-/// Whether the order may move the motors: it answers a young reading. One from before the device
-/// was lost is too old, for it is looked for half a second later.
+/// Returns whether the order may move the motors: it answers a young reading. One from before the
+/// device was lost is too old, for it is looked for half a second later.
 bool WoodenHaptics::isLive(const Link& link, const Order& order) {
     return link.calibrated() && monotonicSeconds() - order.answers <= kForceLasts;
 }
@@ -147,7 +148,7 @@ WoodenHapticsMessage WoodenHaptics::nextMessage(Link& link, const Vector3& force
     return currentsMessage(link.board, motorCurrents(description_, torques));
 }
 
-/// A force that is written again tells nothing new.
+/// A force that is written again adds nothing.
 void WoodenHaptics::noteDelay(const Order& order) {
     if (order.answers <= answered_) {
         return;
@@ -156,6 +157,25 @@ void WoodenHaptics::noteDelay(const Order& order) {
     const double now = monotonicSeconds();
     delays_.add(now - order.answers, now);
     delay_.store(delays_.value(), std::memory_order_relaxed);
+}
+
+bool isWoodenHaptics(const HidDeviceInfo& device) {
+    return woodenHapticsBoard(device.vendorId, device.productId) &&
+           !device.hasCollection(kTeensySerialPort);
+}
+
+const DeviceDriver& woodenHapticsDriver() {
+    static const DeviceDriver driver{
+        .key = "WoodenHaptics",
+        .label = "WoodenHaptics",
+        .senses = {"x", "y", "z", "buttons"},
+        .rendersForce = true,
+        .list = [](const DeviceSite& site) { return listHid(site, isWoodenHaptics); },
+        .open = [](const DeviceSite& site) -> std::unique_ptr<HapticDevice> {
+            return std::make_unique<WoodenHaptics>(
+                site.hid(), readWoodenHaptics(site.data / "devices" / "woodenhaptics_2015.toml"));
+        }};
+    return driver;
 }
 
 }  // namespace asperity

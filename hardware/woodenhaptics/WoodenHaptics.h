@@ -1,16 +1,42 @@
 #pragma once
 
 #include "core/haptics/device/HapticDevice.h"
-#include "core/haptics/device/WoodenHapticsDescription.h"
+#include "core/io/scene/DeviceFiles.h"
 #include "core/realtime/TripleBuffer.h"
+#include "hardware/driver/DeviceDriver.h"
 #include "hardware/hid/HidFollower.h"
-#include "hardware/woodenhaptics/RecentMaximum.h"
-#include "hardware/woodenhaptics/WoodenHapticsReports.h"
+#include "hardware/hid/HidTransport.h"
+#include "hardware/woodenhaptics/WoodenHapticsModel.h"
 
+#include <algorithm>
 #include <atomic>
 #include <optional>
 
 namespace asperity {
+
+/// The largest of the samples of the last one to two seconds, in two halves of a second each.
+class RecentMaximum {
+public:
+    /// @param now when it was taken, not before the last one [s]
+    void add(double sample, double now) noexcept {
+        if (now - begin_ >= kHalf) {
+            older_ = now - begin_ < 2.0 * kHalf ? newer_ : 0.0;
+            newer_ = 0.0;
+            begin_ = now;
+        }
+        newer_ = std::max(newer_, sample);
+    }
+
+    /// Returns the value of the last sample; 0 before the first. Samples are positive.
+    [[nodiscard]] double value() const noexcept { return std::max(older_, newer_); }
+
+private:
+    static constexpr double kHalf = 1.0;  // [s]
+
+    double begin_ = 0.0;  ///< of the newer half [s]
+    double older_ = 0.0;
+    double newer_ = 0.0;
+};
 
 /// A WoodenHaptics or Polhem: three joints with motors, over USB HID. A thread of its
 /// own exchanges reports with the device, and without one looks for it twice a second. Positions
@@ -18,8 +44,8 @@ namespace asperity {
 ///
 /// The motors get a force only while it answers a reading that is no older than 40 ms: a loop that
 /// hangs, a device that falls silent and one that comes back feel none. Its encoders count from
-/// where the handle stood at power-up: until calibrate() was called it is not connected, for places
-/// and the directions of forces would be wrong, and so it is again after it was lost. When the
+/// the position at power-up: until calibrate() was called it is not connected, for positions and
+/// the directions of forces would be wrong, and so it is again after it was lost. When the
 /// program is killed, the firmware cuts the currents after half a second without a message.
 class WoodenHaptics final : public HapticDevice {
 public:
@@ -94,5 +120,13 @@ private:
 
     HidFollower follower_;  ///< last: its thread uses all the others
 };
+
+/// Returns whether this is the board of a WoodenHaptics: by its ids, which are those of any Teensy
+/// that speaks raw HID and of any mbed. A Teensy has a second node, a serial port in HID reports:
+/// that is none.
+[[nodiscard]] bool isWoodenHaptics(const HidDeviceInfo& device);
+
+/// Returns the driver of WoodenHaptics and Polhem.
+[[nodiscard]] const DeviceDriver& woodenHapticsDriver();
 
 }  // namespace asperity

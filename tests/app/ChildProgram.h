@@ -7,7 +7,7 @@
 
 namespace asperity::test {
 
-/// How a child ended and what it took.
+/// End of a child and the resources that it used.
 struct ChildEnd {
     int exitCode = -1;    ///< -1 when a signal ended it
     long peakMemory = 0;  ///< largest resident size [bytes]

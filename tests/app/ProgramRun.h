@@ -4,7 +4,7 @@
 
 namespace asperity::test {
 
-/// What a run of the program printed and how it ended.
+/// Output of a run of the program and its end.
 struct ProgramRun {
     int exitCode = -1;
     std::string output;  ///< stdout and stderr together

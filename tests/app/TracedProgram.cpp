@@ -69,7 +69,7 @@ std::string pathAt(pid_t thread, std::uint64_t address) {
     return path;
 }
 
-/// What a system call makes; empty: nothing with a name.
+/// Returns the file that a system call makes; empty: none with a name.
 std::string madeBy(pid_t thread, const SystemCall& call) {
     switch (call.number) {
     case SYS_openat:
@@ -90,7 +90,7 @@ std::string madeBy(pid_t thread, const SystemCall& call) {
     }
 }
 
-/// What a system call would add.
+/// Returns what a system call would add.
 FileProgress effectOf(pid_t thread, const SystemCall& call) {
     switch (call.number) {
     case SYS_write:
@@ -143,7 +143,7 @@ FileProgress effectOf(pid_t thread, const SystemCall& call) {
     _exit(127);
 }
 
-/// The signal that a stopped thread gets when it goes on; 0: none, the stop was the tracer's own.
+/// The signal that a stopped thread gets when it continues; 0: none, the stop was the tracer's own.
 int signalOf(int status) {
     const int signal = WSTOPSIG(status);
     return signal == kSystemCall || signal == SIGSTOP || status >> 16 != 0 ? 0 : signal;

@@ -8,7 +8,7 @@
 
 namespace asperity::test {
 
-/// What a program has done to files so far.
+/// Changes that a program has made to files so far.
 struct FileProgress {
     std::uint64_t bytes = 0;  ///< written to regular files
     std::uint64_t steps = 0;  ///< files and folders made, renamed, removed

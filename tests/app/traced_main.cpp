@@ -7,7 +7,7 @@
 
 // runTraced() for scripts. Usage: asperity_traced BYTES MADE PROGRAM [ARGUMENT...]
 // kills the program before it has written more bytes than that, or makes what ends in MADE; an
-// empty word stands for no such limit. Prints whether it came to that, the program's exit code and
+// empty word means no such limit. Prints whether it came to that, the program's exit code and
 // the bytes that it has written.
 
 int main(int argc, char** argv) {

@@ -1,4 +1,4 @@
-#include "core/DurationText.h"
+#include "core/FormattedText.h"
 
 #include <gtest/gtest.h>
 

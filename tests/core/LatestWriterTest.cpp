@@ -74,7 +74,7 @@ TEST_F(LatestWriterTest, TriesAgainAndSaysOnceWhyItMust) {
     EXPECT_EQ(failure(), "the disk is full") << "another time";
 }
 
-TEST_F(LatestWriterTest, ALaterValueTakesThePlaceOfOneThatCouldNotBeWritten) {
+TEST_F(LatestWriterTest, ALaterValueReplacesOneThatCouldNotBeWritten) {
     make(1h);
     isFull = true;
     writer->write(1);

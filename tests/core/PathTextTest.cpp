@@ -1,6 +1,5 @@
-#include "core/PathText.h"
 
-#include "core/Utf8.h"
+#include "core/PrintableText.h"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,6 @@
-#include "core/PrivateFolder.h"
-
 #include "core/Error.h"
-#include "core/FileDescriptor.h"
-#include "core/Leftover.h"
+#include "core/GrowingFile.h"
+#include "core/TemporaryFile.h"
 #include "tests/support/ScratchFolder.h"
 
 #include <gmock/gmock.h>
@@ -12,6 +10,7 @@
 #include <fcntl.h>
 #include <fstream>
 #include <sys/resource.h>
+#include <thread>
 
 namespace asperity {
 namespace {
@@ -55,6 +54,20 @@ TEST_F(PrivateFolderTest, SweepsThoseOfKilledProcessesAndNoOther) {
     EXPECT_FALSE(fs::exists(left));
     EXPECT_TRUE(fs::exists(mine));
     EXPECT_TRUE(fs::exists(held.path())) << "it is in use";
+}
+
+/// One of two programs that were started together said now and then that TMPDIR cannot be written:
+/// the other one had swept its new folder before it was locked.
+TEST_F(PrivateFolderTest, IsMadeWhileAnotherProgramSweeps) {
+    const std::jthread sweeper([this](const std::stop_token& stop) {
+        while (!stop.stop_requested()) {
+            sweepLeftovers(scratch.path(), temporaryPrefix("private"));
+        }
+    });
+    for (int i = 0; i < 2000; ++i) {
+        const PrivateFolder folder;
+        ASSERT_TRUE(fs::exists(folder.path())) << i;
+    }
 }
 
 TEST_F(PrivateFolderTest, SaysWhereItCannotBeMade) {

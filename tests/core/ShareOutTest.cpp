@@ -10,7 +10,7 @@
 namespace asperity {
 namespace {
 
-/// What was reported last, for all threads.
+/// The last report, for all threads.
 class LatestShare : public Progress {
 public:
     void report(double fraction) override {
@@ -66,7 +66,7 @@ TEST(ShareOut, ReportsWhatOthersDidAlone) {
     EXPECT_EQ(progress.latest, 1.0);
 }
 
-/// While the first piece took minutes, nothing showed that the others were done meanwhile.
+/// While the first piece took minutes, nothing showed that the others were done.
 TEST(ShareOut, ReportsWhatIsDoneWhileAPieceTakesLong) {
     if (std::thread::hardware_concurrency() < 2) {
         GTEST_SKIP() << "there is nobody to do the rest meanwhile";

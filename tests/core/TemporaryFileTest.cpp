@@ -1,7 +1,6 @@
 #include "core/TemporaryFile.h"
 
 #include "core/Error.h"
-#include "core/Leftover.h"
 #include "tests/support/OpenFilesLimit.h"
 #include "tests/support/ScratchFolder.h"
 
@@ -28,7 +27,7 @@ long filesIn(const fs::path& folder) {
     return std::distance(fs::directory_iterator(folder), fs::directory_iterator());
 }
 
-TEST(TemporaryFile, TakesTheTargetsPlaceOnlyWhenCommitted) {
+TEST(TemporaryFile, ReplacesTheTargetOnlyWhenCommitted) {
     const test::ScratchFolder scratch;
     const fs::path target = scratch.write("out.txt", "before");
     {
@@ -41,7 +40,7 @@ TEST(TemporaryFile, TakesTheTargetsPlaceOnlyWhenCommitted) {
     EXPECT_EQ(filesIn(scratch.path()), 1);
 }
 
-TEST(TemporaryFile, FollowsALinkToItsPlace) {
+TEST(TemporaryFile, FollowsALinkToItsTarget) {
     const test::ScratchFolder scratch;
     fs::create_directory(scratch.file("far"));
     fs::create_symlink("far/out.txt", scratch.file("link"));
@@ -78,7 +77,7 @@ TEST(TemporaryFile, AskingWhetherItCanBeWrittenLeavesNothing) {
     EXPECT_TRUE(fs::is_empty(scratch.path()));
 }
 
-/// What a killed process leaves for a target.
+/// Leftovers of a killed process for a target.
 fs::path leftover(const test::ScratchFolder& scratch, const std::string& target) {
     return scratch.write(temporaryName(temporaryPrefix(target)), "half");
 }
@@ -149,7 +148,7 @@ TEST(TemporaryFile, TakesNamesAsLongAsTheFileSystem) {
     }
 }
 
-/// That the writer could not open it was told as a full disk.
+/// A file that the writer could not open was reported as a full disk.
 TEST(TemporaryFile, SaysThatTooManyFilesAreOpen) {
     const test::ScratchFolder scratch;
     std::string said;

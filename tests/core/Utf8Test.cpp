@@ -1,4 +1,4 @@
-#include "core/Utf8.h"
+#include "core/PrintableText.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 #include "app/recording/Bundle.h"
 #include "core/Error.h"
-#include "core/PrivateFolder.h"
+#include "core/TemporaryFile.h"
 #include "tests/core/io/heightmap/ZipFiles.h"
 
 #include <cstdint>

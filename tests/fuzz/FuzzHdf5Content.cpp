@@ -6,7 +6,7 @@
 #include <memory>
 #include <vector>
 
-// What the program that reads HDF5 hands over, had it gone astray: its values, or an InputError.
+// Output of the program that reads HDF5, had it gone astray: its values, or an InputError.
 
 // NOLINTNEXTLINE(readability-identifier-naming): the name that libFuzzer calls
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
@@ -16,7 +16,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
             std::make_shared<asperity::OwnedBytes>(bytes, "content"), "fuzz");
         for (const asperity::Hdf5Item& item : content.items()) {
             (void)content.text(item.kind, item.path);
-            if (item.place && item.type != asperity::Hdf5Type::Text) {
+            if (item.offset && item.type != asperity::Hdf5Type::Text) {
                 std::vector<double> numbers(std::min<std::uint64_t>(item.count, 1000));
                 content.read(item, 0, numbers);
             }

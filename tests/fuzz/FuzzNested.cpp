@@ -22,7 +22,7 @@ void parse(std::string_view text) {
         }
     } else {
         const nlohmann::json json = nlohmann::json::parse(text, nullptr, false);
-        const nlohmann::json copy = json;  // goes down to the deepest value
+        const nlohmann::json copy = json;  // reaches the deepest value
     }
 }
 

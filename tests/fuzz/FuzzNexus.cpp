@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
-// A NeXus scan in what the program that reads HDF5 hands over: whole channels, or an InputError. It
-// is asked several times, and a damaged file may lead it astray: what it hands over later may be
+// A NeXus scan in the output of the program that reads HDF5: whole channels, or an InputError. It
+// is asked several times, and a damaged file may lead it astray: its later output may be
 // another content, that behind the mark.
 
 namespace {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/io/heightmap/StoredRows.h"
+#include "core/io/heightmap/SampleRows.h"
 
 #include <cstdlib>
 

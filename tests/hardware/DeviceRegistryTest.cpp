@@ -2,9 +2,8 @@
 
 #include "core/Error.h"
 #include "core/words/DeviceWords.h"
-#include "hardware/piloted/PilotedDrivers.h"
-#include "hardware/spacemouse/SpaceMouseDriver.h"
-#include "hardware/woodenhaptics/WoodenHapticsDriver.h"
+#include "hardware/spacemouse/SpaceMouse.h"
+#include "hardware/woodenhaptics/WoodenHaptics.h"
 #include "tests/hardware/FakeHid.h"
 #include "tests/support/Places.h"
 
@@ -203,8 +202,8 @@ std::string askedOf(const std::string& key, const std::string& rule) {
     return rule.substr(value, rule.find('"', value) - value);
 }
 
-/// What the shipped rules let the operator at the screen open: vendor id and pattern for product
-/// ids.
+/// Devices that the shipped rules let the operator at the screen open: vendor id and pattern for
+/// product ids.
 std::vector<std::pair<std::string, std::string>> shippedRules() {
     std::ifstream file(test::dataFolder() / "udev/70-asperity-hid.rules");
     std::vector<std::pair<std::string, std::string>> rules;

@@ -1,5 +1,4 @@
-#include "app/commands/DevicesCommand.h"
-
+#include "app/commands/Commands.h"
 #include "tests/hardware/VirtualSpaceMouse.h"
 
 #include <gtest/gtest.h>
@@ -11,7 +10,7 @@
 namespace asperity::test {
 namespace {
 
-/// What `asperity` prints on the standard output for these words.
+/// Returns the standard output of `asperity` for these words.
 std::string printed(const std::string& words) {
     CLI::App program;
     addDevicesCommand(program);

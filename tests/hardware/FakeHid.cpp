@@ -125,10 +125,10 @@ HidDeviceInfo spaceMouseInfo() {
 Report motionReport(int x, int y, int z) {
     Report report(13, 0);
     report[0] = 1;
-    std::size_t place = 1;
+    std::size_t index = 1;
     for (const int counts : {x, y, z}) {
-        report[place++] = static_cast<std::uint8_t>(static_cast<unsigned>(counts) & 0xFFU);
-        report[place++] = static_cast<std::uint8_t>((static_cast<unsigned>(counts) >> 8U) & 0xFFU);
+        report[index++] = static_cast<std::uint8_t>(static_cast<unsigned>(counts) & 0xFFU);
+        report[index++] = static_cast<std::uint8_t>((static_cast<unsigned>(counts) >> 8U) & 0xFFU);
     }
     return report;
 }

@@ -24,7 +24,7 @@ public:
     void refuseToOpen(const std::string& why);
     /// Whether writing fails from now on.
     void refuseToWrite(bool refuse);
-    /// From now on a write takes so long.
+    /// From now on a write takes this time.
     void holdWrites(std::chrono::milliseconds time);
 
     [[nodiscard]] std::vector<Report> written() const;

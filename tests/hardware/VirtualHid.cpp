@@ -40,7 +40,7 @@ L: device=../../../0005:1234:0001.0002
 
 )";
 
-/// Of so many digits, in lower case.
+/// Returns a number of this many digits, in lower case.
 std::string inHex(unsigned value, int digits) {
     std::ostringstream text;
     text << std::hex << std::setw(digits) << std::setfill('0') << value;
@@ -61,7 +61,7 @@ std::string hidDeviceOf(const VirtualHidDescription& device) {
            inHex(device.productId, 4) + ".0001";
 }
 
-/// The USB device, its interface and the HID device, as umockdev takes them.
+/// The USB device, its interface and the HID device, as umockdev expects them.
 std::string filesOf(const VirtualHidDescription& device) {
     std::ostringstream text;
     text << "P: /devices/pci0000:00/usb1/1-1\nE: DEVTYPE=usb_device\nE: DRIVER=usb\n"
@@ -130,7 +130,7 @@ void VirtualHid::addToSystem(const std::string& description) {
 
 std::string VirtualHid::path() const { return "/dev/hidraw" + std::to_string(number_); }
 
-/// umockdev takes each number once. Who opens the node before umockdev answers for it is refused,
+/// umockdev accepts each number once. Who opens the node before umockdev answers for it is refused,
 /// and tries again.
 void VirtualHid::plug() {
     ++number_;

@@ -10,7 +10,7 @@
 
 namespace asperity::test {
 
-/// What a USB HID device says of itself.
+/// Description of a USB HID device.
 struct VirtualHidDescription {
     std::uint16_t vendorId = 0;
     std::uint16_t productId = 0;
@@ -40,7 +40,7 @@ public:
     /// All reports at once: no reader sees some of them only. Unplugged, it says nothing.
     void send(const std::vector<Report>& reports);
     [[nodiscard]] std::vector<Report> written() const;
-    /// What was written since the last call.
+    /// Returns the bytes written since the last call.
     [[nodiscard]] std::vector<Report> takeWritten();
 
 private:

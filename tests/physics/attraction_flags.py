@@ -66,24 +66,24 @@ PUBLISHED = {
 
 
 def check_retardation(checks, program):
-    places = {name: 1e9 * snap_in(share) for name, share in PUBLISHED.items()}
-    for name, place in places.items():
-        print(f"      {name}: snap-in at base {place:.2f} nm")
-    middle = (min(places.values()) + max(places.values())) / 2
-    spread = max(places.values()) - min(places.values())
+    positions = {name: 1e9 * snap_in(share) for name, share in PUBLISHED.items()}
+    for name, position in positions.items():
+        print(f"      {name}: snap-in at base {position:.2f} nm")
+    middle = (min(positions.values()) + max(positions.values())) / 2
+    spread = max(positions.values()) - min(positions.values())
     checks.holds("-18.0 nm lies in the middle of what is published, which spreads by 1 nm at most",
                  abs(middle + 18.0) < 0.1 and spread < 1.0, f"{middle:.2f}, {spread:.2f} nm")
     # The program's own share is Gregory's: within half of that spread.
-    own = places["Gregory (1981), half-spaces"]
+    own = positions["Gregory (1981), half-spaces"]
     checks.holds("the share by which the flag is set is as near", abs(own + 18.0) < 0.5,
                  f"{own:.2f} nm")
     said, _ = program.curve("--material", "silicon_oxide", "--law", "split", "--radius",
                             GLASS["radius"], "--stiffness", GLASS["stiffness"])
     line = next(line for line in said.splitlines() if "snap-in" in line)
-    place = float(line.split("base")[1].split()[0])
+    position = float(line.split("base")[1].split()[0])
     expected = 1e9 * snap_in(unretarded)
-    checks.holds("the program snaps in as without retardation", abs(place - expected) < 0.1,
-                 f"{place:.2f}, expected {expected:.2f} nm")
+    checks.holds("the program snaps in as without retardation", abs(position - expected) < 0.1,
+                 f"{position:.2f}, expected {expected:.2f} nm")
     checks.holds("and says so", "retarded_attraction" in said, line.strip())
     sharp, _ = program.curve("--material", "silicon_oxide", "--law", "split", "--radius", 15e-9,
                              "--stiffness", 14)

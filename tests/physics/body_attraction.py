@@ -29,8 +29,8 @@ def beside(gap, of_law, end):
         near = mpf(NEAREST)**3
         cubes = gap(distance)**3, of_law(distance)**3
         return distance * (cubes[0] / (cubes[0] + near)**2 - cubes[1] / (cubes[1] + near)**2)
-    places = [0] + [end * mpf(2)**-i for i in range(14, -1, -1)]
-    return mpf(HAMAKER) / 3 * mpmath.quad(part, places)
+    positions = [0] + [end * mpf(2)**-i for i in range(14, -1, -1)]
+    return mpf(HAMAKER) / 3 * mpmath.quad(part, positions)
 
 
 def check_limits(checks):
@@ -84,7 +84,7 @@ def of_paraboloid(radius, separation):
     return radius / 9 * (whole + separation / (separation**3 + end**3))
 
 
-FINER = 4  # places a pixel, along each axis
+FINER = 4  # positions a pixel, along each axis
 STIFFNESS = 1000.0  # N/m: the tip stays where it is put
 SQUARES = 0.003     # of pull-off: some hundred squares of 3e-5
 
@@ -106,18 +106,18 @@ class Spline:
                 through[i, min(max(i + tap, 0), side - 1)] += weight
         fine = numpy.zeros((side * FINER, side))
         for i in range(side * FINER):
-            place = (i + 0.5) / FINER - 0.5
-            for tap in range(math.floor(place) - 1, math.floor(place) + 3):
-                away = abs(place - tap)
+            position = (i + 0.5) / FINER - 0.5
+            for tap in range(math.floor(position) - 1, math.floor(position) + 3):
+                away = abs(position - tap)
                 weight = 2 / 3 - away**2 + away**3 / 2 if away < 1 else max(2 - away, 0)**3 / 6
                 fine[i, min(max(tap, 0), side - 1)] += weight
         along = fine @ numpy.linalg.solve(through, smooth)
         self.heights = along @ numpy.asarray(heights)[::-1] @ along.T  # rows upwards
         self.pitch = pitch / FINER
-        self.places = (numpy.arange(side * FINER) + 0.5) * self.pitch
+        self.positions = (numpy.arange(side * FINER) + 0.5) * self.pitch
 
     def at(self, x, y):
-        """Heights, bilinear between the fine places."""
+        """Heights, bilinear between the fine positions."""
         last = len(self.heights) - 1
         column = numpy.clip(x / self.pitch - 0.5, 0, last)
         row = numpy.clip(y / self.pitch - 0.5, 0, last)
@@ -130,7 +130,7 @@ class Spline:
 
     def touch(self, x, y):
         """Height of the apex where the tip first touches [m]."""
-        square = (self.places[None, :] - x)**2 + (self.places[:, None] - y)**2
+        square = (self.positions[None, :] - x)**2 + (self.positions[:, None] - y)**2
         return (self.heights - square / (TIP + numpy.sqrt(TIP**2 - square))).max()
 
     def beside(self, tip, turned=0.0, tip_radius=TIP):
@@ -152,10 +152,10 @@ class Spline:
                 counted[0][0])
 
     def contacts(self, tip, tip_radius):
-        """(gap, effective radius) of the places that are nearest to the sphere around them, the nearest four
+        """(gap, effective radius) of the positions that are nearest to the sphere around them, the nearest four
         across which a tip feels a four-hundredth of its strongest pull; the nearest first."""
         x, y, z = tip
-        square = (self.places[None, :] - x)**2 + (self.places[:, None] - y)**2
+        square = (self.positions[None, :] - x)**2 + (self.positions[:, None] - y)**2
         near = numpy.where(square < (0.9 * tip_radius)**2, square, 0.81 * tip_radius**2)
         gap = numpy.sqrt(near + (self.heights - z - tip_radius)**2) - tip_radius
         inner = gap[1:-1, 1:-1]
@@ -193,27 +193,27 @@ def write_scene(program, name, scan, tip_radius=TIP):
 
 
 def strongest(program, scene, x, y, top):
-    """Summary of a touch at a place: the state that pulls most, and what is beside its contact."""
+    """Summary of a touch at a position: the state that pulls most, and what is beside its contact."""
     program.explore(scene, [(0, x, y, top + 20e-9), (0.1, x, y, top - 0.1e-9),
                             (0.2, x, y, top - 0.1e-9), (0.4, x, y, top + 20e-9)])
     summary = json.loads((program.folder / "run/summary.json").read_text())
     return summary["strongest_attraction"], summary["strongest_attraction_body"]
 
 
-def check_shipped_film(checks, program, places):
+def check_shipped_film(checks, program, positions):
     heights, pitch = read_scan(DATA / "samples/granular_film.gsf")
     spline = Spline(heights, pitch)
     size = len(heights) * pitch
     scene = write_scene(program, "film.toml", str(DATA / "samples/granular_film.gsf"))
     program.write_scan("turned.gsf", numpy.rot90(numpy.asarray(heights)), pitch)
     turned_scene = write_scene(program, "turned.toml", "turned.gsf")
-    for i in range(places):
+    for i in range(positions):
         x, y = (0.28 + 0.05 * i) * size, (0.3 + 0.4 * (i * 0.618 % 1)) * size
         top = spline.touch(x, y)
         state, beside = strongest(program, scene, x, y, top)
         expected, of_nearest, radius = spline.beside(state["tip_m"])
         pull = 1.5 * math.pi * WORK * radius
-        name = f"place {i}, R_eff {radius * 1e9:.1f} nm"
+        name = f"position {i}, R_eff {radius * 1e9:.1f} nm"
         checks.near(f"{name}: the term, share of the pull-off force", -beside["in_model_n"] / pull,
                     expected / pull, 1, size=0.05 * abs(expected) / pull + SQUARES)
         checks.near(f"{name}: the sum of the summary", -beside["force_n"] / pull, of_nearest / pull, 1,
@@ -251,11 +251,11 @@ def check_particle(checks, program):
     checks.holds("of which sphere and half-space, share", plane / pull < 0.01, plane / pull)
 
 
-def main(path, places=4):
+def main(path, positions=4):
     checks = Checks()
     check_limits(checks)
     program = Program(path)
-    check_shipped_film(checks, program, places)
+    check_shipped_film(checks, program, positions)
     check_particle(checks, program)
     checks.finish()
 

@@ -189,7 +189,7 @@ class Maugis:
 
 
 def bisected(function, low, high):
-    """The zero of a function between two places where its signs differ."""
+    """The zero of a function between two positions where its signs differ."""
     low, high = mpf(low), mpf(high)
     rises = function(high) > 0
     for _ in range(90):

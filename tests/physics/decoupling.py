@@ -63,9 +63,9 @@ def turned(draw, normal, deviation):
     return unit(*(normal + deviation * (draw.gauss(0, 1) * first + draw.gauss(0, 1) * second)))
 
 
-def chi_square(program, draw, place, deviation, stated):
+def chi_square(program, draw, situation, deviation, stated):
     """Mean of e^T C^-1 e / 3 over draws about normals that are off by `deviation`."""
-    normal, velocity, friction, load = place
+    normal, velocity, friction, load = situation
     per_force, per_lateral = slopes_per_force()
     forces, cases = [], []
     for _ in range(DRAWS):
@@ -90,7 +90,7 @@ def chi_square(program, draw, place, deviation, stated):
     return total / (3 * DRAWS)
 
 
-def places():
+def situations():
     """(normal, velocity, friction coefficient, load) by name; speeds of 1 um/s."""
     flat, slope = unit(0, 0, 1), unit(0.3, -0.2, 1)
 
@@ -115,12 +115,12 @@ def main(path):
     draw = random.Random(3)
     # The mean of so many draws scatters by sqrt(2 / (3 DRAWS)) = 0.02; turns beyond first order
     # take or add up to 0.05.
-    for name, place in places().items():
+    for name, situation in situations().items():
         for degrees in (0, 1, 3):
             deviation = math.radians(degrees)
             checks.near(f"{name}, {degrees} degrees: chi^2 / 3",
-                        chi_square(program, draw, place, deviation, deviation), 1, 0.13)
-    exact = chi_square(program, draw, places()["flat, across the lever"], math.radians(3), 0)
+                        chi_square(program, draw, situation, deviation, deviation), 1, 0.13)
+    exact = chi_square(program, draw, situations()["flat, across the lever"], math.radians(3), 0)
     checks.holds("taken for exact, 3 degrees off: chi^2 / 3", exact > 10, f"{exact:.1f}")
     checks.finish()
 

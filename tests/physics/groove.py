@@ -71,7 +71,7 @@ def main(path):
         "probe": {"length_m": LENGTH, "width_m": 30e-6, "tip_height_m": TIP_HEIGHT,
                   "stiffness_n_m": STIFFNESS},
         "physics": {"law": "hertz"}})
-    # Two places where both flanks bear, one where a single one does.
+    # Two positions where both flanks bear, one where a single one does.
     for aside, flanks in ((17e-9, 2), (6e-7, 1), (5e-9, 2)):
         bead = bead_under_load(mpf(aside))
         name = f"{aside * 1e9:g} nm beside the middle, "

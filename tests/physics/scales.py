@@ -38,7 +38,7 @@ class Sample:
             "probe": {"length_m": 150e-6 * scale, "width_m": 30e-6 * scale,
                       "tip_height_m": 12e-6 * scale, "stiffness_n_m": 14 * scale},
             "physics": {"law": "md", "cohesive_range_m": 0.35678e-9 * scale},
-            "fidelity": {"foot_search": "certified", "curvature": "on", "torsion": "on"}})
+            "fidelity": {"closest_point_search": "certified", "curvature": "on", "torsion": "on"}})
 
     def forces(self):
         """Of the model in a run that goes down onto the sample, over it and up, over s^2."""
@@ -56,7 +56,7 @@ class Sample:
                 for row in log]
 
     def curve(self):
-        """Forces of the law on its lever over s^2, with their places over s."""
+        """Forces of the law on its lever over s^2, with their positions over s."""
         _, rows = self.program.curve(self.scene, "--points", "200")
         return [(float(row["base_position_m"]) / self.scale, float(row["force_n"]) / self.scale**2)
                 for row in rows]
@@ -80,7 +80,7 @@ def check_map(checks, name, pixels, expected):
 
 
 def check_several_contacts(checks, program):
-    """A film's hollows, where several places hold the tip, also at scales that round the heights."""
+    """A film's hollows, where several positions hold the tip, also at scales that round the heights."""
     def map_at(scale):
         return Sample(program, scale, "granular_film", 200, 30e-9).map()
     expected = map_at(1)
@@ -98,7 +98,7 @@ def main(path):
     usual = Sample(program, 1)
     forces, curve, pixels = usual.forces(), usual.curve(), usual.map()
     largest = max(math.hypot(*force) for force in forces)
-    deepest = max(abs(place) for place, _ in curve)
+    deepest = max(abs(position) for position, _ in curve)
     strongest = max(abs(force) for _, force in curve)
     checks.holds("the run touches and comes off", largest > 5e-9 and forces[-1] == (0, 0, 0),
                  f"{largest:.3g} N, then {forces[-1]}")
@@ -111,7 +111,7 @@ def main(path):
         checks.holds(name + "curve, points", len(other) == len(curve), len(other))
         off = max(max(abs(a - c) / deepest, abs(b - d) / strongest)
                   for (a, b), (c, d) in zip(other, curve))
-        checks.holds(name + "curve, worst place or force", off < FORCE, f"{off:.2g} of the largest")
+        checks.holds(name + "curve, worst position or force", off < FORCE, f"{off:.2g} of the largest")
         check_map(checks, f"{name}map", sample.map(), pixels)
     check_several_contacts(checks, program)
     checks.finish()

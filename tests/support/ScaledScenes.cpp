@@ -20,7 +20,7 @@ HeightMap particleMap() {
     HeightMap map{.columns = kPixels, .rows = kPixels, .pitchX = kPitch, .pitchY = kPitch};
     const auto particle = [](double x, double y) {
         const double across = std::hypot(x, y);
-        // A cone in place of the steep part, which a spline could not follow.
+        // A cone instead of the steep part, which a spline could not follow.
         return across < kRadius * std::numbers::sqrt2 / 2.0
                    ? std::sqrt(kRadius * kRadius - across * across)
                    : kRadius * std::numbers::sqrt2 - across;
@@ -97,7 +97,7 @@ ScaledScene scaled(ScaledScene scene, double scale) {
     for (double& height : scene.map.heights) {
         height *= scale;
     }
-    scene.place *= scale;
+    scene.position *= scale;
     scene.reach *= scale;
     return scene;
 }

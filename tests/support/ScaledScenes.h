@@ -8,13 +8,13 @@
 
 namespace asperity::test {
 
-/// A scene on a height map, and a place of it where a tip is let down.
+/// A scene on a height map, and a position of it where a tip is let down.
 struct ScaledScene {
     std::string name;
     SceneDescription description;
     HeightMap map;
-    Vector2 place = Vector2::Zero();  ///< world [m]
-    double reach = 0.0;               ///< how far the base goes above and below first touch [m]
+    Vector2 position = Vector2::Zero();  ///< world [m]
+    double reach = 0.0;                  ///< how far the base goes above and below first touch [m]
 };
 
 /// The same scene with all lengths, the range of cohesion, work of adhesion and stiffness `scale`

@@ -1,5 +1,5 @@
-#include "ui/NumberText.h"
-#include "ui/Theme.h"
+#include "ui/widgets/ShownText.h"
+#include "ui/widgets/Theme.h"
 #include "vtkplugins/pictures/Display.h"
 
 #include <QApplication>

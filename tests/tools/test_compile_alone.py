@@ -52,7 +52,7 @@ class CompileAlone(unittest.TestCase):
                               capture_output=True, text=True, check=False)
 
     def test_compiles_what_changed_and_a_user_of_each_header(self):
-        self.write("core/Width.h", WIDTH + "// more\n")
+        self.write("core/Width.h", WIDTH + "int more();\n")
         result = self.run_alone()
         self.assertEqual(result.returncode, 0, result.stdout)
         self.assertIn("4 of 4", result.stdout)  # the whole history, as it is short
@@ -67,9 +67,19 @@ class CompileAlone(unittest.TestCase):
         self.assertIn("core/Length.h does not compile by itself", self.run_alone().stdout)
 
     def test_leaves_out_what_is_older(self):
-        for text in ("// one\n", "// two\n"):
+        for text in ("int one();\n", "int two();\n"):
             self.write("core/Other.cpp", f"int other() {{ return 0; }}\n{text}")
             self.commit()
+        self.assertIn("1 of 1", self.run_alone().stdout)
+
+    def test_leaves_out_what_changed_in_comments_alone(self):
+        self.write("core/Other.cpp", "int other() { return 0; }\nconst char* url() { return \"a//b\"; }\n")
+        self.commit()
+        self.write("core/Other.cpp", "/* Of\n   two lines. */ int other() { return 0; }  // zero\n"
+                                     "const char* url() { return \"a//b\"; }\n")
+        self.commit()
+        self.assertIn("0 of 0", self.run_alone().stdout)
+        self.write("core/Other.cpp", "int other() { return 0; }\nconst char* url() { return \"a//c\"; }\n")
         self.assertIn("1 of 1", self.run_alone().stdout)
 
     def test_names_a_header_that_misses_an_include(self):

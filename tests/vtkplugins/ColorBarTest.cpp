@@ -1,7 +1,6 @@
-#include "vtkplugins/pictures/ColorBar.h"
-
 #include "tests/vtkplugins/NeedsDisplay.h"
 #include "vtkplugins/pictures/OffscreenPicture.h"
+#include "vtkplugins/pictures/Panel.h"
 
 #include <vtkLookupTable.h>
 #include <vtkNew.h>

@@ -1,7 +1,6 @@
-#include "vtkplugins/pictures/ContactCircle.h"
-
 #include "core/Units.h"
 #include "tests/vtkplugins/Fakes.h"
+#include "vtkplugins/pictures/RestingPatch.h"
 
 #include <gtest/gtest.h>
 

@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cstdint>
 #include <cstdlib>
 #include <filesystem>
 #include <limits>
@@ -51,7 +53,7 @@ int ticksOf(const test::Image& image) {
     return ticks;
 }
 
-TEST_F(MapSheets, ShowPixelsInTheirColorsAndPlaces) {
+TEST_F(MapSheets, ShowPixelsInTheirColorsAndPositions) {
     ASPERITY_NEEDS_DISPLAY();
     const std::filesystem::path path = folder / "sheet.png";
     writeMapSheet(path, "A map", std::vector{halves()});
@@ -139,13 +141,26 @@ TEST_F(MapSheets, ShowTheSameValueAlikeOverTheSameRange) {
 
 TEST_F(MapSheets, HaveRoomForAChart) {
     ASPERITY_NEEDS_DISPLAY();
-    const Chart chart{.title = "all over all",
-                      .xLabel = "x",
-                      .yLabel = "y",
-                      .curves = {{.label = {}, .x = {0.0, 1.0}, .y = {0.0, 1.0}}}};
+    const std::array<std::uint8_t, 4> red{255, 0, 0, 255};
     const auto sizeWith = [&](std::size_t maps) {
-        writeMapSheet(folder / "sheet.png", "Maps", std::vector(maps, halves()), &chart);
+        PictureSize room;
+        writeMapSheet(folder / "sheet.png", "Maps", std::vector(maps, halves()),
+                      [&](const PictureSize& size) {
+                          room = size;
+                          RasterImage chart{.width = kChartPixels * size.width,
+                                            .height = kChartPixels * size.height,
+                                            .pixels = {}};
+                          while (chart.pixels.size() <
+                                 chart.rowBytes() * static_cast<std::size_t>(chart.height)) {
+                              chart.pixels.insert(chart.pixels.end(), red.begin(), red.end());
+                          }
+                          return chart;
+                      });
         const test::Image image(folder / "sheet.png");
+        EXPECT_EQ(image.count([](const auto& rgb) {
+            return rgb == std::array<int, 3>{255, 0, 0};
+        }),
+                  room.width * room.height);
         return std::pair(image.width(), image.height());
     };
     EXPECT_EQ(sizeWith(4), std::pair(3 * 560, 56 + 2 * 560)) << "beside the fourth map";

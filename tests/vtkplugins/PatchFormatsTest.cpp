@@ -1,8 +1,7 @@
-#include "vtkplugins/io/PatchFormats.h"
-
 #include "core/Error.h"
 #include "tests/support/FileSizeLimit.h"
 #include "tests/support/ScratchFolder.h"
+#include "vtkplugins/io/VtkFormats.h"
 
 #include <vtkDataArray.h>
 #include <vtkNew.h>

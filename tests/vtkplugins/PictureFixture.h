@@ -1,6 +1,6 @@
 #pragma once
 
-#include "vtkplugins/pictures/PictureSize.h"
+#include "vtkplugins/pictures/RasterImage.h"
 
 #include <vtkImageData.h>
 #include <vtkNew.h>

@@ -1,10 +1,7 @@
 #include "core/Units.h"
 #include "tests/vtkplugins/Fakes.h"
-#include "vtkplugins/pictures/ChartAxis.h"
-#include "vtkplugins/pictures/Decimation.h"
-#include "vtkplugins/pictures/LabelPlacer.h"
 #include "vtkplugins/pictures/RestingPatch.h"
-#include "vtkplugins/pictures/Stretch.h"
+#include "vtkplugins/pictures/SceneParts.h"
 #include "vtkplugins/pictures/Ticks.h"
 
 #include <Eigen/Geometry>
@@ -17,31 +14,6 @@
 #include <vector>
 
 namespace asperity {
-
-TEST(Decimation, KeepsEveryPeakOfALongSeries) {
-    Series series;
-    for (int i = 0; i < 200000; ++i) {
-        series.x.push_back(i);
-        series.y.push_back(std::sin(1e-4 * i));
-    }
-    series.y[123457] = 7.0;  // one sample wide
-    series.y[77777] = -5.0;
-    const Series thinned = decimateMinMax(series, 1000);
-    EXPECT_LE(thinned.y.size(), 4000U);
-    EXPECT_EQ(thinned.x.size(), thinned.y.size());
-    const auto highest = std::max_element(thinned.y.begin(), thinned.y.end());
-    EXPECT_EQ(*highest, 7.0);
-    EXPECT_EQ(thinned.x[static_cast<std::size_t>(highest - thinned.y.begin())], 123457.0);
-    EXPECT_EQ(*std::min_element(thinned.y.begin(), thinned.y.end()), -5.0);
-    EXPECT_TRUE(std::is_sorted(thinned.x.begin(), thinned.x.end()));
-    EXPECT_EQ(thinned.x.front(), 0.0);
-    EXPECT_EQ(thinned.x.back(), 199999.0);
-}
-
-TEST(Decimation, LeavesShortSeriesAlone) {
-    const Series series{{3.0, 1.0, 2.0}, {1.0, 2.0, 3.0}};
-    EXPECT_EQ(decimateMinMax(series, 10).x, series.x);
-}
 
 TEST(Ticks, AreRoundAndInsideTheRange) {
     EXPECT_EQ(niceTicks(0.0, 10.0, 5), (std::vector<double>{0.0, 2.0, 4.0, 6.0, 8.0, 10.0}));
@@ -61,60 +33,6 @@ TEST(Ticks, AreRoundAndInsideTheRange) {
 TEST(Ticks, LabelsShareTheirDecimals) {
     EXPECT_EQ(tickLabels({0.0, 0.5, 1.0}), (std::vector<std::string>{"0.0", "0.5", "1.0"}));
     EXPECT_EQ(tickLabels({-20.0, 0.0, 20.0}), (std::vector<std::string>{"-20", "0", "20"}));
-}
-
-TEST(ChartAxis, ShowsSiValuesWithAPrefix) {
-    const std::vector<double> forces{-4.0_nN, 0.0, 9.0_nN};
-    const ChartAxis axis({"force", "N", false, 8}, forces);
-    EXPECT_EQ(axis.title(), "force [nN]");
-    EXPECT_NEAR(axis.place(9.0_nN), 9.0, 1e-12);
-    EXPECT_LT(axis.low(), -4.0);
-    EXPECT_GT(axis.high(), 9.0);
-}
-
-TEST(ChartAxis, LogarithmicAxesHaveDecadesAndNoPlaceForZero) {
-    const std::vector<double> values{0.0, 0.01, 1000.0, -1.0};
-    const ChartAxis axis({"error", "", true, 8}, values);
-    EXPECT_EQ(axis.labels(), (std::vector<std::string>{"0.01", "0.1", "1", "10", "100", "1000"}));
-    EXPECT_NEAR(axis.place(100.0), 2.0, 1e-12);
-    EXPECT_TRUE(std::isnan(axis.place(0.0)));
-    EXPECT_TRUE(std::isnan(axis.place(-1.0)));
-}
-
-TEST(ChartAxis, CategoriesStandUnderTheirNames) {
-    const std::vector<double> values{0.0, 2.0};
-    const ChartAxis axis({"", "", false, 8, {"oxide", "polystyrene", "rubber"}}, values);
-    EXPECT_EQ(axis.labels(), (std::vector<std::string>{"oxide", "polystyrene", "rubber"}));
-    EXPECT_EQ(axis.ticks(), (std::vector<double>{0.0, 1.0, 2.0}));
-    EXPECT_LT(axis.low(), 0.0);
-    EXPECT_GT(axis.high(), 2.0);
-}
-
-TEST(ChartAxis, ConstantAndMissingValuesStillGiveARange) {
-    for (const std::vector<double>& values :
-         {std::vector<double>{}, std::vector<double>{5.0, 5.0}, std::vector<double>{0.0},
-          std::vector<double>{std::numeric_limits<double>::quiet_NaN()}}) {
-        const ChartAxis axis({"x", "", false, 5}, values);
-        EXPECT_LT(axis.low(), axis.high());
-        EXPECT_GE(axis.ticks().size(), 2U);
-    }
-}
-
-TEST(LabelPlacer, LabelsKeepClearOfDotsLinesAndEachOther) {
-    const PixelRect inside{0.0, 0.0, 400.0, 300.0};
-    LabelPlacer placer(inside, 9.0);
-    const PixelPoint first{200.0, 150.0};
-    const PixelPoint second{215.0, 152.0};
-    placer.blockDot(first);
-    placer.blockDot(second);
-    placer.blockLine(second, {390.0, 152.0});
-    const PixelRect a = placer.place(first, 80.0, 18.0);
-    const PixelRect b = placer.place(second, 80.0, 18.0);
-    EXPECT_FALSE(a.overlaps(b));
-    for (const PixelRect& label : {a, b}) {
-        EXPECT_FALSE(label.overlaps({210.5, 147.5, 9.0, 9.0}));
-        EXPECT_FALSE(label.overlaps({215.0, 151.0, 175.0, 2.0}));
-    }
 }
 
 namespace {

@@ -4,7 +4,6 @@
 #include "tests/vtkplugins/NeedsDisplay.h"
 #include "tests/vtkplugins/PictureFixture.h"
 #include "vtkplugins/module/vtkAspPatchSource.h"
-#include "vtkplugins/pictures/Charts.h"
 #include "vtkplugins/pictures/DeformationPicture.h"
 #include "vtkplugins/pictures/OffscreenPicture.h"
 #include "vtkplugins/pictures/OverviewPicture.h"
@@ -257,11 +256,9 @@ TEST_F(Pictures, RefusesWhatCannotBeDrawn) {
     lost.force.x() = std::numeric_limits<double>::quiet_NaN();
     EXPECT_THROW(writeDeformationPicture(path, std::array{lost}), Error);
     EXPECT_THROW(writeDeformationPicture(path, {}), Error);
-    const Chart uneven{.title = "t", .xLabel = "x", .yLabel = "y", .curves = {{"c", {1.0}, {}}}};
-    EXPECT_THROW(writeCharts(path, std::array{uneven}, 1), Error);
-    const Chart empty{.title = "t", .xLabel = "x", .yLabel = "y", .curves = {}};
-    EXPECT_THROW(writeCharts(path, std::array{empty}, 1, {0, 100}), Error);
-    EXPECT_THROW(writeCharts(folder / "missing" / "picture.png", std::array{empty}, 1), Error);
+    const std::array whole{test::hertzDent()};
+    EXPECT_THROW(writeDeformationPicture(path, whole, {0, 100}), Error);
+    EXPECT_THROW(writeDeformationPicture(folder / "missing" / "picture.png", whole), Error);
     EXPECT_TRUE(std::filesystem::is_empty(folder));
 }
 

@@ -239,12 +239,12 @@ TEST_F(VtkFormats, StlHasTheTrianglesOfTheMesh) {
     EXPECT_EQ(std::filesystem::file_size(file("map.stl")), 84U + 50U * kTriangles);
     for (vtkIdType cell = 0; cell < kTriangles; ++cell) {
         for (int corner = 0; corner < 3; ++corner) {
-            const auto place = [&](vtkPolyData* mesh) {
+            const auto position = [&](vtkPolyData* mesh) {
                 return mesh->GetPoint(mesh->GetCell(cell)->GetPointId(corner));
             };
             std::array<double, 3> expected{};
-            std::ranges::copy_n(place(vtp->GetOutput()), 3, expected.begin());
-            const double* written = place(stl->GetOutput());
+            std::ranges::copy_n(position(vtp->GetOutput()), 3, expected.begin());
+            const double* written = position(stl->GetOutput());
             for (std::size_t axis = 0; axis < 3; ++axis) {
                 EXPECT_EQ(written[axis], static_cast<float>(expected.at(axis)));
             }

@@ -17,7 +17,7 @@ struct SampleScan {
     [[nodiscard]] bool isHeight() const { return unit == "m"; }
 };
 
-/// All scans of data/samples, made anew: the same numbers on every call.
+/// All scans of data/samples, generated: the same numbers on every call.
 [[nodiscard]] std::vector<SampleScan> makeSampleScans();
 
 }  // namespace asperity

@@ -1,9 +1,13 @@
 #include "tools/screenshots/CycleWindow.h"
 
 #include "app/loading/SceneLoader.h"
+#include "app/window/ViewControl.h"
+#include "app/window/device/DeviceControl.h"
+#include "app/window/live/CyclePanel.h"
+#include "app/window/live/ForcePanel.h"
+#include "app/window/live/LivePanels.h"
 #include "core/Error.h"
-#include "ui/panels/CyclePanel.h"
-#include "ui/panels/ForcePanel.h"
+#include "ui/shell/MainWindow.h"
 
 #include <QStatusBar>
 
@@ -15,7 +19,7 @@ namespace asperity {
 namespace {
 
 constexpr double kDuration = 12.0;    // of the approach and the way back [s]
-constexpr double kSlowest = 200.0;    // likewise [s]
+constexpr double kSlowest = 200.0;    // the same [s]
 constexpr int kWatch = 30;            // [ms]
 constexpr int kLooksStanding = 2000;  // with no newer tick: the loop stands still
 
@@ -27,7 +31,7 @@ struct Moment {
 };
 
 bool isIn(CycleWindow& cycle, ApproachPhase phase) {
-    const ApproachDevice* const approach = cycle.session().devices().approaching();
+    const ApproachDevice* const approach = cycle.stage().get<DeviceControl>().approaching();
     return approach != nullptr && approach->phase() == phase;
 }
 
@@ -44,7 +48,7 @@ bool isPulled(CycleWindow& cycle) {
 constexpr std::array kMoments{
     Moment{"far",
            [](CycleWindow& cycle) {
-               return cycle.session().run()->loop().snapshot().sample.time > 1.0;
+               return cycle.stage().run()->loop().snapshot().sample.time > 1.0;
            }},
     Moment{"snapped_in", isBonded},
     Moment{"indenting", [](CycleWindow& cycle) { return isIn(cycle, ApproachPhase::Dwell); }},
@@ -62,27 +66,27 @@ CycleWindow::CycleWindow(char** arguments)
 
 void CycleWindow::begin() {
     next_ = 0;
-    session().runs().use(loadScene(scene_, {}));
-    window().forces().cycles().clear();  // of a cycle that was too fast
-    const Scene& scene = session().run()->scene();
-    session().devices().approach(planApproach(
-        scene, {.duration = duration_, .place = Vector2(startPlace(scene).head<2>())}));
+    stage().runs().use(loadScene(scene_, {}));
+    panels().forces().cycles().clear();  // of a cycle that was too fast
+    const Scene& scene = stage().run()->scene();
+    stage().get<DeviceControl>().approach(planApproach(
+        scene, {.duration = duration_, .position = Vector2(startPosition(scene).head<2>())}));
 }
 
-const TickOutput& CycleWindow::newest() { return session().run()->loop().snapshot().sample.output; }
+const TickOutput& CycleWindow::newest() { return stage().run()->loop().snapshot().sample.output; }
 
 void CycleWindow::save(const std::string& name) {
     window().statusBar()->clearMessage();  // it names the file of the picture before
-    Q_EMIT window().pictureFileChosen(QString::fromStdString(prefix_ + name + ".png"));
+    stage().get<ViewControl>().savePicture(QString::fromStdString(prefix_ + name + ".png"));
 }
 
 void CycleWindow::pause() {
     timer_.stop();
-    session().runs().pause();
+    stage().runs().pause();
 }
 
 void CycleWindow::resume() {
-    session().runs().start();
+    stage().runs().start();
     timer_.start(kWatch);
 }
 
@@ -104,7 +108,7 @@ void CycleWindow::look() {
 bool CycleWindow::isBack() { return isIn(*this, ApproachPhase::Done); }
 
 bool CycleWindow::isStanding() {
-    const double time = session().run()->loop().snapshot().sample.time;
+    const double time = stage().run()->loop().snapshot().sample.time;
     looksSince_ = time == newestTime_ ? looksSince_ + 1 : 0;
     newestTime_ = time;
     return looksSince_ >= kLooksStanding;

@@ -1,7 +1,8 @@
 #pragma once
 
 #include "app/commands/VirtualDisplay.h"
-#include "app/session/LiveWindow.h"
+#include "app/window/Stage.h"
+#include "app/window/lab/LiveWindow.h"
 
 #include <QTimer>
 
@@ -18,16 +19,17 @@ public:
     explicit CycleWindow(char** arguments);
 
     [[nodiscard]] MainWindow& window() { return live_.window(); }
-    [[nodiscard]] Session& session() { return live_.session(); }
+    [[nodiscard]] LivePanels& panels() { return live_.panels(); }
+    [[nodiscard]] Stage& stage() { return live_.stage(); }
     [[nodiscard]] const TickOutput& newest();
     /// Saves what the window shows.
     void save(const std::string& name);
     void pause();
     void resume();
     /// Once through the cycle. Where the machine is so busy that a moment passed unseen, the cycle
-    /// begins anew at half the speed. @param seen is called with the name of each moment, more than
-    /// once of some: the last call counts @throw Error: the loop stands still, or a moment does not
-    /// come
+    /// begins again at half the speed. @param seen is called with the name of each moment, more
+    /// than once of some: the last call counts @throw Error: the loop stands still, or a moment
+    /// does not come
     int run(std::function<void(const std::string&)> seen);
 
 private:

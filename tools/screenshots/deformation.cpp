@@ -6,11 +6,11 @@
 #include "app/commands/VirtualDisplay.h"
 #include "app/program/DataFolder.h"
 #include "app/program/LoadedScene.h"
-#include "app/reports/ContactView.h"
+#include "app/reports/RunPictures.h"
 #include "core/Units.h"
-#include "core/haptics/RunEvents.h"
+#include "core/haptics/VirtualRun.h"
 #include "core/io/scene/SceneFile.h"
-#include "core/scene/SceneTruth.h"
+#include "core/scene/BelievedModel.h"
 #include "core/surface/synthetic/SyntheticSurface.h"
 #include "tools/screenshots/PictureTool.h"
 #include "vtkplugins/pictures/OverviewPicture.h"
@@ -94,7 +94,7 @@ RunEvents approached(const Scene& scene, const PathPlan& plan) {
 /// A place off the summits, where the surface is tilted.
 PathPlan planBesideMiddle(const Scene& scene) {
     PathPlan plan;
-    plan.place = Vector2(0.42 * scene.surface.sizeX(), 0.46 * scene.surface.sizeY());
+    plan.position = Vector2(0.42 * scene.surface.sizeX(), 0.46 * scene.surface.sizeY());
     return plan;
 }
 

@@ -4,11 +4,15 @@
 
 #include "app/commands/VirtualDisplay.h"
 #include "app/loading/SceneLoader.h"
-#include "app/session/LiveWindow.h"
+#include "app/window/Stage.h"
+#include "app/window/ViewControl.h"
+#include "app/window/device/DeviceControl.h"
+#include "app/window/lab/LiveWindow.h"
 #include "core/Error.h"
 #include "tools/screenshots/PictureTool.h"
-#include "ui/window/WindowMenus.h"
+#include "ui/shell/Menus.h"
 
+#include <QAction>
 #include <QTimer>
 
 #include <string>
@@ -24,7 +28,7 @@ constexpr double kPictureAfter = 2.0;  // the guide is there [s]
 
 DevicePath pathDown(const Scene& scene) {
     PathPlan plan{.duration = 4.0 * kWay, .indentation = kDepth, .slideLength = 12e-9};
-    plan.place = startPlace(scene).head<2>();
+    plan.position = startPosition(scene).head<2>();
     return slidePath(scene, plan);
 }
 
@@ -32,20 +36,20 @@ int run(char** argv) {
     const VirtualDisplay display;
     LiveWindow live;
     live.window().resize(std::stoi(argv[2]), std::stoi(argv[3]));
-    Session& session = live.session();
-    session.runs().use(loadScene(argv[1], {}));
-    session.devices().pilotDevice(pathDown(session.run()->scene()));
+    Stage& stage = live.stage();
+    stage.runs().use(loadScene(argv[1], {}));
+    stage.get<DeviceControl>().pilotDevice(pathDown(stage.run()->scene()));
     double guided = 0.0;
     bool saved = false;
     QTimer timer;
     QObject::connect(&timer, &QTimer::timeout, [&] {
-        const TickSample sample = session.run()->loop().snapshot().sample;
+        const TickSample sample = stage.run()->loop().snapshot().sample;
         if (guided == 0.0 && sample.output.deviceForce.z() > kPressing) {
-            Q_EMIT live.window().menus().guideChosen(FixtureKind::Plane);
+            live.window().menus().entry("guidePlane").trigger();
             guided = sample.time;
         }
         if (!saved && guided > 0.0 && sample.time > guided + kPictureAfter) {
-            Q_EMIT live.window().pictureFileChosen(QString::fromUtf8(argv[4]));
+            stage.get<ViewControl>().savePicture(QString::fromUtf8(argv[4]));
             saved = true;
             live.window().close();
         }

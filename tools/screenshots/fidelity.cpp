@@ -3,11 +3,11 @@
 
 #include "app/commands/VirtualDisplay.h"
 #include "app/loading/SceneLoader.h"
-#include "app/session/LiveWindow.h"
+#include "app/window/fidelity/FidelityPanel.h"
+#include "app/window/lab/LiveWindow.h"
 #include "core/Error.h"
 #include "tools/screenshots/PictureTool.h"
-#include "ui/panels/FidelityPanel.h"
-#include "ui/window/WindowMenus.h"
+#include "ui/shell/Menus.h"
 
 #include <QAction>
 #include <QPixmap>
@@ -23,9 +23,9 @@ namespace {
 int run(char** argv) {
     const VirtualDisplay display;
     LiveWindow live;
-    live.session().runs().use(loadScene(argv[1], {}));
-    live.window().menus().fidelity->trigger();
-    FidelityPanel& panel = live.window().fidelity();
+    live.stage().runs().use(loadScene(argv[1], {}));
+    live.window().menus().entry("fidelity").trigger();
+    FidelityPanel& panel = *live.window().findChild<FidelityPanel*>();
     panel.findChild<QPushButton*>(QStringLiteral("measure"))->click();
     QTimer timer;
     QObject::connect(&timer, &QTimer::timeout, &panel, [&] {

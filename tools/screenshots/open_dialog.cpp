@@ -3,12 +3,13 @@
 /// Usage: asperity_open_picture SCENE_OR_SCAN OUT.png [part] [dark]
 
 #include "app/commands/VirtualDisplay.h"
-#include "app/session/LiveWindow.h"
+#include "app/window/lab/LiveWindow.h"
+#include "app/window/scene/OpenControl.h"
+#include "app/window/scene/PreviewPane.h"
+#include "app/window/scene/ScaleControl.h"
 #include "core/Error.h"
 #include "tools/screenshots/PictureTool.h"
-#include "ui/Theme.h"
-#include "ui/panels/ScaleForm.h"
-#include "ui/window/PreviewPane.h"
+#include "ui/widgets/Theme.h"
 
 #include <QFileInfo>
 #include <QLabel>
@@ -38,7 +39,7 @@ void chooseAPart(OpenDialog& dialog) {
 int run(char** argv) {
     const VirtualDisplay display;
     LiveWindow live;
-    OpenControl& files = live.session().files();
+    OpenControl& files = live.stage().get<OpenControl>();
     bool hasPart = false;
     for (char** choice = argv + 3; *choice != nullptr; ++choice) {
         hasPart = hasPart || std::string(*choice) == "part";

@@ -3,14 +3,15 @@
 /// setpoint each quantity, each color map, the ghosts, the sides and the second view in 3-D. Usage:
 /// asperity_view_pictures SCENE_OR_SCAN WIDTH HEIGHT OUT_PREFIX
 
+#include "app/window/live/LivePanels.h"
 #include "tools/screenshots/CycleWindow.h"
 #include "tools/screenshots/PictureTool.h"
+#include "ui/shell/Menus.h"
+#include "ui/view/ColorsMenu.h"
 #include "ui/view/ContactPlot.h"
+#include "ui/view/SecondView.h"
+#include "ui/view/ViewOptionsMenu.h"
 #include "ui/view/ZoomView.h"
-#include "ui/window/ColorsMenu.h"
-#include "ui/window/SecondView.h"
-#include "ui/window/ViewOptionsMenu.h"
-#include "ui/window/WindowMenus.h"
 
 #include <QAction>
 #include <QTimer>
@@ -51,12 +52,12 @@ private:
         look.quantity = quantity;
         look.of(quantity).map = map;
         look.of(quantity).rule = rule;
-        window().menus().colors().choose(look);
+        cycle_.panels().colors().choose(look);
     }
 
     void showSecond(const SecondViewSettings& settings) {
-        window().second().setSettings(settings);
-        window().menus().secondView->setChecked(true);
+        cycle_.panels().second().setSettings(settings);
+        window().menus().entry("secondView").setChecked(true);
     }
 
     void addShots() {
@@ -79,50 +80,51 @@ private:
                           }});
         shots_.push_back({"ghosts", [this] {
                               choose(SurfaceQuantity::Height, ColorMap::Standard);
-                              window().view().setOptions({.commandedTip = true, .trueTip = true});
+                              cycle_.panels().view().setOptions(
+                                  {.commandedTip = true, .trueTip = true});
                           }});
         shots_.push_back({"cross_hair", [this] {
-                              window().view().setOptions({});
+                              cycle_.panels().view().setOptions({});
                               choose(SurfaceQuantity::Pressure, ColorMap::Diverging);
                               const Vector3 tip = cycle_.newest().tip;
-                              Q_EMIT window().view().placeHovered(tip.x(), tip.y());
+                              Q_EMIT cycle_.panels().view().positionHovered(tip.x(), tip.y());
                           }});
         shots_.push_back(
             {"second_3d", [this] {
-                 Q_EMIT window().view().placeLeft();
+                 Q_EMIT cycle_.panels().view().pointerLeft();
                  choose(SurfaceQuantity::Height, ColorMap::Standard);
                  showSecond({.content = SecondContent::Space, .options = {.heightScale = 3.5}});
-                 window().second().space().lookFrom(ViewDirection::Front);
+                 cycle_.panels().second().space().lookFrom(ViewDirection::Front);
              }});
         shots_.push_back({"section_filled", [this] {
                               showSecond({.azimuth = 45.0, .heightFactor = 0.0});
-                              window().view().lookFrom(ViewDirection::Top);
+                              cycle_.panels().view().lookFrom(ViewDirection::Top);
                           }});
         shots_.push_back({"perspective", [this] {
-                              window().view().resetCamera();
-                              window().view().setPerspective(true);
+                              cycle_.panels().view().resetCamera();
+                              cycle_.panels().view().setPerspective(true);
                           }});
         shots_.push_back({"bottom", [this] {
-                              window().menus().secondView->setChecked(false);
-                              window().view().setPerspective(false);
-                              window().view().lookFrom(ViewDirection::Bottom);
+                              window().menus().entry("secondView").setChecked(false);
+                              cycle_.panels().view().setPerspective(false);
+                              cycle_.panels().view().lookFrom(ViewDirection::Bottom);
                           }});
     }
 
     void chooseChannel() {
         SurfaceLook look;
-        const std::vector<std::string>& images = cycle_.session().run()->loaded().images;
+        const std::vector<std::string>& images = cycle_.stage().run()->loaded().images;
         if (!images.empty()) {
             look.quantity = SurfaceQuantity::Channel;
             look.channel = QString::fromStdString(images.front());
         }
-        window().menus().colors().choose(look);
+        cycle_.panels().colors().choose(look);
     }
 
     /// Sets a picture up, and saves it once it has come to rest.
     void shoot(std::size_t index) {
         if (index == shots_.size()) {
-            window().view().resetCamera();
+            cycle_.panels().view().resetCamera();
             showSecond({});
             cycle_.resume();
             return;
@@ -140,7 +142,7 @@ private:
 
 int run(char** argv) {
     CycleWindow cycle(argv);
-    cycle.window().menus().secondView->setChecked(true);
+    cycle.window().menus().entry("secondView").setChecked(true);
     Photographer photographer(cycle);
     return cycle.run([&](const std::string& moment) { photographer.see(moment); });
 }

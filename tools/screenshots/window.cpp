@@ -5,15 +5,18 @@
 
 #include "app/commands/VirtualDisplay.h"
 #include "app/loading/SceneLoader.h"
-#include "app/session/LiveWindow.h"
+#include "app/window/Stage.h"
+#include "app/window/lab/LiveWindow.h"
+#include "app/window/live/ControlBar.h"
+#include "app/window/live/LivePanels.h"
+#include "app/window/live/OverviewPanel.h"
+#include "app/window/map/ForceMapControl.h"
 #include "core/Error.h"
 #include "tools/screenshots/PictureTool.h"
-#include "ui/Theme.h"
-#include "ui/panels/EngageBar.h"
-#include "ui/panels/OverviewMap.h"
-#include "ui/panels/OverviewPanel.h"
+#include "ui/shell/Menus.h"
+#include "ui/view/OverviewMap.h"
 #include "ui/view/ZoomView.h"
-#include "ui/window/WindowMenus.h"
+#include "ui/widgets/Theme.h"
 
 #include <QAbstractButton>
 #include <QAction>
@@ -72,14 +75,15 @@ public:
     }
     /// Drags over the whole scan, by shares of its size.
     void dragOnScan(const QPointF& from, const QPointF& to) {
-        OverviewMap& map = window().overview().map();
+        OverviewMap& map = live_.panels().overview().map();
         const auto pixel = [&map](const QPointF& share) {
             const QRectF scan = map.mapRect();
             return QPointF(scan.left() + share.x() * scan.width(),
                            scan.top() + share.y() * scan.height());
         };
-        const auto send = [&map](QEvent::Type type, const QPointF& place, Qt::MouseButton button) {
-            QMouseEvent event(type, place, map.mapToGlobal(place.toPoint()), button,
+        const auto send = [&map](QEvent::Type type, const QPointF& position,
+                                 Qt::MouseButton button) {
+            QMouseEvent event(type, position, map.mapToGlobal(position.toPoint()), button,
                               type == QEvent::MouseButtonRelease ? Qt::NoButton : Qt::LeftButton,
                               Qt::NoModifier);
             QApplication::sendEvent(&map, &event);
@@ -102,46 +106,46 @@ public:
         live(kMoment);
     }
     [[nodiscard]] MainWindow& window() { return live_.window(); }
-    [[nodiscard]] Session& session() { return live_.session(); }
+    [[nodiscard]] Stage& stage() { return live_.stage(); }
 
 private:
-    TipRegion region() { return session().run()->loop().snapshot().sample.output.region(); }
+    TipRegion region() { return stage().run()->loop().snapshot().sample.output.region(); }
 
     LiveWindow& live_;
 };
 
 void showProfile(User& user) {
-    user.window().menus().measure().profile->trigger();
+    user.window().menus().entry("profile").trigger();
     live(200);
     user.dragOnScan({0.1, 0.5}, {0.9, 0.5});
     live(kMoment);
 }
 
 void showRoughness(User& user) {
-    user.window().menus().measure().roughness->trigger();
+    user.window().menus().entry("roughness").trigger();
     live(200);
     user.click("drawRectangle");
     user.dragOnScan({0.2, 0.2}, {0.7, 0.6});
     live(kMoment);
 }
 
-void showTouches(User& user) {
-    user.window().menus().measure().touches->trigger();
+void showForceCycles(User& user) {
+    user.window().menus().entry("touches").trigger();
     user.touch();
     user.touch();
 }
 
 void showMap(User& user) {
-    user.window().menus().measure().forceMap->trigger();
+    user.window().menus().entry("forceMap").trigger();
     live(kMoment);
     user.click("startMap");
-    waitFor("a map", [&] { return user.session().measuring().forceMaps().map() != nullptr; });
+    waitFor("a map", [&] { return user.stage().get<ForceMapControl>().map() != nullptr; });
     user.dragOnScan({0.63, 0.42}, {0.635, 0.425});
     live(kMoment);
 }
 
 void showSection(User& user) {
-    user.window().menus().secondView->trigger();
+    user.window().menus().entry("secondView").trigger();
     user.engage();
 }
 
@@ -154,7 +158,7 @@ int run(char** argv) {
         {"start", [] {}},
         {"profile", [&] { showProfile(user); }},
         {"roughness", [&] { showRoughness(user); }},
-        {"touches", [&] { showTouches(user); }},
+        {"touches", [&] { showForceCycles(user); }},
         {"map", [&] { showMap(user); }},
         {"section", [&] { showSection(user); }},
         {"scene", [&] { user.showPage(1); }},
@@ -168,7 +172,7 @@ int run(char** argv) {
     }
     user.window().setGeometry(0, 0, std::stoi(argv[3]), std::stoi(argv[4]));
     user.window().show();
-    user.session().runs().use(loadScene(argv[2], {}));
+    user.stage().runs().use(loadScene(argv[2], {}));
     live(kMoment);
     show->second();
     user.window().statusBar()->clearMessage();

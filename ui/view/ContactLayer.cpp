@@ -1,9 +1,10 @@
 #include "ui/view/ContactLayer.h"
 
 #include "core/scene/Scene.h"
-#include "ui/Theme.h"
-#include "ui/view/DrapedGrid.h"
+#include "ui/view/TerrainLayer.h"
+#include "ui/widgets/Theme.h"
 #include "vtkplugins/module/StripGrid.h"
+#include "vtkplugins/pictures/Palette.h"
 #include "vtkplugins/pictures/SceneParts.h"
 
 #include <vtkActor.h>
@@ -12,16 +13,44 @@
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
+#include <vtkProperty.h>
 #include <vtkRenderer.h>
 #include <vtkUnsignedCharArray.h>
 
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
 
 namespace asperity {
 
 namespace {
+
+constexpr int kAngles = 120;
+constexpr int kCircles = 13;  // the first is the contact's middle
+constexpr double kDentOpacity = 0.4;
+constexpr double kRimOpacity = 0.4;
+
+void makeFaint(vtkActor* actor, double opacity) {
+    actor->GetProperty()->SetOpacity(opacity);
+    actor->ForceOpaqueOn();  // blended all the same, without VTK's costly passes
+}
+
+/// Points of the surface at rest below a circle about the contact's axis.
+std::vector<Vector3> circleAtRest(const Scene& scene, const TipContact& contact, double radius) {
+    const Vector3 across = contact.normal.unitOrthogonal();
+    const Vector3 third = contact.normal.cross(across);
+    std::vector<Vector3> circle;
+    for (int i = 0; i <= kAngles; ++i) {
+        const double angle = 2.0 * std::numbers::pi * (i % kAngles) / kAngles;
+        const Vector3 at =
+            contact.closest + radius * (std::cos(angle) * across + std::sin(angle) * third);
+        circle.emplace_back(at.x(), at.y(), scene.surface.at(at.x(), at.y()).height);
+    }
+    return circle;
+}
 
 void setData(vtkActor* actor, vtkPolyData* data) {
     vtkPolyDataMapper::SafeDownCast(actor->GetMapper())->SetInputData(data);
@@ -34,8 +63,8 @@ struct Neighbors {
     std::size_t after;
 };
 
-Neighbors neighbors(int place, int count, std::size_t index, std::size_t stride) {
-    return {place > 0 ? index - stride : index, place + 1 < count ? index + stride : index};
+Neighbors neighbors(int along, int count, std::size_t index, std::size_t stride) {
+    return {along > 0 ? index - stride : index, along + 1 < count ? index + stride : index};
 }
 
 /// The surface's own normal at rest, turned by the slopes of the displacement.
@@ -62,18 +91,77 @@ struct Range {
 };
 
 /// Multiples of the spacing, and those ends of the area at which the terrain ends.
-std::vector<double> linePlaces(const Range& area, const Range& window, double spacing) {
-    std::vector<double> places = gridPlaces(area.low, area.high, spacing);
+std::vector<double> linePositions(const Range& area, const Range& window, double spacing) {
+    std::vector<double> positions = gridPositions(area.low, area.high, spacing);
     if (area.low == window.low) {
-        places.push_back(area.low);
+        positions.push_back(area.low);
     }
     if (area.high == window.high) {
-        places.push_back(area.high);
+        positions.push_back(area.high);
     }
-    return places;
+    return positions;
 }
 
 }  // namespace
+
+std::vector<Vector3> circleInContact(const Scene& scene, const ContactShape& shape, double radius) {
+    std::vector<Vector3> circle = circleAtRest(scene, shape.contact(), radius);
+    for (Vector3& position : circle) {
+        position = shape.moved(position);
+    }
+    return circle;
+}
+
+HiddenContact::HiddenContact(vtkRenderer* through) {
+    points_->SetDataTypeToDouble();
+    rgb_->SetNumberOfComponents(3);
+    inside_->SetPoints(points_);
+    inside_->SetStrips(gridStrips(kAngles + 1, kCircles));
+    inside_->GetPointData()->SetScalars(rgb_);
+    dent_ = surfaceAsColored(inside_);
+    vtkNew<vtkPolyData> nothing;
+    rim_ = linesAsDrawn(nothing, palette::kContact, 2.0);
+    makeFaint(dent_, kDentOpacity);
+    makeFaint(rim_, kRimOpacity);
+    through->AddActor(dent_);
+    through->AddActor(rim_);
+    hide();
+}
+
+HiddenContact::~HiddenContact() = default;
+
+void HiddenContact::showRim(vtkPolyData* rim, const DrawnSpace& space) {
+    vtkPolyDataMapper::SafeDownCast(rim_->GetMapper())->SetInputData(rim);
+    space.apply(rim_);
+    rim_->VisibilityOn();
+}
+
+void HiddenContact::showDent(const Scene& scene, const ContactShape& shape,
+                             const PatchColors& colors, const DrawnSpace& space) {
+    const TipContact& contact = shape.contact();
+    points_->Reset();
+    rgb_->Reset();
+    for (int circle = 0; circle < kCircles; ++circle) {
+        const double radius = contact.contactRadius * circle / (kCircles - 1);
+        for (const Vector3& rest : circleAtRest(scene, contact, radius)) {
+            const Vector3 position = shape.moved(rest);
+            points_->InsertNextPoint(position.data());
+            const double pushed = (rest - position).dot(contact.normal);
+            const Vector3 normal = scene.surface.at(rest.x(), rest.y()).normal();
+            const Color color = colors.of(rest, normal, pushed);
+            rgb_->InsertNextTypedTuple(std::array{color.red, color.green, color.blue}.data());
+        }
+    }
+    points_->Modified();
+    rgb_->Modified();
+    space.apply(dent_);
+    dent_->VisibilityOn();
+}
+
+void HiddenContact::hide() {
+    dent_->VisibilityOff();
+    rim_->VisibilityOff();
+}
 
 ContactLayer::ContactLayer(vtkRenderer* solid, vtkRenderer* through) : hidden_(through) {
     points_->SetDataTypeToDouble();
@@ -172,14 +260,14 @@ void ContactLayer::showGrid(const Scene& scene, const ContactShape& shape,
     // The patch has as many rows as columns.
     std::vector<Vector3> line(static_cast<std::size_t>(patch.columns));
     for (const double x :
-         linePlaces({area.left, area.right}, {window.left, window.right}, style.gridSpacing)) {
+         linePositions({area.left, area.right}, {window.left, window.right}, style.gridSpacing)) {
         for (std::size_t row = 0; row < line.size(); ++row) {
             line[row] = drawn(x, patch.rest[row * line.size()].y());
         }
         grid.add(line);
     }
     for (const double y :
-         linePlaces({area.bottom, area.top}, {window.bottom, window.top}, style.gridSpacing)) {
+         linePositions({area.bottom, area.top}, {window.bottom, window.top}, style.gridSpacing)) {
         for (std::size_t column = 0; column < line.size(); ++column) {
             line[column] = drawn(patch.rest[column].x(), y);
         }

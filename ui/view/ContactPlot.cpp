@@ -3,11 +3,11 @@
 #include "core/SiFormat.h"
 #include "core/deformation/SurfaceField.h"
 #include "core/scene/Scene.h"
-#include "ui/NumberText.h"
-#include "ui/Theme.h"
 #include "ui/view/ContactShape.h"
-#include "ui/view/ForceScale.h"
-#include "ui/view/ViewScale.h"
+#include "ui/view/ForceLayer.h"
+#include "ui/view/ViewFrame.h"
+#include "ui/widgets/ShownText.h"
+#include "ui/widgets/Theme.h"
 #include "vtkplugins/pictures/Ticks.h"
 
 #include <QMouseEvent>
@@ -18,7 +18,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <utility>
 
 namespace asperity {
 
@@ -60,8 +59,8 @@ QString angleText(double azimuth) {
 ContactPlot::ContactPlot(QWidget* parent) : QWidget(parent) {
     setMouseTracking(true);
     setMinimumSize(200, 120);
-    setToolTip(tr("Section through the tip: surface at rest (dashed) and deformed, outline of the "
-                  "tip, ends of the contact, force of the sample on the tip in this plane.\n"
+    setToolTip(tr("Section through the tip: undeformed (dashed) and deformed surface, outline of "
+                  "the tip, ends of the contact, force of the sample on the tip in this plane.\n"
                   "Ctrl + wheel: zoom"));
 }
 
@@ -94,7 +93,7 @@ void ContactPlot::showSnapshot(const Snapshot& snapshot) {
     cut();
 }
 
-/// Makes the section of the sample anew.
+/// Rebuilds the section of the sample.
 void ContactPlot::cut() {
     section_.reset();
     if (sample_ && isDrawable(sample_->output.model)) {
@@ -326,8 +325,8 @@ void ContactPlot::drawCrossHair(QPainter& painter) const {
     if (!reading_) {
         return;
     }
-    const double level = toPixel({along, reading_->place.z()}).y();
-    const double off = std::abs((*crossHair_ - section_->placeAt(along)).norm());
+    const double level = toPixel({along, reading_->position.z()}).y();
+    const double off = std::abs((*crossHair_ - section_->positionAt(along)).norm());
     if (off < metersPerPixel_ && level > inside.top() && level < inside.bottom()) {
         painter.drawLine(QPointF(inside.left(), level), QPointF(inside.right(), level));
     }
@@ -342,9 +341,9 @@ void ContactPlot::drawCrossHair(QPainter& painter) const {
     painter.drawText(plate, Qt::AlignCenter, text);
 }
 
-void ContactPlot::showCrossHair(const std::optional<Vector2>& place,
+void ContactPlot::showCrossHair(const std::optional<Vector2>& position,
                                 const std::optional<SurfaceReading>& reading) {
-    crossHair_ = place;
+    crossHair_ = position;
     reading_ = reading;
     update();
 }
@@ -352,20 +351,20 @@ void ContactPlot::showCrossHair(const std::optional<Vector2>& place,
 void ContactPlot::mouseMoveEvent(QMouseEvent* event) {
     const QRectF inside = area();
     if (!section_ || !inside.contains(event->localPos())) {
-        Q_EMIT placeLeft();
+        Q_EMIT pointerLeft();
         return;
     }
     const double along = (event->localPos().x() - inside.center().x()) * metersPerPixel_;
-    const Vector2 place = section_->placeAt(along);
-    if (scene_->surface.contains(place.x(), place.y())) {
-        Q_EMIT placeHovered(place.x(), place.y());
+    const Vector2 position = section_->positionAt(along);
+    if (scene_->surface.contains(position.x(), position.y())) {
+        Q_EMIT positionHovered(position.x(), position.y());
     } else {
-        Q_EMIT placeLeft();
+        Q_EMIT pointerLeft();
     }
 }
 
 void ContactPlot::leaveEvent(QEvent* event) {
-    Q_EMIT placeLeft();
+    Q_EMIT pointerLeft();
     QWidget::leaveEvent(event);
 }
 

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "core/deformation/ContactSection.h"
-#include "core/haptics/Snapshot.h"
-#include "ui/view/SurfaceReading.h"
+#include "core/deformation/ContactDeformation.h"
+#include "core/haptics/VirtualRun.h"
+#include "ui/view/SurfacePick.h"
 
 #include <QPointF>
 #include <QRectF>
@@ -30,13 +30,13 @@ public:
 
     /// Null: nothing to show. The scene outlives its use here.
     void setScene(const Scene* scene);
-    /// What is drawn from the next snapshot on where the scene asks for the half-space; or null.
+    /// Sets the half-space to draw from the next snapshot on where the scene asks for it; or null.
     void setHalfSpace(std::shared_ptr<const HalfSpaceAnswer> answer);
     void showSnapshot(const Snapshot& snapshot);
     /// See ZoomPicture: from the next snapshot on.
     void setWrittenForce(std::string force) { writtenForce_ = std::move(force); }
 
-    /// Of the plane, from x, counterclockwise as seen from above [rad].
+    /// Sets the plane's direction, from x, counterclockwise as seen from above [rad].
     void setAzimuth(double azimuth);
     [[nodiscard]] double azimuth() const { return plane_.azimuth; }
     /// Heights over lengths along the plane, >= 1; 0: as large as they fit.
@@ -47,18 +47,18 @@ public:
     void setHalfWidth(double halfWidth);
     [[nodiscard]] double halfWidth() const { return plane_.halfWidth; }
 
-    /// Shows a place of the surface at rest, world x, y [m], where it lies along the plane.
-    void showCrossHair(const std::optional<Vector2>& place,
+    /// Shows a position of the surface at rest, world x, y [m], where it lies along the plane.
+    void showCrossHair(const std::optional<Vector2>& position,
                        const std::optional<SurfaceReading>& reading);
-    /// What is drawn now; none: nothing.
+    /// Section that is drawn now; none: nothing.
     [[nodiscard]] const std::optional<ContactSection>& section() const { return section_; }
-    /// Where a point of the section is drawn [pixel].
+    /// Returns the position at which a point of the section is drawn [pixel].
     [[nodiscard]] QPointF toPixel(const Vector2& point) const;
 
 Q_SIGNALS:
-    /// The pointer is over this place of the surface at rest, world x, y [m].
-    void placeHovered(double x, double y);
-    void placeLeft();
+    /// The pointer is over this position of the surface at rest, world x, y [m].
+    void positionHovered(double x, double y);
+    void pointerLeft();
 
 protected:
     void paintEvent(QPaintEvent* event) override;

@@ -27,18 +27,18 @@ constexpr double kCrowding = 4.0;
 /// length.
 constexpr double kAtTheEnd = 1e-3;
 
-/// Places from `low` to `high`, crowded about `middle`: one of them for odd counts, or an end.
+/// Positions from `low` to `high`, crowded about `middle`: one of them for odd counts, or an end.
 std::vector<double> crowded(double low, double middle, double high, int count) {
     const double close = kAtTheEnd * (high - low);
     const double first = middle - low < close ? 0.0 : -1.0;
     const double last = high - middle < close ? 0.0 : 1.0;
-    std::vector<double> places;
+    std::vector<double> positions;
     for (int i = 0; i < count; ++i) {
         const double part = std::lerp(first, last, i / (count - 1.0));
         const double away = std::sinh(kCrowding * std::abs(part)) / std::sinh(kCrowding);
-        places.push_back(std::lerp(middle, part < 0.0 ? low : high, away));
+        positions.push_back(std::lerp(middle, part < 0.0 ? low : high, away));
     }
-    return places;
+    return positions;
 }
 
 /// The rectangle, with the sides on the scan's edge pushed out of reach.
@@ -141,7 +141,7 @@ double ContactShape::room() const {
 }
 
 /// 1 where the rectangle holds the contact, down to 0 where the contact fills it: without it the
-/// rim, which stands high on the tip, would leave spikes in the corners.
+/// rim, which is high on the tip, would leave spikes in the corners.
 double ContactShape::fade() const {
     const double radius = contact().contactRadius;
     const double wanted = (kRoomForContact - 1.0) * radius;

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "core/deformation/ContactDeformation.h"
-#include "core/deformation/ContactField.h"
 #include "core/surface/deformation/SurfaceDeformation.h"
 #include "vtkplugins/pictures/OverviewPicture.h"
 
@@ -35,16 +34,16 @@ public:
     [[nodiscard]] double lowest() const;               ///< height of the deformed surface [m]
 
     [[nodiscard]] const ScanWindow& area() const { return area_; }  ///< that is sampled
-    /// Where a point of the surface at rest has gone [m].
+    /// Returns the deformed position of a point of the surface at rest [m].
     [[nodiscard]] Vector3 moved(const Vector3& rest) const;
-    /// By how much the tip's own surface has moved into the tip, at this distance from the
+    /// Returns how far the tip's own surface has moved into the tip, at this distance from the
     /// contact's axis [m].
     [[nodiscard]] double tipDisplacement(double distance) const {
         return deformation_.tipDisplacement(distance);
     }
 
     /// Between tip and surface, along the contact's axis; not a number beside the tip [m].
-    /// @param displacement of that place into the sample [m]
+    /// @param displacement of that position into the sample [m]
     [[nodiscard]] double gap(const Vector3& rest, double displacement) const;
     /// On the surface, > 0 compression [Pa].
     [[nodiscard]] double pressure(const Vector3& rest) const { return field_.pressure(rest); }
@@ -52,7 +51,7 @@ public:
     /// Unit vector out of the sample, along the contact's axis.
     [[nodiscard]] const Vector3& outward() const { return contact().normal; }
     [[nodiscard]] const TipContact& contact() const { return deformation_.contact(); }
-    /// Of the contact's axis with the deformed surface [m].
+    /// Returns the point where the contact's axis meets the deformed surface [m].
     [[nodiscard]] Vector3 contactPoint() const;
 
 private:
@@ -69,10 +68,10 @@ private:
     std::vector<double> displacements_;
 };
 
-/// The tip at the same place, so far off that nothing touches and nothing pulls: a surface at rest.
+/// The tip so far above that position that nothing touches and nothing pulls: a surface at rest.
 [[nodiscard]] TipState atRest(TipState state);
 
-/// Whether all of a model's state can be drawn.
+/// Returns whether the model's state can be drawn completely.
 [[nodiscard]] bool isDrawable(const TipState& state);
 
 }  // namespace asperity

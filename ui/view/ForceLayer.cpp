@@ -1,7 +1,7 @@
 #include "ui/view/ForceLayer.h"
 
-#include "ui/Theme.h"
-#include "ui/view/ForceScale.h"
+#include "ui/widgets/Steady.h"
+#include "ui/widgets/Theme.h"
 #include "vtkplugins/module/vtkAspForceGlyphSource.h"
 #include "vtkplugins/pictures/SceneParts.h"
 
@@ -62,6 +62,15 @@ void ForceLayer::show(const ForceEstimate& estimate, const Vector3& start, doubl
     source_->Update();
     arrow_->VisibilityOn();
     end_ = start + length * direction;
+}
+
+double arrowLength(double magnitude, double usual, double room) {
+    return room * magnitude / (magnitude + usual);
+}
+
+std::string magnitudeText(const Vector3& force) {
+    const double magnitude = force.stableNorm();
+    return threeDigitText(magnitude, siScaleFor(magnitude, "N"));
 }
 
 }  // namespace asperity

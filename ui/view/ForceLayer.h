@@ -1,11 +1,13 @@
 #pragma once
 
+#include "core/Vector.h"
 #include "core/probe/ForceDecoupling.h"
 
 #include <vtkNew.h>
 #include <vtkSmartPointer.h>
 
 #include <optional>
+#include <string>
 
 class vtkActor;
 class vtkAspForceGlyphSource;
@@ -30,7 +32,7 @@ public:
               double room);
     void hide();
 
-    /// Where the arrow ends; empty: the force is too small to show.
+    /// End of the arrow; empty: the force is too small to show.
     [[nodiscard]] const std::optional<Vector3>& end() const { return end_; }
 
 private:
@@ -39,5 +41,15 @@ private:
     std::optional<double> lastNoise_;  ///< when the force was within its noise [s]
     std::optional<Vector3> end_;
 };
+
+/// Length of a force's arrow: a larger force always has a longer one, and none is longer than its
+/// room; far below `usual` the length is proportional to the force [m].
+/// @param magnitude of the force, >= 0 [N]
+/// @param usual     force whose arrow fills half of the room, > 0 [N]
+/// @param room      [m]
+[[nodiscard]] double arrowLength(double magnitude, double usual, double room);
+
+/// Magnitude of a force for its arrow: "5.10 nN". @param force [N]
+[[nodiscard]] std::string magnitudeText(const Vector3& force);
 
 }  // namespace asperity

@@ -1,5 +1,6 @@
 #include "ui/view/GhostLayer.h"
 
+#include "ui/widgets/Theme.h"
 #include "vtkplugins/module/vtkAspTipSource.h"
 #include "vtkplugins/pictures/SceneParts.h"
 
@@ -9,10 +10,11 @@
 #include <vtkProperty.h>
 #include <vtkRenderer.h>
 
+#include <QObject>
+
 #include <algorithm>
 #include <iterator>
 #include <utility>
-#include <vector>
 
 namespace asperity {
 
@@ -25,10 +27,10 @@ constexpr double kGhostLineWidth = 2.0;
 /// A point of the body as it is seen.
 struct SeenPoint {
     Vector2 seen;  ///< rightwards, upwards
-    Vector3 place;
+    Vector3 world;
 };
 
-/// Whether the way from `a` over `b` to `c` turns right or goes straight on.
+/// Returns whether the way from `a` over `b` to `c` turns right or goes straight on.
 bool isNoLeftTurn(const SeenPoint& a, const SeenPoint& b, const SeenPoint& c) {
     const Vector2 first = b.seen - a.seen;
     const Vector2 second = c.seen - a.seen;
@@ -51,27 +53,27 @@ std::vector<SeenPoint> hullChain(const std::vector<SeenPoint>& points) {
 /// below to the right one, and back above. Andrew (1979), Another efficient algorithm for convex
 /// hulls in two dimensions.
 struct Outline {
-    std::vector<Vector3> places;
+    std::vector<Vector3> corners;
     Vector3 rightEnd;
 };
 
 Outline outlineOf(vtkPolyData* body, const GhostStyle& style) {
     std::vector<SeenPoint> points;
     for (vtkIdType id = 0; id < body->GetNumberOfPoints(); ++id) {
-        const Vector3 place(body->GetPoint(id));
-        const Vector3 drawn = style.space.point(place);
-        points.push_back({{style.right.dot(drawn), style.up.dot(drawn)}, place});
+        const Vector3 position(body->GetPoint(id));
+        const Vector3 drawn = style.space.point(position);
+        points.push_back({{style.right.dot(drawn), style.up.dot(drawn)}, position});
     }
     std::ranges::sort(points, {}, [](const SeenPoint& point) {
         return std::pair(point.seen.x(), point.seen.y());
     });
-    std::vector<Vector3> places;
-    const Vector3 rightEnd = points.back().place;
+    std::vector<Vector3> corners;
+    const Vector3 rightEnd = points.back().world;
     for (int half = 0; half < 2; ++half) {
-        std::ranges::transform(hullChain(points), std::back_inserter(places), &SeenPoint::place);
+        std::ranges::transform(hullChain(points), std::back_inserter(corners), &SeenPoint::world);
         std::ranges::reverse(points);
     }
-    return {places, rightEnd};
+    return {corners, rightEnd};
 }
 
 }  // namespace
@@ -105,13 +107,31 @@ void GhostLayer::show(const Vector3& apex, const GhostStyle& style) {
     source_->Update();
     body_->ShallowCopy(source_->GetOutput());
     const Outline outline = outlineOf(body_, style);
-    vtkPolyDataMapper::SafeDownCast(outline_->GetMapper())->SetInputData(polyline(outline.places));
+    vtkPolyDataMapper::SafeDownCast(outline_->GetMapper())->SetInputData(polyline(outline.corners));
     for (vtkActor* actor : {solid_, outline_}) {
         style.space.apply(actor);
         actor->GetProperty()->SetColor(style.color.fractions().data());
         actor->VisibilityOn();
     }
-    labelPlace_ = style.space.point(outline.rightEnd);
+    labelPosition_ = style.space.point(outline.rightEnd);
+}
+
+void TipGhosts::show(const ViewOptions& options, const std::optional<Vector3>& commanded,
+                     const std::optional<Vector3>& trueTip, GhostStyle style) {
+    names_.clear();
+    const auto show = [&](GhostLayer& ghost, bool isOn, const std::optional<Vector3>& apex,
+                          const Color& color, const QString& name) {
+        if (!isOn || !apex || !apex->allFinite()) {
+            ghost.hide();
+            return;
+        }
+        style.color = color;
+        ghost.show(*apex, style);
+        names_.push_back({ghost.labelPosition(), name.toStdString(), color});
+    };
+    show(commanded_, options.commandedTip, commanded, theme::palette().commanded,
+         QObject::tr("commanded"));
+    show(true_, options.trueTip, trueTip, theme::palette().trueTip, QObject::tr("true tip"));
 }
 
 }  // namespace asperity

@@ -4,9 +4,9 @@
 #include "core/SiFormat.h"
 #include "core/deformation/HalfSpaceModel.h"
 #include "core/scene/Scene.h"
-#include "ui/Theme.h"
-#include "vtkplugins/pictures/ColorBar.h"
+#include "ui/widgets/Theme.h"
 #include "vtkplugins/pictures/OffscreenPicture.h"
+#include "vtkplugins/pictures/Panel.h"
 
 #include <vtkLookupTable.h>
 #include <vtkOpenGLRenderWindow.h>
@@ -24,7 +24,7 @@ namespace asperity {
 namespace {
 
 constexpr int kOversampling = 2;
-constexpr int kLeastBand = 32;  // that can be drawn [pixel]
+constexpr int kMinBand = 32;  // that can be drawn [pixel]
 
 // In pixels of the letters.
 constexpr double kBarHeight = 54.0;
@@ -45,9 +45,9 @@ int barRows(const OffscreenZoomLook& look) {
 PictureSize barsSize(const OffscreenZoomLook& look) {
     const int rows = barRows(look);
     const double height = rows * kBarHeight * look.look.pixelRatio;
-    const int band = rows == 0 ? 0 : std::max(kLeastBand, static_cast<int>(std::lround(height)));
+    const int band = rows == 0 ? 0 : std::max(kMinBand, static_cast<int>(std::lround(height)));
     // A tiny picture is all view.
-    const bool hasRoom = look.size.height >= band + kLeastBand && look.size.width >= kLeastBand;
+    const bool hasRoom = look.size.height >= band + kMinBand && look.size.width >= kMinBand;
     return {.width = look.size.width, .height = hasRoom ? band : 0};
 }
 

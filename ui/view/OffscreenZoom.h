@@ -1,10 +1,9 @@
 #pragma once
 
 #include "core/haptics/VirtualRun.h"
-#include "ui/view/ShownView.h"
 #include "ui/view/ZoomPicture.h"
 #include "vtkplugins/pictures/DrawnWindow.h"
-#include "vtkplugins/pictures/PictureParts.h"
+#include "vtkplugins/pictures/RasterImage.h"
 
 #include <vtkNew.h>
 
@@ -17,7 +16,7 @@ namespace asperity {
 
 struct Scene;
 
-/// How the large view is drawn into a file.
+/// Parameters with which the large view is drawn into a file.
 struct OffscreenZoomLook {
     PictureSize size;
     PictureLook look;
@@ -48,7 +47,7 @@ public:
     /// @param caption written in a corner; empty: nothing
     /// @throw Error when drawing fails
     [[nodiscard]] RasterImage draw(const TickSample& sample, const std::string& caption);
-    /// Of the screen's coordinates, across the view [m].
+    /// Returns the size of one pixel of the screen's coordinates, across the view [m].
     [[nodiscard]] double metersPerPixel() const;
 
 private:
@@ -67,7 +66,7 @@ private:
     std::optional<ZoomPicture> picture_;
     ViewCamera camera_;
     std::optional<RasterImage> drawnBars_;
-    bool moved_ = true;  ///< the surface at rest is to be shown anew
+    bool moved_ = true;  ///< the surface at rest is to be shown again
 };
 
 }  // namespace asperity

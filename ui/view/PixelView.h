@@ -1,9 +1,12 @@
 #pragma once
 
+#include "ui/widgets/InputHelp.h"
+
 #include <vtkNew.h>
 #include <vtkUnsignedCharArray.h>
 
 #include <QImage>
+#include <QPointF>
 #include <QWidget>
 
 class vtkOpenGLRenderWindow;
@@ -23,7 +26,7 @@ public:
 
     /// The last frame, in pixels of the screen or, while coarse, fewer; null: there is none yet.
     [[nodiscard]] const QImage& frame() const { return frame_; }
-    /// What draws, and is never shown itself.
+    /// Window that draws, and is never shown itself.
     [[nodiscard]] vtkOpenGLRenderWindow& renderWindow() const;
 
 Q_SIGNALS:
@@ -31,8 +34,8 @@ Q_SIGNALS:
     void painted();
 
 protected:
-    /// Whether from the next frame on at most half a million pixels are drawn, and enlarged: the
-    /// time of a frame is mostly that of its pixels.
+    /// Sets whether from the next frame on at most half a million pixels are drawn, and enlarged:
+    /// most of the time of a frame is spent on its pixels.
     void setCoarse(bool coarse);
     /// Pixels that are drawn for each of the widget, along each side.
     [[nodiscard]] double drawnRatio() const;
@@ -56,6 +59,45 @@ private:
     QSize buffers_{0, 0};  ///< of the frames that the buffers are for
     bool hasJustMadeBuffers_ = false;
     bool coarse_ = false;
+};
+
+/// A view that signals what a user does to it by mouse and keys: the left button drags, the right
+/// one turns, the wheel lifts (Shift: a tenth of a drag and a lift); Ctrl and the wheel, + and -
+/// zoom.
+class GestureWidget : public PixelView {
+    Q_OBJECT
+
+public:
+    explicit GestureWidget(QWidget* parent = nullptr);
+
+    /// Returns what mouse and keys do to the view, for help.
+    [[nodiscard]] static InputHelps help();
+    /// Returns whether the view needs this key, so that no shortcut may take it.
+    [[nodiscard]] static bool takes(int key, Qt::KeyboardModifiers modifiers);
+
+    [[nodiscard]] bool isDragging() const { return dragging_; }
+
+Q_SIGNALS:
+    void dragged(QPointF pixels);
+    void turned(QPointF pixels);
+    void lifted(double notches);
+    void zoomed(double steps);
+    /// The pointer is here and no button is held [pixel].
+    void hovered(QPointF pixel);
+    /// The pointer has left the view.
+    void unhovered();
+
+protected:
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
+    void wheelEvent(QWheelEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+    void leaveEvent(QEvent* event) override;
+
+private:
+    QPointF pointer_;  ///< where the last event of the mouse was
+    bool dragging_ = false;
 };
 
 }  // namespace asperity

@@ -1,8 +1,8 @@
 #include "ui/view/SectionLayer.h"
 
 #include "core/scene/Scene.h"
-#include "ui/Theme.h"
 #include "ui/view/ViewFrame.h"
+#include "ui/widgets/Theme.h"
 #include "vtkplugins/module/StripGrid.h"
 #include "vtkplugins/pictures/SceneParts.h"
 
@@ -115,9 +115,9 @@ void SectionLayer::fillSample(const Scene& scene, const ContactShape& shape,
     vtkNew<vtkPoints> points;
     points->SetDataTypeToDouble();
     for (const double isTop : {0.0, 1.0}) {
-        for (const Vector3& place : top) {
-            points->InsertNextPoint(place.x(), place.y(),
-                                    std::lerp(style.bottom, place.z(), isTop));
+        for (const Vector3& position : top) {
+            points->InsertNextPoint(position.x(), position.y(),
+                                    std::lerp(style.bottom, position.z(), isTop));
         }
     }
     sampleFace_->SetPoints(points);

@@ -17,7 +17,7 @@ namespace asperity {
 
 struct Scene;
 
-/// What is cut.
+/// Parameters of a cut.
 struct SectionStyle {
     ScanWindow window;           ///< of the terrain
     double bottom = 0.0;         ///< world z where the block of sample ends below [m]

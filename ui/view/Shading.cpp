@@ -1,6 +1,6 @@
 #include "ui/view/Shading.h"
 
-#include "ui/Theme.h"
+#include "ui/widgets/Theme.h"
 
 #include <vtkActor.h>
 #include <vtkDataArray.h>
@@ -12,8 +12,17 @@
 #include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
 namespace asperity {
+
+Vector3 Light::direction() const {
+    constexpr double kDegree = std::numbers::pi / 180.0;
+    const double flat = std::cos(kDegree * elevation);
+    return {flat * std::cos(kDegree * azimuth), flat * std::sin(kDegree * azimuth),
+            std::sin(kDegree * elevation)};
+}
 
 Shading::Shading(const ViewCamera& camera, const DrawnSpace& space, const Light& light)
     : space_(space), toLight_(light.direction()) {

@@ -26,7 +26,7 @@ public:
     StaticLayer(const StaticLayer&) = delete;
     StaticLayer& operator=(const StaticLayer&) = delete;
 
-    /// Something in the layer, or the camera, is about to change: the next frame draws it anew.
+    /// Something in the layer, or the camera, is about to change: the next frame draws it again.
     void invalidate() { valid_ = false; }
     /// Off: every frame draws everything, which is faster where every frame differs.
     void setEnabled(bool enabled);

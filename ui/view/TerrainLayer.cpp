@@ -1,11 +1,12 @@
 #include "ui/view/TerrainLayer.h"
 
-#include "ui/Theme.h"
-#include "ui/view/DrapedGrid.h"
+#include "ui/widgets/Theme.h"
 #include "vtkplugins/module/vtkAspSurfaceSource.h"
 #include "vtkplugins/pictures/SceneParts.h"
+#include "vtkplugins/pictures/Ticks.h"
 
 #include <vtkActor.h>
+#include <vtkCellArray.h>
 #include <vtkDataArray.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
@@ -18,7 +19,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <vector>
 
 namespace asperity {
 
@@ -35,14 +35,14 @@ double widthOf(const ScanWindow& window) {
     return std::max(window.right - window.left, window.top - window.bottom);
 }
 
-/// A stretch of a grid line: its place across, and where it begins and ends.
+/// A stretch of a grid line: its position across, and where it begins and ends.
 struct TerrainStroke {
-    double place;
+    double position;
     double from;
     double to;
 };
 
-/// One axis of a place: across the lines, or along them.
+/// One axis of an area: across the lines, or along them.
 struct Extent {
     double low;
     double high;
@@ -50,46 +50,49 @@ struct Extent {
     double patchHigh;
 };
 
-/// Grid lines at round places and along the edges, broken where they would cross the patch.
+/// Grid lines at round positions and along the edges, broken where they would cross the patch.
 std::vector<TerrainStroke> strokes(const Extent& across, const Extent& along, double spacing) {
-    std::vector<double> places = gridPlaces(across.low, across.high, spacing);
-    places.insert(places.end(), {across.low, across.high});
+    std::vector<double> positions = gridPositions(across.low, across.high, spacing);
+    positions.insert(positions.end(), {across.low, across.high});
     std::vector<TerrainStroke> found;
-    for (const double place : places) {
-        if (place < across.patchLow || place > across.patchHigh) {
-            found.push_back({place, along.low, along.high});
+    for (const double position : positions) {
+        if (position < across.patchLow || position > across.patchHigh) {
+            found.push_back({position, along.low, along.high});
             continue;
         }
         if (along.low < along.patchLow) {
-            found.push_back({place, along.low, along.patchLow});
+            found.push_back({position, along.low, along.patchLow});
         }
         if (along.patchHigh < along.high) {
-            found.push_back({place, along.patchHigh, along.high});
+            found.push_back({position, along.patchHigh, along.high});
         }
     }
     return found;
 }
 
-/// Whether a place on the border of the window lies at the hole: between its corners, or at a
-/// corner that is also the window's.
-bool opensIntoHole(const Vector3& place, const ScanWindow& hole, const ScanWindow& window) {
-    const double rounding = 1e-6 * widthOf(window);  // places are single-precision numbers
+/// Returns whether a position on the window's border lies at the hole: between its corners, or at
+/// a corner that is also the window's.
+bool opensIntoHole(const Vector3& position, const ScanWindow& hole, const ScanWindow& window) {
+    const double rounding = 1e-6 * widthOf(window);  // positions are single-precision numbers
     const auto isWithin = [rounding](double at, const Vector2& inner, const Vector2& outer) {
         return (at > inner.x() + rounding || inner.x() == outer.x()) &&
                (at < inner.y() - rounding || inner.y() == outer.y());
     };
-    return isWithin(place.x(), {hole.left, hole.right}, {window.left, window.right}) &&
-           isWithin(place.y(), {hole.bottom, hole.top}, {window.bottom, window.top});
+    return isWithin(position.x(), {hole.left, hole.right}, {window.left, window.right}) &&
+           isWithin(position.y(), {hole.bottom, hole.top}, {window.bottom, window.top});
 }
 
 /// Takes the walls away where the contact is drawn with walls of its own.
-void openWalls(vtkPolyData* sides, const TerrainPlace& place) {
+void openWalls(vtkPolyData* sides, const TerrainArea& area) {
     for (vtkIdType top = 0; top < sides->GetNumberOfPoints(); top += 2) {
-        if (opensIntoHole(Vector3(sides->GetPoint(top)), place.hole, place.window)) {
+        if (opensIntoHole(Vector3(sides->GetPoint(top)), area.hole, area.window)) {
             sides->GetPoints()->SetPoint(top, sides->GetPoint(top + 1));
         }
     }
 }
+
+constexpr double kLinesAcross = 25.0;
+constexpr double kGridOpacity = 0.3;
 
 }  // namespace
 
@@ -105,7 +108,7 @@ struct TerrainLayer::Mesh {
     vtkSmartPointer<vtkActor> surface;
     vtkSmartPointer<vtkActor> walls;
     vtkSmartPointer<vtkActor> grid;
-    bool built = false;          ///< for the present place
+    bool built = false;          ///< for the present area
     std::vector<double> values;  ///< of the field at the surface's points
     int fieldNumber = -1;        ///< that they are of
 
@@ -128,7 +131,7 @@ struct TerrainLayer::Mesh {
     }
 
     /// The values stay until the mesh or the field is another.
-    void measure(const BSplineSurface& ground, const SurfaceColors& colors) {
+    void measure(const BSplineSurface& atRest, const SurfaceColors& colors) {
         if (fieldNumber == colors.fieldNumber()) {
             return;
         }
@@ -139,7 +142,7 @@ struct TerrainLayer::Mesh {
         values.resize(static_cast<std::size_t>(count));
         for (vtkIdType id = 0; id < count; ++id) {
             values[static_cast<std::size_t>(id)] =
-                valueAt(colors.field(), ground, Vector3(sampled->GetPoint(id)),
+                valueAt(colors.field(), atRest, Vector3(sampled->GetPoint(id)),
                         Vector3(normals->GetTuple(id)));
         }
     }
@@ -187,12 +190,12 @@ void TerrainLayer::hide() {
     fine_->setVisible(false, false);
 }
 
-void TerrainLayer::setPlace(const BSplineSurface& surface, const TerrainPlace& place) {
+void TerrainLayer::setArea(const BSplineSurface& surface, const TerrainArea& area) {
     surface_ = &surface;
-    place_ = place;
+    area_ = area;
     coarse_->built = false;
     fine_->built = false;
-    heights_ = {surface.at(place.window.left, place.window.bottom).height, 0.0};
+    heights_ = {surface.at(area.window.left, area.window.bottom).height, 0.0};
     heights_[1] = heights_[0];
     survey([this](const Vector2& at) {
         const double height = surface_->at(at.x(), at.y()).height;
@@ -219,10 +222,10 @@ void TerrainLayer::show(TerrainDetail detail, const TerrainStyle& style) {
     coarse_->setVisible(!fine, style.grid);
 }
 
-/// Calls visit(place) for places spread evenly over the window, edges included.
+/// Calls visit(position) for positions spread evenly over the window, edges included.
 template <class Visit>
 void TerrainLayer::survey(const Visit& visit) const {
-    const ScanWindow& window = place_.window;
+    const ScanWindow& window = area_.window;
     for (int row = 0; row < kSurveySamples; ++row) {
         const double y = std::lerp(window.bottom, window.top, row / (kSurveySamples - 1.0));
         for (int column = 0; column < kSurveySamples; ++column) {
@@ -245,13 +248,13 @@ std::vector<double> TerrainLayer::valuesOf(const SurfaceField& field) const {
 
 int TerrainLayer::fineSamples() const {
     const BSplineSurface::Grid& grid = surface_->grid();
-    const double pixels = widthOf(place_.window) / std::min(grid.pitchX, grid.pitchY);
+    const double pixels = widthOf(area_.window) / std::min(grid.pitchX, grid.pitchY);
     return static_cast<int>(std::clamp<double>(kSamplesPerPixel * pixels, kMinSamples, kFine));
 }
 
 void TerrainLayer::build(Mesh& mesh, int samples) const {
-    const ScanWindow& window = place_.window;
-    const ScanWindow& hole = place_.hole;
+    const ScanWindow& window = area_.window;
+    const ScanWindow& hole = area_.hole;
     mesh.source->SetSurface(surface_);
     mesh.source->SetWindow(window.left, window.right, window.bottom, window.top);
     mesh.source->SetHole(hole.left, hole.right, hole.bottom, hole.top);
@@ -262,7 +265,7 @@ void TerrainLayer::build(Mesh& mesh, int samples) const {
     mesh.data->SetStrips(sampled->GetStrips());
     mesh.data->GetPointData()->SetScalars(mesh.rgb);
     const auto sides = blockSides(sampled, {samples, samples}, bottom_);
-    openWalls(sides, place_);
+    openWalls(sides, area_);
     mesh.wallData->SetPoints(sides->GetPoints());
     mesh.wallData->SetStrips(sides->GetStrips());
     mesh.wallData->GetPointData()->SetScalars(mesh.wallRgb);
@@ -274,8 +277,8 @@ void TerrainLayer::build(Mesh& mesh, int samples) const {
 }
 
 vtkSmartPointer<vtkPolyData> TerrainLayer::drapedGrid(int stepsAcross) const {
-    const ScanWindow& window = place_.window;
-    const ScanWindow& patch = place_.patch;
+    const ScanWindow& window = area_.window;
+    const ScanWindow& patch = area_.patch;
     const double step = widthOf(window) / stepsAcross;
     const double spacing = gridSpacing(widthOf(window));
     const Extent x{window.left, window.right, patch.left, patch.right};
@@ -286,9 +289,9 @@ vtkSmartPointer<vtkPolyData> TerrainLayer::drapedGrid(int stepsAcross) const {
         std::vector<Vector3> points;
         for (int i = 0; i <= steps; ++i) {
             const double along = std::lerp(stroke.from, stroke.to, static_cast<double>(i) / steps);
-            const Vector2 place =
-                upwards ? Vector2(stroke.place, along) : Vector2(along, stroke.place);
-            points.emplace_back(place.x(), place.y(), surface_->at(place.x(), place.y()).height);
+            const Vector2 at =
+                upwards ? Vector2(stroke.position, along) : Vector2(along, stroke.position);
+            points.emplace_back(at.x(), at.y(), surface_->at(at.x(), at.y()).height);
         }
         grid.add(points);
     };
@@ -299,6 +302,43 @@ vtkSmartPointer<vtkPolyData> TerrainLayer::drapedGrid(int stepsAcross) const {
         lay(stroke, false);
     }
     return grid.data();
+}
+
+double gridSpacing(double width) { return niceBelow(width / kLinesAcross); }
+
+std::vector<double> gridPositions(double low, double high, double spacing) {
+    std::vector<double> positions;
+    for (auto line = std::llround(std::floor(low / spacing)) + 1;; ++line) {
+        const double position = static_cast<double>(line) * spacing;
+        if (!(position < high)) {
+            break;
+        }
+        positions.push_back(position);
+    }
+    return positions;
+}
+
+vtkSmartPointer<vtkActor> thinLines(vtkPolyData* data) {
+    vtkSmartPointer<vtkActor> actor = linesAsDrawn(data, palette::kSurfaceLine, 1.0);
+    actor->GetProperty()->SetOpacity(kGridOpacity);
+    actor->ForceOpaqueOn();
+    return actor;
+}
+
+Polylines::Polylines() : data_(vtkSmartPointer<vtkPolyData>::New()) {
+    vtkNew<vtkPoints> points;
+    points->SetDataTypeToDouble();
+    data_->SetPoints(points);
+    vtkNew<vtkCellArray> cells;
+    data_->SetLines(cells);
+}
+
+void Polylines::add(const std::vector<Vector3>& points) {
+    vtkCellArray* cells = data_->GetLines();
+    cells->InsertNextCell(static_cast<int>(points.size()));
+    for (const Vector3& point : points) {
+        cells->InsertCellPoint(data_->GetPoints()->InsertNextPoint(point.data()));
+    }
 }
 
 }  // namespace asperity

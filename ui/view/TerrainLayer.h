@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/Vector.h"
 #include "core/surface/BSplineSurface.h"
 #include "ui/view/Shading.h"
 #include "ui/view/SurfaceColors.h"
@@ -13,17 +14,18 @@
 
 class vtkPolyData;
 class vtkRenderer;
+class vtkActor;
 
 namespace asperity {
 
 /// The part of a scan that a view shows, and the part of it that something else fills.
-struct TerrainPlace {
+struct TerrainArea {
     ScanWindow window;
     ScanWindow hole;   ///< in the terrain
     ScanWindow patch;  ///< what fills the hole and laps over its edges; has a grid of its own
 };
 
-/// How the terrain is drawn.
+/// Parameters with which the terrain is drawn.
 struct TerrainStyle {
     const SurfaceColors& colors;
     DrawnSpace space;
@@ -31,9 +33,9 @@ struct TerrainStyle {
     bool grid = true;
 };
 
-/// How finely the terrain is drawn.
+/// Level of detail of the terrain.
 enum class TerrainDetail : std::uint8_t {
-    Coarse,  ///< at most 80 samples a side: cheap enough to be drawn anew for every frame
+    Coarse,  ///< at most 80 samples a side: cheap enough to be drawn again for every frame
     Fine,    ///< at most 384: what a screen shows, and no frame takes over 0.1 s
 };
 
@@ -48,19 +50,19 @@ public:
     TerrainLayer& operator=(const TerrainLayer&) = delete;
 
     /// Shown from the next call of show() on. @param surface outlives its use here
-    void setPlace(const BSplineSurface& surface, const TerrainPlace& place);
+    void setArea(const BSplineSurface& surface, const TerrainArea& area);
     /// World z where the block of sample ends below, from the next call of show() on [m].
     void setBottom(double bottom);
     [[nodiscard]] double bottom() const { return bottom_; }
     void hide();
 
-    /// Shows the place; does only what has changed since.
+    /// Shows the area; does only what has changed since.
     void show(TerrainDetail detail, const TerrainStyle& style);
 
-    [[nodiscard]] const TerrainPlace& place() const { return place_; }
-    /// Lowest and highest place in the window [m].
+    [[nodiscard]] const TerrainArea& area() const { return area_; }
+    /// Lowest and highest z in the window [m].
     [[nodiscard]] const std::array<double, 2>& heightRange() const { return heights_; }
-    /// A field's values at places spread evenly over the window. There is a place.
+    /// A field's values at positions spread evenly over the window. There is an area.
     [[nodiscard]] std::vector<double> valuesOf(const SurfaceField& field) const;
 
 private:
@@ -72,11 +74,33 @@ private:
     [[nodiscard]] vtkSmartPointer<vtkPolyData> drapedGrid(int stepsAcross) const;
 
     const BSplineSurface* surface_ = nullptr;
-    TerrainPlace place_;
+    TerrainArea area_;
     std::unique_ptr<Mesh> coarse_;
     std::unique_ptr<Mesh> fine_;
     std::array<double, 2> heights_{};
     double bottom_ = 0.0;
+};
+
+/// Distance of grid lines for a surface of this width: a round number, some thirty lines [m].
+[[nodiscard]] double gridSpacing(double width);
+
+/// Multiples of the spacing between two positions, both excluded.
+[[nodiscard]] std::vector<double> gridPositions(double low, double high, double spacing);
+
+/// Thin lines that let the surface below them shine through. They are blended over what is drawn
+/// before them, and VTK takes them for opaque: its own passes for translucent things take longer
+/// than all the rest of a frame.
+[[nodiscard]] vtkSmartPointer<vtkActor> thinLines(vtkPolyData* data);
+
+/// Several lines, one after another, for drawing.
+class Polylines {
+public:
+    Polylines();
+    void add(const std::vector<Vector3>& points);
+    [[nodiscard]] vtkSmartPointer<vtkPolyData> data() const { return data_; }
+
+private:
+    vtkSmartPointer<vtkPolyData> data_;
 };
 
 }  // namespace asperity

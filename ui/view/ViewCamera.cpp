@@ -16,13 +16,19 @@ constexpr double kMinElevation = 0.2;  // [rad]
 constexpr double kMaxElevation = 1.5;  // [rad]; below pi/2: the view's top stays told
 
 constexpr double kRightAngle = 0.5 * std::numbers::pi;
-constexpr double kEdgeOn = 0.02;  // sine of the elevation below which the ground is seen edge-on
+constexpr double kEdgeOn = 0.02;  // sine of the elevation below which the surface is seen edge-on
 
 constexpr double kViewAngle = 30.0;  // of a view with perspective, from top to bottom [degree]
 
 constexpr double kCameraMargin = 1.04;
-constexpr double kTipsPlace = 0.15;  // where the tip mostly is, of the way to the far corner
-constexpr double kDepth = 8.0;       // seen before and behind the middle, in sizes of the frame
+constexpr double kTipShare = 0.15;  // where the tip mostly is, of the way to the far corner
+constexpr double kDepth = 8.0;      // seen before and behind the middle, in sizes of the frame
+
+// In half widths of the frame.
+constexpr double kBlockDepth = 0.12;
+constexpr double kMinFloor = 0.05;  // of block below a dent
+
+constexpr double kExtentStep = 1.5;  // a dent that needs more room gets so many times its depth
 
 }  // namespace
 
@@ -89,7 +95,7 @@ void ViewCamera::apply(vtkCamera* camera, const FrameBox& box, double aspect,
     const double cosine = std::cos(elevation_);
     const double below = corner * sine + box.below * cosine;
     const double above = std::max(corner * sine + box.above * cosine,
-                                  kTipsPlace * corner * sine + box.tipTop * cosine);
+                                  kTipShare * corner * sine + box.tipTop * cosine);
     const double halfHeight =
         kCameraMargin * std::max(corner / (aspect * (1.0 - 2.0 * words.beside)),
                                  0.5 * (below + above) / (1.0 - words.under));
@@ -121,6 +127,50 @@ Vector3 ViewCamera::horizontalMove(double rightwards, double upwards) const {
         return rightwards * right();
     }
     return rightwards * right() + upwards / sine * away;
+}
+
+void ViewExtent::fit(const FramedSurface& surface, double tipHeight, double dent) {
+    const double slack = (kBlockDepth - kMinFloor) * surface.halfWidth / surface.heightScale;
+    if (dent > slack) {  // else the block has room for it anyway
+        dentDepth_ = std::max(dentDepth_, dent);
+    }
+    const double above = surface.heightScale * surface.heights.high - surface.middle();
+    fitted_ = {.halfWidth = surface.halfWidth,
+               .below = surface.middle() - drawnBottom(surface),
+               .above = above,
+               .tipTop = above + tipHeight};
+    isFitWanted_ = false;
+}
+
+void ViewExtent::forget() {
+    dentDepth_ = 0.0;
+    lowered_ = 0.0;
+    isFitWanted_ = true;
+}
+
+/// It does not shrink when the tip retracts.
+bool ViewExtent::makeRoomFor(double lowest, const FramedSurface& surface) {
+    const double floor = kMinFloor * surface.halfWidth / surface.heightScale;
+    if (!(bottom(surface) + floor > lowest)) {
+        return false;
+    }
+    dentDepth_ = kExtentStep * (surface.heights.low - lowest);
+    return true;
+}
+
+double ViewExtent::drawnBottom(const FramedSurface& surface) const {
+    return surface.heightScale * (surface.heights.low - dentDepth_) -
+           kBlockDepth * surface.halfWidth;
+}
+
+double ViewExtent::bottom(const FramedSurface& surface) const {
+    return drawnBottom(surface) / surface.heightScale;
+}
+
+FrameBox ViewExtent::box(const FramedSurface& surface, const Vector2& center) const {
+    FrameBox box = fitted_;
+    box.middle = {center.x(), center.y(), surface.middle() - lowered_};
+    return box;
 }
 
 }  // namespace asperity

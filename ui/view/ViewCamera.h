@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/Vector.h"
+#include "ui/widgets/Steady.h"
 
 #include <cstdint>
 
@@ -8,7 +9,7 @@ class vtkCamera;
 
 namespace asperity {
 
-/// What a view is to show: a square frame, from the bottom of the block to the tip.
+/// Space that a view is to show: a square frame, from the bottom of the block to the tip.
 struct FrameBox {
     Vector3 middle = Vector3::Zero();  ///< of the surface in the frame [m]
     double halfWidth = 0.0;            ///< [m]
@@ -29,16 +30,16 @@ struct WordRoom {
 /// Directions to look from, named after where the eye is.
 enum class ViewDirection : std::uint8_t { Front, Back, Right, Left, Top, Bottom };
 
-/// Where the eye of a view is: it looks at the middle of a frame from any side, turned by hand
-/// always from above the surface; without perspective, so that lengths across the view are to
-/// scale, or with it.
+/// Eye of a view: it looks at the middle of a frame from any side, turned by the user always from
+/// above the surface; without perspective, so that lengths across the view are to scale, or with
+/// it.
 class ViewCamera {
 public:
     /// Turns about the vertical and over the surface [rad].
     void turn(double azimuth, double elevation);
     /// Looks along an axis of the scan.
     void lookFrom(ViewDirection side);
-    /// Of the eye, from x and above the horizontal [rad].
+    /// Direction of the eye, from x and above the horizontal [rad].
     [[nodiscard]] double azimuth() const { return azimuth_; }
     [[nodiscard]] double elevation() const { return elevation_; }
     /// Looks from there; an elevation beyond the vertical is none.
@@ -51,7 +52,7 @@ public:
     [[nodiscard]] Vector3 out() const;
     [[nodiscard]] Vector3 right() const;
     [[nodiscard]] Vector3 up() const;
-    /// How long a height of 1 looks, 0 .. 1: none is seen from above.
+    /// Apparent length of a height of 1, 0 .. 1: from above it is 0.
     [[nodiscard]] double heightSeen() const;
 
     /// Points VTK's camera at a frame so that all of it is seen, on any side.
@@ -67,6 +68,48 @@ private:
     double azimuth_ = -1.917;   ///< of the eye, from x [rad]
     double elevation_ = 0.565;  ///< of the eye above the horizontal [rad]
     bool perspective_ = false;
+};
+
+/// The surface that a frame shows.
+struct FramedSurface {
+    AxisRange heights;         ///< that the picture has room for [m]
+    double halfWidth = 0.0;    ///< of the frame [m]
+    double heightScale = 1.0;  ///< see DrawnSpace
+
+    /// Middle of the heights, as drawn [m].
+    [[nodiscard]] double middle() const { return heightScale * 0.5 * (heights.low + heights.high); }
+};
+
+/// The room that a picture makes for the surface in its frame, for the tip above it and for the
+/// deepest dent since it was fitted. It seldom changes, so that nothing but the tip moves.
+class ViewExtent {
+public:
+    /// From now on the picture holds what is in the frame at rest, the tip above it and a dent of
+    /// the usual depth below.
+    /// @param tipHeight as drawn [m] @param dent [m]
+    void fit(const FramedSurface& surface, double tipHeight, double dent = 0.0);
+    /// Dents so far count no more; another fit is wanted.
+    void forget();
+    [[nodiscard]] bool isFitWanted() const { return isFitWanted_; }
+
+    /// The block of sample reaches below a height from now on, if it did not before. World z [m].
+    /// @return whether it changed
+    bool makeRoomFor(double lowest, const FramedSurface& surface);
+    /// The camera looks this much lower, as drawn [m].
+    void lower(double by) { lowered_ += by; }
+
+    /// World z where the block of sample ends below [m].
+    [[nodiscard]] double bottom(const FramedSurface& surface) const;
+    /// @param center of the frame, world x, y [m]
+    [[nodiscard]] FrameBox box(const FramedSurface& surface, const Vector2& center) const;
+
+private:
+    [[nodiscard]] double drawnBottom(const FramedSurface& surface) const;
+
+    double dentDepth_ = 0.0;  ///< of the block below the frame's lowest point, for dents [m]
+    FrameBox fitted_;         ///< what the camera makes room for; its middle goes with the frame
+    bool isFitWanted_ = true;
+    double lowered_ = 0.0;  ///< camera below the middle of the frame, for a deep dent [m]
 };
 
 }  // namespace asperity

@@ -1,14 +1,16 @@
 #include "ui/view/ViewLabels.h"
 
 #include "core/SiFormat.h"
-#include "ui/Theme.h"
-#include "vtkplugins/pictures/PainterItem.h"
+#include "core/words/SceneWords.h"
+#include "ui/widgets/Theme.h"
 #include "vtkplugins/pictures/Ticks.h"
 
 #include <vtkContextActor.h>
 #include <vtkContextScene.h>
 #include <vtkNew.h>
 #include <vtkRenderer.h>
+
+#include <QObject>
 
 #include <algorithm>
 #include <cmath>
@@ -17,12 +19,102 @@ namespace asperity {
 
 namespace {
 
+constexpr int kTicks = 5;  // along an edge, about
+
+// Pixels from the edge, outwards.
+constexpr double kTickLength = 6.0;
+constexpr double kAxisLabelDistance = 12.0;
+constexpr double kTitleDistance = 10.0;  // from the labels
+
+constexpr double kSeenLength = 1.0;  // of a direction that is seen
+constexpr double kSeenEdge = 40.0;   // of an edge that has room for its positions
+
+constexpr double kAxesTextSize = 12.0;
+constexpr double kSideways = 0.4;  // share of a direction from which on it leads to a side
+
+using Project = std::function<PixelPoint(const Vector3&)>;
+
+/// One edge: from `low` to `high` along one axis of the scan.
+struct Edge {
+    const char* name;
+    double low;
+    double high;
+    std::function<Vector3(double)> at;
+    Vector3 outwards;  ///< from the frame, level
+};
+
+double distanceOf(const PixelPoint& one, const PixelPoint& other) {
+    return std::hypot(other.x - one.x, other.y - one.y);
+}
+
+/// The pixel at a distance from another one, towards where a direction of the world points;
+/// downwards where that points to the eye or away from it.
+PixelPoint beside(const Project& project, const Vector3& position, const Vector3& direction,
+                  double pixels) {
+    const PixelPoint from = project(position);
+    const PixelPoint to = project(position + direction);
+    const double length = distanceOf(from, to);
+    if (!(length > kSeenLength)) {
+        return {from.x, from.y - pixels};
+    }
+    return {from.x + pixels * (to.x - from.x) / length, from.y + pixels * (to.y - from.y) / length};
+}
+
+/// Text that lies outwards of its position.
+TextStyle textBeside(const Project& project, const Edge& edge) {
+    const Vector3 position = edge.at(edge.low);
+    const double sideways = beside(project, position, edge.outwards, 1.0).x - project(position).x;
+    const Align align = sideways < -kSideways  ? Align::Right
+                        : sideways > kSideways ? Align::Left
+                                               : Align::Center;
+    return {.size = kAxesTextSize, .color = theme::palette().ink, .align = align};
+}
+
+/// Nothing of an edge that is seen from its end.
+void paintEdge(Painter& painter, const Edge& edge, const Project& project) {
+    const PixelPoint start = project(edge.at(edge.low));
+    const PixelPoint end = project(edge.at(edge.high));
+    if (distanceOf(start, end) < kSeenEdge) {
+        return;
+    }
+    const LineStyle line{.color = theme::palette().ink, .width = 1.0};
+    const TextStyle text = textBeside(project, edge);
+    painter.line({start, end}, line);
+    const std::vector<double> ticks = niceTicks(edge.low, edge.high, kTicks);
+    const SiScale scale = siScaleFor(std::max(std::abs(edge.low), std::abs(edge.high)), "m");
+    std::vector<double> shown;
+    for (const double tick : ticks) {
+        shown.push_back(scale.factor * tick);
+    }
+    const std::vector<std::string> labels = tickLabels(shown);
+    double room = kAxesTextSize;
+    for (std::size_t i = 0; i < ticks.size(); ++i) {
+        room = std::max(room, painter.textWidth(labels[i], text));
+        const Vector3 at = edge.at(ticks[i]);
+        painter.line({project(at), beside(project, at, edge.outwards, kTickLength)}, line);
+        painter.text(beside(project, at, edge.outwards, kAxisLabelDistance), labels[i], text);
+    }
+    const std::string title = std::string(edge.name) + " [" + scale.unit + "]";
+    const Vector3 middle = edge.at(0.5 * (edge.low + edge.high));
+    if (distanceOf(project(middle), project(middle + edge.outwards)) > kSeenLength) {
+        painter.text(
+            beside(project, middle, edge.outwards, kAxisLabelDistance + room + kTitleDistance),
+            title, text);
+    } else {  // the surface is seen edge-on, and the picture ends below it
+        const bool toRight = end.x > start.x;
+        painter.text({end.x + (toRight ? kTitleDistance : -kTitleDistance), end.y}, title,
+                     {.size = kAxesTextSize,
+                      .color = theme::palette().ink,
+                      .align = toRight ? Align::Left : Align::Right});
+    }
+}
+
 // Pixels.
 constexpr double kLabelMargin = 18.0;
 constexpr double kLabelTextSize = 14.0;
 constexpr double kForceTextSize = 17.0;
 constexpr double kLineHeight = 1.4;     // in text sizes
-constexpr double kCaptionHeight = 1.8;  // likewise
+constexpr double kCaptionHeight = 1.8;  // same
 constexpr double kMaxBarLength = 170.0;
 constexpr double kMaxBarHeight = 110.0;
 constexpr double kBarShare = 0.25;  // of a small view: of its width and of its height
@@ -30,7 +122,39 @@ constexpr double kHeightShare = 0.16;
 constexpr double kBarEnd = 4.0;
 constexpr double kNameGap = 8.0;
 
+/// Words with values for %1, %2.
+std::string filled(QString words, const std::vector<std::string>& values) {
+    for (const std::string& value : values) {
+        words = words.arg(QString::fromStdString(value));
+    }
+    return words.toStdString();
+}
+
 }  // namespace
+
+void paintAxes(Painter& painter, const FrameAxes& axes, const Project& project) {
+    const ScanWindow& window = axes.window;
+    const bool fromRight = axes.toEye.x() > 0.0;
+    const bool fromBehind = axes.toEye.y() > 0.0;
+    const double x = fromRight ? window.right : window.left;
+    const double y = fromBehind ? window.top : window.bottom;
+    const double step = 0.1 * std::max(window.right - window.left, window.top - window.bottom);
+    const double z = axes.bottom;
+    paintEdge(painter,
+              {"x",
+               window.left,
+               window.right,
+               [y, z](double along) { return Vector3(along, y, z); },
+               {0.0, fromBehind ? step : -step, 0.0}},
+              project);
+    paintEdge(painter,
+              {"y",
+               window.bottom,
+               window.top,
+               [x, z](double along) { return Vector3(x, along, z); },
+               {fromRight ? step : -step, 0.0, 0.0}},
+              project);
+}
 
 ViewLabels::ViewLabels(vtkRenderer* renderer)
     : renderer_(renderer), item_(vtkSmartPointer<PainterItem>::New()) {
@@ -50,8 +174,8 @@ void ViewLabels::setPixelRatio(double pixelRatio) {
     item_->setDraw([this](Painter& painter) { paint(painter); }, pixelRatio);
 }
 
-PixelPoint ViewLabels::project(const Vector3& place) const {
-    renderer_->SetWorldPoint(place.x(), place.y(), place.z(), 1.0);
+PixelPoint ViewLabels::project(const Vector3& position) const {
+    renderer_->SetWorldPoint(position.x(), position.y(), position.z(), 1.0);
     renderer_->WorldToDisplay();
     const double* display = renderer_->GetDisplayPoint();
     return {display[0] / pixelRatio_, display[1] / pixelRatio_};
@@ -62,7 +186,7 @@ void ViewLabels::paint(Painter& painter) const {
     const double width = size[0] / pixelRatio_;
     const double height = size[1] / pixelRatio_;
     if (content_.axes) {
-        paintAxes(painter, *content_.axes, [this](const Vector3& place) { return project(place); });
+        paintAxes(painter, *content_.axes, [this](const Vector3& at) { return project(at); });
     }
     if (content_.scaleBars) {
         paintScaleBars(painter, width, height);
@@ -121,7 +245,7 @@ void ViewLabels::paintNotes(Painter& painter, double viewWidth, double viewHeigh
 void ViewLabels::paintNames(Painter& painter, double viewWidth, double viewHeight) const {
     double lowest = viewHeight;
     for (const LabelContent::Name& name : content_.names) {
-        PixelPoint at = project(name.place);
+        PixelPoint at = project(name.position);
         at.y = std::min({at.y, lowest, viewHeight - kLabelMargin});
         lowest = at.y - kLineHeight * kLabelTextSize - kNameGap;
         painter.label({at.x + kNameGap, at.y}, name.text,
@@ -132,7 +256,7 @@ void ViewLabels::paintNames(Painter& painter, double viewWidth, double viewHeigh
 
 void ViewLabels::paintMarkers(Painter& painter, double viewWidth, double viewHeight) const {
     for (const LabelContent::Name& marker : content_.markers) {
-        const PixelPoint at = project(marker.place);
+        const PixelPoint at = project(marker.position);
         painter.label({at.x + kNameGap, at.y}, marker.text,
                       {.size = kLabelTextSize, .color = marker.color},
                       {0.0, 0.0, viewWidth, viewHeight}, theme::palette().paper);
@@ -167,6 +291,44 @@ void ViewLabels::paintForce(Painter& painter, double viewWidth, double viewHeigh
     painter.label({end.x + 14.0, end.y}, "|F| " + content_.force,
                   {.size = kForceTextSize, .bold = true, .color = theme::palette().force},
                   {0.0, 0.0, viewWidth, viewHeight}, theme::palette().paper);
+}
+
+std::vector<std::string> viewNotes(const ViewNoteFacts& facts) {
+    std::vector<std::string> notes;
+    if (facts.hasPerspective) {
+        notes.push_back(filled(QObject::tr("perspective: lengths not to scale"), {}));
+    }
+    if (facts.isFromBelow) {
+        notes.push_back(filled(QObject::tr("from below: hills are hollows"), {}));
+    }
+    if (facts.heightScale > 1.0) {
+        notes.push_back(filled(QObject::tr("heights ×%1"), tickLabels({facts.heightScale})));
+    }
+    if (facts.missesTrueTip) {
+        notes.push_back(filled(QObject::tr("true tip: the instrument does not know it"), {}));
+    }
+    if (facts.hidesDeformation) {
+        notes.push_back(filled(QObject::tr("deformation is not drawn"), {}));
+    }
+    if (facts.showsLever) {
+        notes.push_back(filled(QObject::tr("lever not to scale"), {}));
+    }
+    if (facts.showsCap) {
+        notes.push_back(filled(QObject::tr("tip radius %1: only its lowest part is drawn"),
+                               {formatSi(facts.tipRadius, "m")}));
+    }
+    if (facts.pixel > kWidePixel * facts.tipRadius) {
+        notes.push_back(filled(QObject::tr("Scan pixel %1: coarse for a tip radius of %2"),
+                               {formatSi(facts.pixel, "m"), formatSi(facts.tipRadius, "m")}));
+    } else if (facts.pixel > kWidePixel * facts.width) {
+        notes.push_back(filled(QObject::tr("Scan pixel %1: coarse for this view"),
+                               {formatSi(facts.pixel, "m")}));
+    }
+    return notes;
+}
+
+std::string tipAboveNote(double gap) {
+    return filled(QObject::tr("tip %1 above the surface"), {formatSi(gap, "m")});
 }
 
 }  // namespace asperity

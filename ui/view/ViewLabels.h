@@ -1,10 +1,12 @@
 #pragma once
 
-#include "ui/view/FrameAxes.h"
+#include "core/Vector.h"
+#include "vtkplugins/pictures/OverviewPicture.h"
 #include "vtkplugins/pictures/Painter.h"
 
 #include <vtkSmartPointer.h>
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -13,9 +15,23 @@ class vtkRenderer;
 
 namespace asperity {
 
+class Painter;
 class PainterItem;
+struct PixelPoint;
 
-/// What is written over the view.
+/// Axes along the two lower edges of a frame that face the eye.
+struct FrameAxes {
+    ScanWindow window;
+    double bottom = 0.0;               ///< z of the edges, as drawn [m]
+    Vector3 toEye = Vector3::UnitZ();  ///< unit
+};
+
+/// Paints edges, ticks and positions in the scan with their unit.
+/// @param project where a position as drawn [m] is in the picture
+void paintAxes(Painter& painter, const FrameAxes& axes,
+               const std::function<PixelPoint(const Vector3&)>& project);
+
+/// Texts and bars that are written over the view.
 struct LabelContent {
     bool scaleBars = false;
     double metersPerPixel = 0.0;  ///< across the view, in the screen's coordinates
@@ -26,7 +42,7 @@ struct LabelContent {
     std::string force;                ///< magnitude, with its unit
     std::optional<Vector3> forceEnd;  ///< where its label belongs, as drawn; empty: no label [m]
     struct Name {
-        Vector3 place = Vector3::Zero();  ///< as drawn [m]
+        Vector3 position = Vector3::Zero();  ///< as drawn [m]
         std::string text;
         Color color;
     };
@@ -59,12 +75,32 @@ private:
     void paintMarkers(Painter& painter, double viewWidth, double viewHeight) const;
     void paintReading(Painter& painter, double viewWidth, double viewHeight) const;
     void paintCaption(Painter& painter, double y, double viewWidth, double viewHeight) const;
-    [[nodiscard]] PixelPoint project(const Vector3& place) const;
+    [[nodiscard]] PixelPoint project(const Vector3& position) const;
 
     vtkRenderer* renderer_;
     vtkSmartPointer<PainterItem> item_;
     double pixelRatio_ = 1.0;
     LabelContent content_;
 };
+
+/// Facts that the notes of a view depend on.
+struct ViewNoteFacts {
+    double heightScale = 1.0;
+    bool hasPerspective = false;
+    bool isFromBelow = false;       ///< the underside of the surface is seen
+    bool missesTrueTip = false;     ///< its ghost is asked for, and the instrument does not know it
+    bool hidesDeformation = false;  ///< the surface is drawn at rest
+    bool showsLever = false;
+    bool showsCap = false;   ///< only the lowest part of a large tip is drawn
+    double tipRadius = 0.0;  ///< [m]
+    double pixel = 0.0;      ///< of the scan [m]
+    double width = 0.0;      ///< of the frame [m]
+};
+
+/// Returns what a picture does not show by itself: a stretched height, coarse pixels.
+[[nodiscard]] std::vector<std::string> viewNotes(const ViewNoteFacts& facts);
+
+/// Returns the note of a tip above the view. @param gap to the surface [m]
+[[nodiscard]] std::string tipAboveNote(double gap);
 
 }  // namespace asperity

@@ -1,20 +1,14 @@
 #include "ui/view/ZoomPicture.h"
 
 #include "core/scene/Scene.h"
-#include "ui/Theme.h"
-#include "ui/view/DrapedGrid.h"
-#include "ui/view/SurfacePick.h"
-#include "ui/view/TipOutline.h"
+#include "ui/view/TerrainLayer.h"
+#include "ui/widgets/Theme.h"
 #include "vtkplugins/pictures/SceneParts.h"
 
 #include <vtkCamera.h>
 #include <vtkOpenGLRenderWindow.h>
 #include <vtkRenderer.h>
 
-#include <QObject>
-
-#include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace asperity {
@@ -155,16 +149,16 @@ void ZoomPicture::follow(const Vector2& tip, double slack) {
     const double lap = kOverlap * frame_->halfWidth();  // patch and terrain join without a crack
     // Where the patch is cut off by the frame's edge, its middle is elsewhere and does not stray.
     const Vector2 middle(0.5 * (hole.left + hole.right), 0.5 * (hole.bottom + hole.top));
-    if (!sameWindow(window, terrain_.place().window) ||
-        !isNearMiddle(terrain_.place().hole, middle, kStray * reach)) {
+    if (!sameWindow(window, terrain_.area().window) ||
+        !isNearMiddle(terrain_.area().hole, middle, kStray * reach)) {
         placeTerrain(
             {.window = window, .hole = hole, .patch = windowAround(tip, reach + lap, window)});
     }
 }
 
-void ZoomPicture::placeTerrain(const TerrainPlace& place) {
-    const bool otherWindow = !sameWindow(place.window, terrain_.place().window);
-    terrain_.setPlace(scene_->surface, place);
+void ZoomPicture::placeTerrain(const TerrainArea& area) {
+    const bool otherWindow = !sameWindow(area.window, terrain_.area().window);
+    terrain_.setArea(scene_->surface, area);
     fitHeights();
     const bool otherColors = fitColors();
     // The scale stays while the tip is in contact.
@@ -253,10 +247,10 @@ void ZoomPicture::makeRoomFor(const ContactShape& shape, const ViewCamera& camer
     keepInPicture(shape.contactPoint(), camera);
 }
 
-/// The picture keeps its scale and, as long as the dent is in it, its place.
-void ZoomPicture::keepInPicture(const Vector3& place, const ViewCamera& camera) {
+/// The picture keeps its scale and, as long as the dent is in it, its position.
+void ZoomPicture::keepInPicture(const Vector3& position, const ViewCamera& camera) {
     const int height = still_->GetSize()[1];
-    const double missing = kDentMargin * height - drawnPlace(place).y();
+    const double missing = kDentMargin * height - drawnPosition(position).y();
     if (missing > 0.0 && camera.heightSeen() > 0.0) {
         extent_.lower(kLoweringStep * missing * metersPerPixel(height) / camera.heightSeen());
         Q_EMIT terrainPlaced();
@@ -266,15 +260,15 @@ void ZoomPicture::keepInPicture(const Vector3& place, const ViewCamera& camera) 
 void ZoomPicture::showContact(const TickSample& sample, const ViewCamera& camera) {
     const TipState& model = sample.output.model;
     shape_ = std::make_unique<const ContactShape>(
-        *scene_, options_.deformation ? model : atRest(model), terrain_.place().patch,
-        kPatchSamples, options_.deformation ? halfSpace_.get() : nullptr);
+        *scene_, options_.deformation ? model : atRest(model), terrain_.area().patch, kPatchSamples,
+        options_.deformation ? halfSpace_.get() : nullptr);
     const ContactShape& shape = *shape_;
     const PatchColors colors(*scene_, shape, colors_);
     if (fitLiveColors(shape, colors)) {
         Q_EMIT scalesChanged();
     }
     makeRoomFor(shape, camera);
-    const ScanWindow window = terrain_.place().window;
+    const ScanWindow window = terrain_.area().window;
     const double width = std::max(window.right - window.left, window.top - window.bottom);
     const Shading shading = this->shading(camera);
     contact_.show(*scene_, shape,
@@ -282,7 +276,7 @@ void ZoomPicture::showContact(const TickSample& sample, const ViewCamera& camera
                    .space = space(),
                    .shading = shading,
                    .gridSpacing = options_.grid ? gridSpacing(width) : 0.0,
-                   .gridArea = terrain_.place().patch,
+                   .gridArea = terrain_.area().patch,
                    .window = window,
                    .bottom = terrain_.bottom(),
                    .isCut = options_.section});
@@ -315,7 +309,7 @@ void ZoomPicture::showSection(const ContactShape& shape, const ViewCamera& camer
     }
     cache_.invalidate();  // the terrain is cut where the tip is
     section_.show(*scene_, shape,
-                  {.window = terrain_.place().window,
+                  {.window = terrain_.area().window,
                    .bottom = terrain_.bottom(),
                    .tip = tip_.body(),
                    .toEye = camera.out(),
@@ -339,8 +333,8 @@ void ZoomPicture::showGhosts(const ViewCamera& camera) {
                   .color = {}});
 }
 
-void ZoomPicture::setCrossHair(const std::optional<Vector2>& place, const QString& reading) {
-    crossHair_ = place;
+void ZoomPicture::setCrossHair(const std::optional<Vector2>& position, const QString& reading) {
+    crossHair_ = position;
     reading_ = reading;
 }
 
@@ -349,12 +343,12 @@ void ZoomPicture::showCrossHair() {
         cross_.hide();
         return;
     }
-    cross_.show(scene_->surface, *crossHair_, terrain_.place().window, shape_.get(), space());
+    cross_.show(scene_->surface, *crossHair_, terrain_.area().window, shape_.get(), space());
 }
 
 void ZoomPicture::showMarkers() {
     if (frame_) {
-        markers_.show(scene_->description.markers, scene_->surface, terrain_.place().window,
+        markers_.show(scene_->description.markers, scene_->surface, terrain_.area().window,
                       space());
     } else {
         markers_.hide();
@@ -362,21 +356,21 @@ void ZoomPicture::showMarkers() {
 }
 
 void ZoomPicture::showTarget() {
-    if (frame_ && targetPlace_ && holds(terrain_.place().window, targetPlace_->head<2>())) {
-        target_.show(*targetPlace_, scene_->surface, kTargetArm * frame_->halfWidth(), space());
+    if (frame_ && targetPosition_ && holds(terrain_.area().window, targetPosition_->head<2>())) {
+        target_.show(*targetPosition_, scene_->surface, kTargetArm * frame_->halfWidth(), space());
     } else {
         target_.hide();
     }
 }
 
-std::optional<Vector2> ZoomPicture::placeAt(const Vector2& pixel) const {
-    return frame_ ? seenPlace(scene_->surface, rayThrough(*still_, pixel, space()),
-                              terrain_.place().window, shape_.get())
+std::optional<Vector2> ZoomPicture::positionAt(const Vector2& pixel) const {
+    return frame_ ? seenPosition(scene_->surface, rayThrough(*still_, pixel, space()),
+                                 terrain_.area().window, shape_.get())
                   : std::nullopt;
 }
 
-SurfaceReading ZoomPicture::reading(const Vector2& place) const {
-    return readingAt(*scene_, colors_.field(), shape_.get(), place);
+SurfaceReading ZoomPicture::reading(const Vector2& position) const {
+    return readingAt(*scene_, colors_.field(), shape_.get(), position);
 }
 
 void ZoomPicture::aim(const ViewCamera& camera, double aspect, const WordRoom& words) {
@@ -401,13 +395,13 @@ void ZoomPicture::setOptions(const ViewOptions& options) {
 void ZoomPicture::setHalfWidth(double halfWidth) {
     extent_.forget();
     frame_->setHalfWidth(std::max(halfWidth, scale_.least));
-    if (!sample_ && !sameWindow(frame_->window(), terrain_.place().window)) {
+    if (!sample_ && !sameWindow(frame_->window(), terrain_.area().window)) {
         placeTerrain({.window = frame_->window(), .hole = {}, .patch = {}});
     }
 }
 
-Vector2 ZoomPicture::drawnPlace(const Vector3& place) const {
-    const Vector3 drawn = space().point(place);
+Vector2 ZoomPicture::drawnPosition(const Vector3& position) const {
+    const Vector3 drawn = space().point(position);
     still_->SetWorldPoint(drawn.x(), drawn.y(), drawn.z(), 1.0);
     still_->WorldToDisplay();
     const double* display = still_->GetDisplayPoint();
@@ -416,6 +410,66 @@ Vector2 ZoomPicture::drawnPlace(const Vector3& place) const {
 
 double ZoomPicture::metersPerPixel(double height) const {
     return 2.0 * still_->GetActiveCamera()->GetParallelScale() / height;
+}
+
+// What is written over the large view.
+
+void ZoomPicture::showLabels(const ViewCamera& camera, double height, double pixelRatio) {
+    if (!frame_) {
+        labels_.hide();
+        return;
+    }
+    labels_.setPixelRatio(pixelRatio);
+    LabelContent content{.scaleBars = options_.scaleBars && !camera.hasPerspective(),
+                         .metersPerPixel = metersPerPixel(height),
+                         .heightPerPixel =
+                             metersPerPixel(height) / (options_.heightScale * camera.heightSeen())};
+    if (options_.labels) {
+        content.notes = notes(camera);
+        content.tipAbove = tipAbove(height, pixelRatio);
+        content.force = writtenForce();
+        content.forceEnd = force_.end();
+        content.names = ghosts_.names();
+        if (const auto target = target_.name()) {
+            content.names.push_back(*target);
+        }
+        content.markers = markers_.names();
+        content.reading = crossHair_ ? reading_.toStdString() : std::string();
+        content.caption = caption_;
+    }
+    if (options_.axes) {
+        content.axes = FrameAxes{.window = terrain_.area().window,
+                                 .bottom = options_.heightScale * terrain_.bottom(),
+                                 .toEye = camera.out()};
+    }
+    labels_.show(content);
+}
+
+std::string ZoomPicture::writtenForce() const {
+    if (!writtenForce_.empty() || !sample_) {
+        return writtenForce_;
+    }
+    return magnitudeText(sample_->output.estimate.force);
+}
+
+std::vector<std::string> ZoomPicture::notes(const ViewCamera& camera) const {
+    return viewNotes({.heightScale = options_.heightScale,
+                      .hasPerspective = camera.hasPerspective(),
+                      .isFromBelow = camera.out().z() < 0.0,
+                      .missesTrueTip = options_.trueTip && sample_ && !trueTip_,
+                      .hidesDeformation = !options_.deformation,
+                      .showsLever = gear().showsLever(),
+                      .showsCap = gear().isCap(),
+                      .tipRadius = scene_->belief.tipRadius(),
+                      .pixel = scale_.pixel,
+                      .width = 2.0 * frame_->halfWidth()});
+}
+
+std::string ZoomPicture::tipAbove(double height, double pixelRatio) const {
+    if (shape_ == nullptr || drawnPosition(apexOf(shape_->contact())).y() < pixelRatio * height) {
+        return {};
+    }
+    return tipAboveNote(-sample_->output.model.contact.indentation);
 }
 
 }  // namespace asperity

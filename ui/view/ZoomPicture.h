@@ -1,34 +1,30 @@
 #pragma once
 
-#include "core/deformation/HalfSpaceAnswer.h"
+#include "core/Vector.h"
+#include "core/deformation/HalfSpaceModel.h"
 #include "core/haptics/VirtualRun.h"
 #include "ui/view/ContactLayer.h"
-#include "ui/view/CrossHairLayer.h"
 #include "ui/view/ForceLayer.h"
-#include "ui/view/GuideLayer.h"
+#include "ui/view/GhostLayer.h"
 #include "ui/view/MarkerLayer.h"
-#include "ui/view/PatchColors.h"
 #include "ui/view/SectionLayer.h"
-#include "ui/view/ShownRanges.h"
-#include "ui/view/ShownView.h"
+#include "ui/view/Shading.h"
 #include "ui/view/StaticLayer.h"
 #include "ui/view/SurfaceColors.h"
-#include "ui/view/SurfaceReading.h"
-#include "ui/view/TargetLayer.h"
+#include "ui/view/SurfacePick.h"
 #include "ui/view/TerrainLayer.h"
-#include "ui/view/TipGear.h"
-#include "ui/view/TipGhosts.h"
+#include "ui/view/TipLayer.h"
 #include "ui/view/ViewCamera.h"
-#include "ui/view/ViewExtent.h"
 #include "ui/view/ViewFrame.h"
 #include "ui/view/ViewLabels.h"
-#include "ui/view/ViewOptions.h"
-#include "ui/view/ViewScale.h"
 
 #include <vtkNew.h>
 
 #include <QObject>
 
+#include <algorithm>
+#include <array>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -41,9 +37,45 @@ namespace asperity {
 
 struct Scene;
 
-/// What the large view draws: the surface in a frame that goes with the tip; on it the deformed
-/// contact, the tip, the force, a guide and labels. It draws into a window's layers; when is the
-/// view's matter.
+/// Ranges that a picture has shown since its scene was set. The scales can keep them from then on,
+/// so that they do not change through a film.
+class ShownRanges {
+public:
+    void keep() { isKept_ = true; }
+    [[nodiscard]] bool isKept() const { return isKept_; }
+
+    /// @param heights lowest and highest that are shown now [m]
+    /// @return those that there is to be room for
+    std::array<double, 2> heights(const std::array<double, 2>& heights) {
+        heights_ = {std::min(heights_[0], heights[0]), std::max(heights_[1], heights[1])};
+        return isKept_ ? heights_ : heights;
+    }
+    /// The same of the largest displacement [m].
+    double displacement(double largest) {
+        displacement_ = std::max(displacement_, largest);
+        return isKept_ ? displacement_ : largest;
+    }
+
+private:
+    std::array<double, 2> heights_{std::numeric_limits<double>::infinity(),
+                                   -std::numeric_limits<double>::infinity()};
+    double displacement_ = 0.0;
+    bool isKept_ = false;
+};
+
+/// State of a view of the window, so that a picture can show its scene alike.
+struct ShownView {
+    ViewCamera camera;
+    ViewOptions options;
+    double halfWidth = 0.0;                            ///< of the frame [m]
+    SurfaceColors colors;                              ///< with the ranges that they have there
+    std::optional<Vector3> trueTip;                    ///< see Snapshot [m]
+    std::shared_ptr<const HalfSpaceAnswer> halfSpace;  ///< null: none is drawn
+};
+
+/// Picture of the large view: the surface in a frame that moves with the tip; on it the deformed
+/// contact, the tip, the force, a guide and labels. It draws into a window's layers; the view
+/// decides when.
 class ZoomPicture : public QObject {
     Q_OBJECT
 
@@ -56,12 +88,12 @@ public:
 
     /// Null: nothing. The scene outlives its use here.
     void setScene(const Scene* scene);
-    /// What to show next, of the present scene. @param trueTip see Snapshot
+    /// Sets the sample to show next, of the present scene. @param trueTip see Snapshot
     void setSample(const TickSample& sample, const std::optional<Vector3>& trueTip = {}) {
         sample_ = sample;
         trueTip_ = trueTip;
     }
-    /// What is drawn from the next sample on where the scene asks for the half-space; or null.
+    /// Sets the half-space to draw from the next sample on where the scene asks for it; or null.
     void setHalfSpace(std::shared_ptr<const HalfSpaceAnswer> answer) {
         halfSpace_ = std::move(answer);
     }
@@ -70,39 +102,40 @@ public:
     /// @param dragging the picture stays still under the pointer as long as it can
     void showSample(const ViewCamera& camera, bool dragging);
     void showTerrain(const ViewCamera& camera, TerrainDetail detail);
-    /// Where the cross-hair is from the next sample on, of the surface at rest [m]; none: nowhere.
-    void setCrossHair(const std::optional<Vector2>& place, const QString& reading);
+    /// Sets where the cross-hair is from the next sample on, on the surface at rest [m]; none:
+    /// hidden.
+    void setCrossHair(const std::optional<Vector2>& position, const QString& reading);
     [[nodiscard]] const std::optional<Vector2>& crossHair() const { return crossHair_; }
-    /// The place of the surface at rest whose present place is seen at a drawn pixel, from the
-    /// lower left corner [m]; none: there is no surface.
-    [[nodiscard]] std::optional<Vector2> placeAt(const Vector2& pixel) const;
-    /// What there is to read at a place of the surface at rest. There is a scene.
-    [[nodiscard]] SurfaceReading reading(const Vector2& place) const;
+    /// The position of the surface at rest whose present position is seen at a drawn pixel, from
+    /// the lower left corner [m]; none: there is no surface.
+    [[nodiscard]] std::optional<Vector2> positionAt(const Vector2& pixel) const;
+    /// Returns the values at a position of the surface at rest. There is a scene.
+    [[nodiscard]] SurfaceReading reading(const Vector2& position) const;
     /// @param height     of the view [pixels of the screen's coordinates]
     /// @param pixelRatio drawn pixels per such a pixel
     void showLabels(const ViewCamera& camera, double height, double pixelRatio);
     /// Takes the colors around the sample from the theme; terrain, contact and labels have to be
-    /// shown anew.
+    /// shown again.
     void showTheme();
     /// The picture is seen so from now on.
     /// @param aspect width over height of the view
     void aim(const ViewCamera& camera, double aspect, const WordRoom& words = {});
 
-    /// What is shown of the scan; none without a scene.
+    /// Part of the scan that is shown; none without a scene.
     [[nodiscard]] const std::optional<ViewFrame>& frame() const { return frame_; }
     /// Takes the nearest width that can be shown [m]. There is a scene.
     void setHalfWidth(double halfWidth);
     /// The frame keeps its width, even where a tip that is pressed in deep leaves it.
     void keepHalfWidth() { isWidthKept_ = true; }
     [[nodiscard]] const ViewScale& scale() const { return scale_; }
-    /// Contact and terrain have to be shown anew, and the camera to be aimed.
+    /// Contact and terrain have to be shown again, and the camera to be aimed.
     void setOptions(const ViewOptions& options);
     [[nodiscard]] const ViewOptions& options() const { return options_; }
-    /// How the surface is colored. @param field what the look's quantity is on the surface at rest
+    /// Sets how the surface is colored. @param field the look's quantity on the surface at rest
     void setLook(const SurfaceLook& look, const SurfaceField& field);
     /// The same with ranges that another picture fitted.
     void setColors(const SurfaceColors& colors);
-    /// What the picture does not say by itself: a stretched height, coarse pixels.
+    /// Returns what the picture does not show by itself: a stretched height, coarse pixels.
     [[nodiscard]] std::vector<std::string> notes(const ViewCamera& camera) const;
     [[nodiscard]] const SurfaceColors& colors() const { return colors_; }
     /// As another picture can show it. There is a scene.
@@ -111,29 +144,28 @@ public:
     }
     /// Nothing is behind what is drawn: black and clear, see drawnImage().
     void setTransparent();
-    /// Where the tip's apex shall be, from the next sample on, in whatever scene [m]; none:
-    /// nowhere.
-    void setTarget(const std::optional<Vector3>& target) { targetPlace_ = target; }
-    [[nodiscard]] const std::optional<Vector3>& target() const { return targetPlace_; }
+    /// Sets the target of the tip's apex from the next sample on, in any scene [m]; none: hidden.
+    void setTarget(const std::optional<Vector3>& target) { targetPosition_ = target; }
+    [[nodiscard]] const std::optional<Vector3>& target() const { return targetPosition_; }
     /// The magnitude that is written at the arrow, of the present scene: that of the panels, digit
     /// by digit, which are not drawn as often; empty: that of the sample.
     void setWrittenForce(std::string force) { writtenForce_ = std::move(force); }
     [[nodiscard]] std::string writtenForce() const;
-    /// What is written in a corner of the picture; empty: nothing.
+    /// Sets the text in a corner of the picture; empty: nothing.
     void setCaption(std::string caption) { caption_ = std::move(caption); }
     /// Size and colors have room for all that was shown of the scene, and stay so. There is a
     /// scene.
     void keepScales();
-    /// What keeps the surface at rest from one frame to the next. It copies with Qt's OpenGL: a
+    /// Cache of the surface at rest from one frame to the next. It copies with Qt's OpenGL: a
     /// window of VTK's own has to switch it off.
     [[nodiscard]] StaticLayer& cache() { return cache_; }
-    /// Where a world place [m] is drawn, in drawn pixels from the lower left corner.
-    [[nodiscard]] Vector2 drawnPlace(const Vector3& place) const;
-    /// Of the screen's coordinates in a view of this height.
+    /// Returns where a world position [m] is drawn, in drawn pixels from the lower left corner.
+    [[nodiscard]] Vector2 drawnPosition(const Vector3& position) const;
+    /// Returns the size of a pixel of the screen's coordinates, in a view of this height [m].
     [[nodiscard]] double metersPerPixel(double height) const;
 
 Q_SIGNALS:
-    void terrainPlaced();  ///< it has to be shown anew, and the camera to be aimed
+    void terrainPlaced();  ///< it has to be shown again, and the camera to be aimed
     void frameChanged();   ///< another part of the scan
     void scalesChanged();  ///< of the colors
 
@@ -141,7 +173,7 @@ private:
     void showColors();
     void widenFor(double indentation);
     void follow(const Vector2& tip, double slack);
-    void placeTerrain(const TerrainPlace& place);
+    void placeTerrain(const TerrainArea& area);
     bool fitColors();
     void fitHeights();
     bool fitLiveColors(const ContactShape& shape, const PatchColors& colors);
@@ -151,7 +183,7 @@ private:
     [[nodiscard]] DrawnSpace space() const { return {options_.heightScale}; }
     [[nodiscard]] Shading shading(const ViewCamera& camera) const;
     void makeRoomFor(const ContactShape& shape, const ViewCamera& camera);
-    void keepInPicture(const Vector3& place, const ViewCamera& camera);
+    void keepInPicture(const Vector3& position, const ViewCamera& camera);
     void showContact(const TickSample& sample, const ViewCamera& camera);
     void showSection(const ContactShape& shape, const ViewCamera& camera);
     void showGhosts(const ViewCamera& camera);
@@ -174,7 +206,7 @@ private:
     std::unique_ptr<const ContactShape> shape_;  ///< as it is shown; null: none is
     std::optional<Vector2> crossHair_;           ///< on the surface at rest [m]
     QString reading_;                            ///< of the cross-hair
-    std::optional<Vector3> targetPlace_;         ///< [m]
+    std::optional<Vector3> targetPosition_;      ///< [m]
     std::string writtenForce_;                   ///< at the arrow; empty: of the sample
     std::string caption_;
 

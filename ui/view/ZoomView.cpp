@@ -1,6 +1,6 @@
 #include "ui/view/ZoomView.h"
 
-#include "ui/Theme.h"
+#include "ui/widgets/Theme.h"
 
 #include <vtkOpenGLRenderWindow.h>
 
@@ -61,13 +61,13 @@ void ZoomView::connectGestures() {
         }
     });
     connect(this, &ZoomView::hovered, this, [this](const QPointF& pixel) {
-        if (const std::optional<Vector2> place = placeAt(pixel)) {
-            Q_EMIT placeHovered(place->x(), place->y());
+        if (const std::optional<Vector2> position = positionAt(pixel)) {
+            Q_EMIT positionHovered(position->x(), position->y());
         } else {
-            Q_EMIT placeLeft();
+            Q_EMIT pointerLeft();
         }
     });
-    connect(this, &ZoomView::unhovered, this, &ZoomView::placeLeft);
+    connect(this, &ZoomView::unhovered, this, &ZoomView::pointerLeft);
 }
 
 void ZoomView::setScene(const Scene* scene) {
@@ -154,8 +154,8 @@ ColorScale ZoomView::displacementScale() const {
     return picture_.frame() ? picture_.colors().displacementScale() : ColorScale{};
 }
 
-void ZoomView::showCrossHair(const std::optional<Vector2>& place) {
-    picture_.setCrossHair(place, {});
+void ZoomView::showCrossHair(const std::optional<Vector2>& position) {
+    picture_.setCrossHair(position, {});
     read();
     const bool framesCome = sinceSnapshot_.isValid() && !sinceSnapshot_.hasExpired(kRunningTime);
     if (!framesCome) {
@@ -163,25 +163,25 @@ void ZoomView::showCrossHair(const std::optional<Vector2>& place) {
     }
 }
 
-/// What stands at the cross-hair in the next frame.
+/// Shows the reading at the cross-hair in the next frame.
 void ZoomView::read() {
-    if (const std::optional<Vector2> place = picture_.crossHair(); place && picture_.frame()) {
-        picture_.setCrossHair(place, textOf(picture_.reading(*place)));
+    if (const std::optional<Vector2> at = picture_.crossHair(); at && picture_.frame()) {
+        picture_.setCrossHair(at, textOf(picture_.reading(*at)));
         sinceReading_.start();
     }
 }
 
-std::optional<SurfaceReading> ZoomView::reading(const Vector2& place) const {
-    return picture_.frame() ? std::optional(picture_.reading(place)) : std::nullopt;
+std::optional<SurfaceReading> ZoomView::reading(const Vector2& position) const {
+    return picture_.frame() ? std::optional(picture_.reading(position)) : std::nullopt;
 }
 
-std::optional<Vector2> ZoomView::placeAt(const QPointF& pixel) const {
+std::optional<Vector2> ZoomView::positionAt(const QPointF& pixel) const {
     const double ratio = drawnRatio();
-    return picture_.placeAt({ratio * pixel.x(), ratio * (height() - pixel.y())});
+    return picture_.positionAt({ratio * pixel.x(), ratio * (height() - pixel.y())});
 }
 
-QPointF ZoomView::onScreen(const Vector3& place) const {
-    const Vector2 drawn = picture_.drawnPlace(place);
+QPointF ZoomView::onScreen(const Vector3& position) const {
+    const Vector2 drawn = picture_.drawnPosition(position);
     const double ratio = drawnRatio();
     return {drawn.x() / ratio, height() - drawn.y() / ratio};
 }

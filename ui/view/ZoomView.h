@@ -1,9 +1,9 @@
 #pragma once
 
-#include "core/haptics/Snapshot.h"
-#include "ui/ColorScale.h"
-#include "ui/view/GestureWidget.h"
-#include "ui/view/SurfaceReading.h"
+#include "core/haptics/VirtualRun.h"
+#include "ui/view/ColorScale.h"
+#include "ui/view/PixelView.h"
+#include "ui/view/SurfacePick.h"
 #include "ui/view/ZoomPicture.h"
 
 #include <QElapsedTimer>
@@ -24,7 +24,7 @@ public:
     ZoomView(const ZoomView&) = delete;
     ZoomView& operator=(const ZoomView&) = delete;
 
-    /// What to show; null: an empty view. The scene outlives its use here.
+    /// Sets the scene to show; null: an empty view. The scene outlives its use here.
     void setScene(const Scene* scene);
     /// Shows a tick of the present scene: draws one frame.
     void showSnapshot(const Snapshot& snapshot);
@@ -32,7 +32,7 @@ public:
     /// See ZoomPicture: from the next snapshot on.
     void setWrittenForce(std::string force) { picture_.setWrittenForce(std::move(force)); }
 
-    /// What is drawn from the next snapshot on where the scene asks for the half-space; or null.
+    /// Sets the half-space to draw from the next snapshot on where the scene asks for it; or null.
     void setHalfSpace(std::shared_ptr<const HalfSpaceAnswer> answer);
 
     /// The part of the scan that is shown, world [m]; empty without a scene.
@@ -53,36 +53,36 @@ public:
     void setOptions(const ViewOptions& options);
     [[nodiscard]] const ViewOptions& options() const { return picture_.options(); }
 
-    /// How the surface is colored. @param field what the look's quantity is on the surface at rest
+    /// Sets how the surface is colored. @param field the look's quantity on the surface at rest
     void setLook(const SurfaceLook& look, const SurfaceField& field);
-    /// Of the quantity, and of displacements over it. They hold no colors while there is no scene.
+    /// Scales of the quantity, and of displacements over it. Without a scene they hold no colors.
     [[nodiscard]] ColorScale colorScale() const;
     [[nodiscard]] ColorScale displacementScale() const;
 
-    /// Shows a cross-hair at a place of the surface at rest, world x, y [m], with what is read
+    /// Shows a cross-hair at a position of the surface at rest, world x, y [m], with what is read
     /// there; none: no cross-hair. While the loop runs it costs no frame of its own.
-    void showCrossHair(const std::optional<Vector2>& place);
+    void showCrossHair(const std::optional<Vector2>& position);
     [[nodiscard]] const std::optional<Vector2>& crossHair() const { return picture_.crossHair(); }
     /// Shows where the tip's apex shall be, from the next snapshot on, in whatever scene [m]; none:
     /// nowhere.
     void setTarget(const std::optional<Vector3>& target) { picture_.setTarget(target); }
     [[nodiscard]] const std::optional<Vector3>& target() const { return picture_.target(); }
-    /// What is read at a place of the surface at rest; none without a scene.
-    [[nodiscard]] std::optional<SurfaceReading> reading(const Vector2& place) const;
-    /// The place of the surface at rest that is seen at a pixel of the widget; none: there is none.
-    [[nodiscard]] std::optional<Vector2> placeAt(const QPointF& pixel) const;
+    /// Reads the values at a position of the surface at rest; none without a scene.
+    [[nodiscard]] std::optional<SurfaceReading> reading(const Vector2& position) const;
+    /// Position of the surface at rest seen at a pixel of the widget; none: there is none.
+    [[nodiscard]] std::optional<Vector2> positionAt(const QPointF& pixel) const;
 
     /// As a picture can show it; none without a scene.
     [[nodiscard]] std::optional<ShownView> shown() const {
         return picture_.frame() ? std::optional(picture_.shown(camera_)) : std::nullopt;
     }
 
-    /// Whether the last frame is final: no other one is due, and none is drawn coarsely any more.
+    /// Returns whether the last frame is final: no other is due, and none is still drawn coarsely.
     [[nodiscard]] bool isSettled() const;
 
-    /// Where a world place [m] is seen, in pixels of the widget.
-    [[nodiscard]] QPointF onScreen(const Vector3& place) const;
-    /// Whether what does not change is drawn once and kept; on, but for measurements.
+    /// Returns where a world position [m] is seen, in pixels of the widget.
+    [[nodiscard]] QPointF onScreen(const Vector3& position) const;
+    /// Sets whether what does not change is drawn once and kept; on, but for measurements.
     void setCacheEnabled(bool enabled);
 
 Q_SIGNALS:
@@ -91,11 +91,11 @@ Q_SIGNALS:
     void frameChanged();   ///< window() is another
     void scalesChanged();  ///< a color scale is another
     void frameRendered();
-    /// The pointer is over this place of the surface at rest, world [m].
-    void placeHovered(double x, double y);
+    /// The pointer is over this position of the surface at rest, world [m].
+    void positionHovered(double x, double y);
     /// The pointer is over no surface any more.
-    void placeLeft();
-    /// What is read at the cross-hair has changed with the tip.
+    void pointerLeft();
+    /// The values at the cross-hair changed with the tip.
     void readingChanged();
 
 protected:
@@ -120,7 +120,7 @@ private:
     QElapsedTimer sinceSnapshot_;
     QElapsedTimer sinceReading_;
     bool cacheEnabled_ = true;
-    bool terrainDue_ = false;  ///< it is to be shown anew in the next frame
+    bool terrainDue_ = false;  ///< it is to be shown again in the next frame
     bool contactDue_ = false;  ///< and so is all the rest
 };
 

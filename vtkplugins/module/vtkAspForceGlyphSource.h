@@ -15,7 +15,7 @@ public:
     vtkTypeMacro(vtkAspForceGlyphSource, vtkPolyDataAlgorithm)
     void PrintSelf(ostream& os, vtkIndent indent) override;
 
-    /// Where the arrow starts [m].
+    /// Start of the arrow [m].
     vtkSetVector3Macro(ContactPoint, double);
     vtkGetVector3Macro(ContactPoint, double);
 

@@ -18,24 +18,24 @@ vtkStandardNewMacro(vtkAspSurfaceSource)
 
 namespace {
 
-/// Places of grid lines along one axis, about evenly spread, and which of them bound the hole.
+/// Positions of grid lines along one axis, about evenly spread, and which of them bound the hole.
 struct GridAxis {
-    std::vector<double> places;
+    std::vector<double> positions;
     int holeFirst = 0;
     int holeLast = 0;
 };
 
-void addPlaces(std::vector<double>& places, double end, int cells) {
-    const double start = places.back();
+void addPositions(std::vector<double>& positions, double end, int cells) {
+    const double start = positions.back();
     for (int cell = 1; cell <= cells; ++cell) {
-        places.push_back(std::lerp(start, end, static_cast<double>(cell) / cells));
+        positions.push_back(std::lerp(start, end, static_cast<double>(cell) / cells));
     }
 }
 
 /// @param window  where the axis begins and ends
 /// @param hole    where the hole does; empty: none
 GridAxis gridAxis(const double* window, const double* hole, int count) {
-    GridAxis axis{.places = {window[0]}};
+    GridAxis axis{.positions = {window[0]}};
     const double from = std::clamp(hole[0], window[0], window[1]);
     const double to = std::clamp(hole[1], window[0], window[1]);
     int left = count - 1;  // cells to be given out
@@ -48,12 +48,12 @@ GridAxis gridAxis(const double* window, const double* hole, int count) {
             return given;
         };
         axis.holeFirst = cellsFor(from - window[0], 2);
-        addPlaces(axis.places, from, axis.holeFirst);
+        addPositions(axis.positions, from, axis.holeFirst);
         axis.holeLast = axis.holeFirst + (to < window[1] ? cellsFor(to - from, 1) : left);
-        addPlaces(axis.places, to, axis.holeLast - axis.holeFirst);
+        addPositions(axis.positions, to, axis.holeLast - axis.holeFirst);
         left = count - 1 - axis.holeLast;
     }
-    addPlaces(axis.places, window[1], left);
+    addPositions(axis.positions, window[1], left);
     return axis;
 }
 
@@ -99,8 +99,8 @@ int vtkAspSurfaceSource::RequestData(vtkInformation* /*request*/, vtkInformation
     const GridAxis across = gridAxis(this->Window, this->Hole, columns);
     const GridAxis up = gridAxis(this->Window + 2, this->Hole + 2, rows);
     vtkIdType id = 0;
-    for (const double y : up.places) {
-        for (const double x : across.places) {
+    for (const double y : up.positions) {
+        for (const double x : across.positions) {
             const asperity::HeightSample sample = this->Surface->at(x, y);
             points->SetPoint(id, x, y, sample.height);
             normals->SetTuple(id, sample.normal().data());

@@ -23,11 +23,11 @@ public:
     vtkSetMacro(Radius, double);
     vtkGetMacro(Radius, double);
 
-    /// From the apex to the shank; need not be of unit length.
+    /// Direction from the apex to the shank; need not be of unit length.
     vtkSetVector3Macro(Axis, double);
     vtkGetVector3Macro(Axis, double);
 
-    /// From the apex to the flat end [m]; a low tip is a cap of the sphere alone.
+    /// Distance from the apex to the flat end [m]; a low tip is a cap of the sphere alone.
     vtkSetMacro(Height, double);
     vtkGetMacro(Height, double);
 

@@ -1,7 +1,6 @@
 #include "vtkplugins/pictures/ColorMaps.h"
 
 #include "vtkplugins/pictures/ColorMapTables.h"
-#include "vtkplugins/pictures/Palette.h"
 
 #include <algorithm>
 #include <array>
@@ -29,17 +28,17 @@ Color between(const Color& from, const Color& to, double part) {
     return {mix(from.red, to.red), mix(from.green, to.green), mix(from.blue, to.blue)};
 }
 
-/// Of evenly spaced colors.
+/// Interpolates between evenly spaced colors.
 Color colorWithin(std::span<const Color> anchors, double share) {
-    const double place = share * static_cast<double>(anchors.size() - 1);
-    const std::size_t left = std::min(static_cast<std::size_t>(place), anchors.size() - 2);
-    return between(anchors[left], anchors[left + 1], place - static_cast<double>(left));
+    const double position = share * static_cast<double>(anchors.size() - 1);
+    const std::size_t left = std::min(static_cast<std::size_t>(position), anchors.size() - 2);
+    return between(anchors[left], anchors[left + 1], position - static_cast<double>(left));
 }
 
 /// Evenly spaced colors through a gradient whose colors are not.
 std::vector<Color> goldAnchors() {
     struct Stop {
-        double place;
+        double position;
         Color color;
     };
     // Source: Gwyddion 2.62, its gradient "Gwyddion.net".
@@ -50,14 +49,14 @@ std::vector<Color> goldAnchors() {
     std::vector<Color> colors;
     std::size_t left = 0;
     for (int entry = 0; entry < kColorTableSize; ++entry) {
-        const double place = entry / (kColorTableSize - 1.0);
-        while (left + 2 < kStops.size() && place > kStops.at(left + 1).place) {
+        const double position = entry / (kColorTableSize - 1.0);
+        while (left + 2 < kStops.size() && position > kStops.at(left + 1).position) {
             ++left;
         }
         const Stop& from = kStops.at(left);
         const Stop& to = kStops.at(left + 1);
-        colors.push_back(
-            between(from.color, to.color, (place - from.place) / (to.place - from.place)));
+        colors.push_back(between(from.color, to.color,
+                                 (position - from.position) / (to.position - from.position)));
     }
     return colors;
 }

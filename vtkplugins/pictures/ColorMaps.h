@@ -1,14 +1,14 @@
 #pragma once
 
 #include "core/EnumTable.h"
-#include "vtkplugins/pictures/Color.h"
+#include "vtkplugins/pictures/Palette.h"
 
 #include <cstdint>
 #include <vector>
 
 namespace asperity {
 
-/// From which colors those of values are taken.
+/// Colors from which those of values are taken.
 enum class ColorMap : std::uint8_t {
     Standard,   ///< violet, green, yellow: that of the pictures
     Gray,       ///< black to white

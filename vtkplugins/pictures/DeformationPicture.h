@@ -2,8 +2,7 @@
 
 #include "core/Vector.h"
 #include "core/surface/deformation/SurfaceDeformation.h"
-#include "vtkplugins/pictures/PictureParts.h"
-#include "vtkplugins/pictures/PictureSize.h"
+#include "vtkplugins/pictures/RasterImage.h"
 
 #include <filesystem>
 #include <optional>
@@ -22,7 +21,7 @@ struct DeformationView {
     double shankHalfAngle = kShankHalfAngle;  ///< between the tip's shank and its axis [rad]
     /// Above 0: the tip is a paraboloid to this distance from its axis, see vtkAspTipSource [m].
     double paraboloidReach = 0.0;
-    /// How far the tip's own surface gives way, at a distance from the contact's axis [m -> m];
+    /// Displacement of the tip's own surface, at a distance from the contact's axis [m -> m];
     /// empty: the tip is rigid.
     RadialDisplacement tipDisplacement = {};
     Vector3 contactPoint = Vector3::Zero();  ///< middle of the contact, on the surface [m]

@@ -5,9 +5,7 @@
 #include "vtkplugins/module/vtkAspForceGlyphSource.h"
 #include "vtkplugins/module/vtkAspPatchSource.h"
 #include "vtkplugins/module/vtkAspTipSource.h"
-#include "vtkplugins/pictures/ContactCircle.h"
 #include "vtkplugins/pictures/RestingPatch.h"
-#include "vtkplugins/pictures/SceneParts.h"
 #include "vtkplugins/pictures/Ticks.h"
 
 #include <vtkActor.h>
@@ -22,7 +20,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <vector>
 
 namespace asperity {
 
@@ -70,8 +67,8 @@ vtkSmartPointer<vtkPolyData> topEdge(vtkPolyData* tip, const Stretch& stretch) {
     return polyline(edge);
 }
 
-/// Of all heights: 1 where the displacement is seen true to scale, else the smallest round factor
-/// that shows it; 1 again where none does that leaves the tip its shape.
+/// Exaggeration of all heights: 1 where the displacement is seen true to scale, else the smallest
+/// round factor that shows it; 1 again where none does that leaves the tip its shape.
 double heightScaleFor(double displacement, double width) {
     for (const double factor : {1.0, 2.0, 5.0, 10.0}) {
         if (factor * displacement >= kSeenDisplacement * width) {
@@ -81,7 +78,7 @@ double heightScaleFor(double displacement, double width) {
     return 1.0;
 }
 
-/// Where the axis of the contact meets the deformed surface.
+/// Returns where the axis of the contact meets the deformed surface.
 Vector3 contactOn(const SurfacePatch& patch, const Vector3& point, const Vector3& outward) {
     const RestingPatch resting(patch);
     const Vector3 rest = resting.closest(point, outward);
@@ -329,19 +326,19 @@ void DeformationScene::addVerticalBar(const Vector3& corner, const Vector3& righ
 }
 
 void DeformationScene::paintLabels(Painter& painter) const {
-    const auto place = [this](const Vector3& point, double right, double up) {
+    const auto position = [this](const Vector3& point, double right, double up) {
         const PixelPoint at = picture_.project(solid_, point);
         return PixelPoint{at.x + right, at.y + up};
     };
     if (parts_.bars) {
-        painter.text(place(horizontalBarAt_, 0.0, -26.0), formatSi(horizontalBar_, "m"),
+        painter.text(position(horizontalBarAt_, 0.0, -26.0), formatSi(horizontalBar_, "m"),
                      {.align = Align::Center});
-        painter.text(place(verticalBarAt_, 0.0, 16.0), formatSi(verticalBar_, "m"),
+        painter.text(position(verticalBarAt_, 0.0, 16.0), formatSi(verticalBar_, "m"),
                      {.align = Align::Center});
     }
     const double magnitude = data_.force.stableNorm();
     if (parts_.labels && magnitude > 0.0) {
-        painter.label(place(forceEnd_, 16.0, 0.0), formatSi(magnitude, "N"),
+        painter.label(position(forceEnd_, 16.0, 0.0), formatSi(magnitude, "N"),
                       {.size = 20.0, .bold = true, .color = kLightPalette.force}, area_);
     }
 }

@@ -1,11 +1,10 @@
 #pragma once
 
-#include "vtkplugins/pictures/ColorBar.h"
-#include "vtkplugins/pictures/CutBlock.h"
 #include "vtkplugins/pictures/DeformationPicture.h"
 #include "vtkplugins/pictures/OffscreenPicture.h"
-#include "vtkplugins/pictures/PictureParts.h"
-#include "vtkplugins/pictures/Stretch.h"
+#include "vtkplugins/pictures/Panel.h"
+#include "vtkplugins/pictures/RasterImage.h"
+#include "vtkplugins/pictures/SceneParts.h"
 
 #include <vtkSmartPointer.h>
 
@@ -38,7 +37,7 @@ private:
     void findContactLine();
     void addHorizontalBar(const Vector3& start, const Vector3& along);
     void addVerticalBar(const Vector3& corner, const Vector3& right);
-    /// Whether the sample hides much of a contact that is pressed into it from the eye.
+    /// Returns whether the sample hides much of a contact that is pressed into it from the eye.
     [[nodiscard]] bool isContactHidden() const;
     [[nodiscard]] bool isHidden(const RestingPatch& sample, const Vector3& point) const;
     void addTip();
@@ -65,7 +64,7 @@ private:
     Vector3 cutRight_ = Vector3::Zero();
     double width_ = 0.0;          ///< of the patch [m]
     double bottom_ = 0.0;         ///< of the drawn block, world z [m]
-    double horizontalBar_ = 0.0;  ///< lengths that the scale bars stand for [m]
+    double horizontalBar_ = 0.0;  ///< lengths that the scale bars show [m]
     double verticalBar_ = 0.0;
     Vector3 horizontalBarAt_ = Vector3::Zero();  ///< where their labels belong
     Vector3 verticalBarAt_ = Vector3::Zero();

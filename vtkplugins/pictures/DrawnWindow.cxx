@@ -2,7 +2,6 @@
 
 #include "core/Error.h"
 #include "vtkplugins/pictures/Display.h"
-#include "vtkplugins/pictures/DrawingMemory.h"
 
 #include <vtkActor.h>
 #include <vtkActorCollection.h>

@@ -1,13 +1,12 @@
 #pragma once
 
-#include "vtkplugins/pictures/PictureSize.h"
 #include "vtkplugins/pictures/RasterImage.h"
 
 class vtkRenderWindow;
 
 namespace asperity {
 
-/// How a picture is drawn that goes into a file.
+/// Resolution and background of a picture that is drawn for a file.
 struct PictureLook {
     /// Pixels of the picture per pixel of its letters and lines, which are sized for 96 dots an
     /// inch: 300 / 96 for a picture of 300 dots an inch.

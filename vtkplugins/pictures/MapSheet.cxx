@@ -2,25 +2,25 @@
 
 #include "core/Error.h"
 #include "core/SiFormat.h"
-#include "vtkplugins/pictures/ChartPanel.h"
-#include "vtkplugins/pictures/ColorBar.h"
 #include "vtkplugins/pictures/OffscreenPicture.h"
+#include "vtkplugins/pictures/Panel.h"
 #include "vtkplugins/pictures/Ticks.h"
 
 #include <vtkLookupTable.h>
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 
 namespace asperity {
 
 namespace {
 
+static_assert(kChartPixels == OffscreenPicture::kOversampling);
+
 constexpr std::size_t kMaxMaps = 6;
 constexpr int kMapsPerRow = 3;
 constexpr int kWidth = 560;   // of a map with its bar [pixel]
-constexpr int kHeight = 560;  // likewise
+constexpr int kHeight = 560;  // same
 constexpr int kSheetTitle = 56;
 constexpr double kSheetEdge = 20.0;
 constexpr double kSheetBar = 52.0;
@@ -50,7 +50,7 @@ CentralRange aroundZero(const CentralRange& range) {
     return {-10.0 * decade, 10.0 * decade};
 }
 
-/// A map in its place on the sheet.
+/// A map in its area of the sheet.
 class SheetPainter {
 public:
     SheetPainter(const SheetMap& map, const PixelRect& area)
@@ -61,7 +61,7 @@ public:
                                : heightTable(range_.low, range_.high)) {}
 
     void paint(Painter& painter) const {
-        painter.image(place(), image());
+        painter.image(area(), image());
         paintScaleBar(painter);
         drawColorBar(
             painter,
@@ -75,7 +75,7 @@ public:
 
 private:
     /// As large as its part of the sheet lets it be, in its own shape.
-    [[nodiscard]] PixelRect place() const {
+    [[nodiscard]] PixelRect area() const {
         const PixelRect room{area_.left + kSheetEdge, area_.bottom + kSheetBar + kSheetEdge,
                              area_.width - 2.0 * kSheetEdge,
                              area_.height - kSheetBar - 2.0 * kSheetEdge};
@@ -91,7 +91,7 @@ private:
         constexpr double kShare = 0.3;  // of the width, at most
         constexpr double kMargin = 8.0;
         constexpr double kText = 24.0;  // height of its line
-        const PixelRect map = place();
+        const PixelRect map = area();
         const double length = niceBelow(kShare * map_.width);
         const double pixels = length / map_.width * map.width;
         const std::string text = formatSi(length, "m");
@@ -147,7 +147,7 @@ void check(std::span<const SheetMap> maps) {
     }
 }
 
-/// Where maps and chart lie on a sheet.
+/// Positions of maps and chart on a sheet.
 class SheetLayout {
 public:
     SheetLayout(std::size_t maps, bool hasChart)
@@ -191,16 +191,18 @@ CentralRange centralRange(const std::vector<double>& values) {
 }
 
 void writeMapSheet(const std::filesystem::path& path, const std::string& title,
-                   std::span<const SheetMap> maps, const Chart* chart) {
+                   std::span<const SheetMap> maps,
+                   const std::function<RasterImage(const PictureSize&)>& chart) {
     check(maps);
-    const SheetLayout layout(maps.size(), chart != nullptr);
+    const SheetLayout layout(maps.size(), static_cast<bool>(chart));
     const PictureSize size = layout.size();
     OffscreenPicture picture(size);
-    if (chart != nullptr) {
-        const auto panel = std::make_shared<ChartPanel>(picture, *chart, layout.chart());
-        picture.paint([panel](Painter& painter) { panel->paint(painter); });
-    }
     picture.paint([&](Painter& painter) {
+        if (chart) {
+            const PixelRect area = layout.chart();
+            painter.image(area, chart({.width = static_cast<int>(area.width),
+                                       .height = static_cast<int>(area.height)}));
+        }
         painter.paragraph({kSheetEdge, size.height - kSheetTitle + 4.0,
                            size.width - 2.0 * kSheetEdge, kSheetTitle - 20.0},
                           title, {.size = 18.0, .bold = true});

@@ -2,7 +2,6 @@
 
 #include "core/Error.h"
 #include "core/TemporaryFile.h"
-#include "vtkplugins/pictures/PainterItem.h"
 
 #include <vtkContextActor.h>
 #include <vtkContextScene.h>

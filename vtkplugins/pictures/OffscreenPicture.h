@@ -3,7 +3,7 @@
 #include "core/Vector.h"
 #include "vtkplugins/pictures/DrawnWindow.h"
 #include "vtkplugins/pictures/Painter.h"
-#include "vtkplugins/pictures/PictureSize.h"
+#include "vtkplugins/pictures/RasterImage.h"
 
 #include <vtkNew.h>
 #include <vtkSmartPointer.h>
@@ -19,8 +19,8 @@ class vtkRenderer;
 namespace asperity {
 
 /// A window that nobody sees, drawn at twice the size and averaged down: smooth edges, and the same
-/// bytes every time. Layers lie over each other; the painting lies over all of them. Places are in
-/// pixels of its letters (PictureLook), from the lower left corner.
+/// bytes every time. Layers lie over each other; the painting lies over all of them. Positions are
+/// in pixels of its letters (PictureLook), from the lower left corner.
 class OffscreenPicture {
 public:
     /// Pixels drawn per pixel written, along each side.
@@ -45,7 +45,7 @@ public:
     /// Draws over all views and items.
     void paint(std::function<void(Painter&)> draw);
 
-    /// Where a point of the view's world lies in the picture.
+    /// Returns the position in the picture of a point of the view's world.
     [[nodiscard]] PixelPoint project(vtkRenderer* view, const Vector3& point) const;
 
     /// @throw Error when drawing fails

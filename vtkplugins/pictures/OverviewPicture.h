@@ -2,8 +2,7 @@
 
 #include "core/Vector.h"
 #include "core/surface/BSplineSurface.h"
-#include "vtkplugins/pictures/PictureParts.h"
-#include "vtkplugins/pictures/PictureSize.h"
+#include "vtkplugins/pictures/RasterImage.h"
 
 #include <filesystem>
 #include <optional>
@@ -38,9 +37,9 @@ class OffscreenPicture;
 void drawOverview(OffscreenPicture& picture, const OverviewView& view,
                   const PictureParts& parts = {});
 
-/// Draws the scan in 3-D, colored by height, with the tip's place, its path and the zoom's frame.
-/// Heights are drawn larger when they are small, and the picture says by how much. Parts of the
-/// path high above the surface are left out. The same view gives the same bytes.
+/// Draws the scan in 3-D, colored by height, with the tip's position, its path and the zoom's
+/// frame. Heights are drawn larger when they are small, and the picture says by how much. Parts of
+/// the path high above the surface are left out. The same view gives the same bytes.
 /// @throw Error when no display answers, or the file cannot be written
 void writeOverviewPicture(const std::filesystem::path& path, const OverviewView& view,
                           PictureSize size = {});

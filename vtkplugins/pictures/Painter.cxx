@@ -4,6 +4,7 @@
 #include <vtkContext2D.h>
 #include <vtkImageData.h>
 #include <vtkNew.h>
+#include <vtkObjectFactory.h>
 #include <vtkPen.h>
 #include <vtkRect.h>
 #include <vtkTextProperty.h>
@@ -12,6 +13,7 @@
 #include <array>
 #include <cmath>
 #include <sstream>
+#include <utility>
 
 namespace asperity {
 
@@ -27,7 +29,7 @@ void Painter::line(const std::vector<PixelPoint>& points, const LineStyle& style
     vtkPen* pen = context_->GetPen();
     pen->SetColor(style.color.red, style.color.green, style.color.blue, 255);
     pen->SetWidth(static_cast<float>(style.width * scale_));
-    pen->SetLineType(style.dashed ? vtkPen::DASH_LINE : vtkPen::SOLID_LINE);
+    pen->SetLineType(vtkPen::SOLID_LINE);
     std::vector<float> flat;
     for (const PixelPoint& point : points) {
         flat.push_back(static_cast<float>(point.x * scale_));
@@ -106,15 +108,6 @@ void Painter::text(const PixelPoint& at, const std::string& text, const TextStyl
                          static_cast<float>(std::round(at.y * scale_)), text.c_str());
 }
 
-void Painter::upright(const PixelPoint& at, const std::string& text, const TextStyle& style) {
-    useText(style);
-    vtkTextProperty* property = context_->GetTextProp();
-    property->SetOrientation(90.0);
-    property->SetJustificationToCentered();
-    context_->DrawString(static_cast<float>(std::round(at.x * scale_)),
-                         static_cast<float>(std::round(at.y * scale_)), text.c_str());
-}
-
 void Painter::label(const PixelPoint& at, const std::string& text, const TextStyle& style,
                     const PixelRect& bounds, const Color& plateColor) {
     const double width = textWidth(text, style) + style.size;
@@ -173,6 +166,20 @@ void Painter::paragraph(const PixelRect& area, const std::string& text, TextStyl
         this->text({left, middle}, line, style);
         middle -= style.size * kLineHeight;
     }
+}
+
+vtkStandardNewMacro(PainterItem)
+
+bool PainterItem::Paint(vtkContext2D* context) {
+    Painter painter(context, oversampling_);
+    draw_(painter);
+    return true;
+}
+
+void PainterItem::setDraw(std::function<void(Painter&)> draw, double oversampling) {
+    draw_ = std::move(draw);
+    oversampling_ = oversampling;
+    Modified();
 }
 
 }  // namespace asperity

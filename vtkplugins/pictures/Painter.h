@@ -3,6 +3,9 @@
 #include "vtkplugins/pictures/Palette.h"
 #include "vtkplugins/pictures/RasterImage.h"
 
+#include <vtkContextItem.h>
+
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -10,7 +13,7 @@ class vtkContext2D;
 
 namespace asperity {
 
-/// Place in a picture, from its lower-left corner [pixel].
+/// Position in a picture, from its lower-left corner [pixel].
 struct PixelPoint {
     double x = 0.0;
     double y = 0.0;
@@ -42,7 +45,6 @@ struct TextStyle {
 struct LineStyle {
     Color color = kLightPalette.ink;
     double width = 1.5;  ///< [pixel]
-    bool dashed = false;
 };
 
 /// Draws flat shapes and text over a picture, in its pixels whatever the oversampling.
@@ -59,8 +61,6 @@ public:
 
     /// Text with its middle height at `at.y`.
     void text(const PixelPoint& at, const std::string& text, const TextStyle& style);
-    /// Text that reads upwards, centerd at `at`.
-    void upright(const PixelPoint& at, const std::string& text, const TextStyle& style);
     /// Text on a plate, readable over anything; the whole plate stays inside `bounds`.
     void label(const PixelPoint& at, const std::string& text, const TextStyle& style,
                const PixelRect& bounds, const Color& plateColor = kLightPalette.paper);
@@ -76,6 +76,28 @@ private:
 
     vtkContext2D* context_;
     double scale_;
+};
+
+/// Lets a function paint over a view, every time that the view is drawn.
+class PainterItem : public vtkContextItem {
+public:
+    static PainterItem* New();
+    PainterItem(const PainterItem&) = delete;
+    void operator=(const PainterItem&) = delete;
+    vtkTypeMacro(PainterItem, vtkContextItem)
+
+    bool Paint(vtkContext2D* context) override;
+
+    /// @param oversampling drawn pixels per pixel of the painter, along each side
+    void setDraw(std::function<void(Painter&)> draw, double oversampling);
+
+protected:
+    PainterItem() = default;
+    ~PainterItem() override = default;
+
+private:
+    std::function<void(Painter&)> draw_;
+    double oversampling_ = 1.0;
 };
 
 }  // namespace asperity

@@ -19,10 +19,10 @@ vtkSmartPointer<vtkLookupTable> tableThrough(std::span<const Color> anchors, dou
     table->SetNumberOfTableValues(kColorTableSize);
     table->SetTableRange(low, high);
     for (int entry = 0; entry < kColorTableSize; ++entry) {
-        const double place = static_cast<double>(entry) / (kColorTableSize - 1) *
-                             static_cast<double>(anchors.size() - 1);
-        const std::size_t left = std::min(static_cast<std::size_t>(place), anchors.size() - 2);
-        const double part = place - static_cast<double>(left);
+        const double position = static_cast<double>(entry) / (kColorTableSize - 1) *
+                                static_cast<double>(anchors.size() - 1);
+        const std::size_t left = std::min(static_cast<std::size_t>(position), anchors.size() - 2);
+        const double part = position - static_cast<double>(left);
         const auto from = anchors[left].fractions();
         const auto to = anchors[left + 1].fractions();
         table->SetTableValue(entry, std::lerp(from[0], to[0], part),

@@ -1,15 +1,30 @@
 #pragma once
 
-#include "vtkplugins/pictures/Color.h"
-
 #include <vtkSmartPointer.h>
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 
 class vtkLookupTable;
 
 namespace asperity {
+
+struct Color {
+    std::uint8_t red = 0;
+    std::uint8_t green = 0;
+    std::uint8_t blue = 0;
+
+    // Written out for files that are compiled as C++17.
+    friend constexpr bool operator==(const Color& a, const Color& b) {
+        return a.red == b.red && a.green == b.green && a.blue == b.blue;
+    }
+
+    /// As VTK's properties take it: 0 ... 1 each.
+    [[nodiscard]] std::array<double, 3> fractions() const {
+        return {red / 255.0, green / 255.0, blue / 255.0};
+    }
+};
 
 /// Colors by what they are for, of pictures and window. Text has a contrast of at least 4.5 : 1 to
 /// what is behind it, as WCAG 2.1 asks.
@@ -33,7 +48,7 @@ struct PaletteOf {
     Value tipBody;    ///< the tip as a lit solid
     Value lever;      ///< its cantilever as a lit solid
     Value force;      ///< forces
-    Value marker;     ///< the tip's place
+    Value marker;     ///< the tip's position
     Value path;       ///< the way the tip went
     Value zoom;       ///< frame of the zoomed view
     Value guide;      ///< what helps the device to hold a target
@@ -41,7 +56,7 @@ struct PaletteOf {
     Value commanded;  ///< ghost of the tip without forces
     Value trueTip;    ///< ghost of the tip where it really is
 
-    // Of curves, told apart with any color vision.
+    // Colors of curves, told apart with any color vision.
     Value blue;
     Value orange;
     Value green;
@@ -67,7 +82,7 @@ template <typename Value>
     return *all.at(index % all.size());
 }
 
-/// What lies on the colors of a surface, and is the same whatever is around them.
+/// Colors on top of a surface's own, the same whatever is around them.
 namespace palette {
 
 inline constexpr Color kContact{20, 20, 24};       ///< the edge of the contact
@@ -86,7 +101,7 @@ inline constexpr std::array<Color, 9> kHeights = {{{45, 22, 74},
                                                    {222, 226, 74},
                                                    {252, 238, 160}}};
 
-/// From values below zero over zero to those above: what is pushed in is blue.
+/// Colors from values below zero over zero to those above: what is pushed in is blue.
 inline constexpr std::array<Color, 7> kDiverging = {{{179, 78, 8},
                                                      {229, 138, 52},
                                                      {250, 205, 150},

@@ -1,15 +1,28 @@
 #pragma once
 
-#include "vtkplugins/pictures/ColorBar.h"
 #include "vtkplugins/pictures/Painter.h"
-#include "vtkplugins/pictures/PictureParts.h"
+#include "vtkplugins/pictures/RasterImage.h"
 
 #include <string>
 #include <vector>
 
+class vtkLookupTable;
+
 namespace asperity {
 
-enum class LegendMark : std::uint8_t { Line, DashedLine, Point };
+/// Name, unit, range and colors of a color bar.
+struct ColorBar {
+    std::string quantity;  ///< "height"
+    std::string unit;      ///< SI unit of the values, shown with the fitting prefix; empty: numbers
+    double low = 0.0;      ///< shown range, in `unit`
+    double high = 1.0;
+    vtkLookupTable* table = nullptr;  ///< colors of the values
+};
+
+/// Draws the bar along `area`, low values left, its name before it and its labels below it.
+void drawColorBar(Painter& painter, const ColorBar& bar, const PixelRect& area);
+
+enum class LegendMark : std::uint8_t { Line, Point };
 
 struct LegendEntry {
     Color color;
@@ -17,13 +30,10 @@ struct LegendEntry {
     LegendMark mark = LegendMark::Line;
 };
 
-/// Height that the legend needs within this width, before any text can be measured [pixel].
-[[nodiscard]] double legendHeightFor(const std::vector<LegendEntry>& entries, double width);
-
 /// Draws the entries one after the other, in as many rows as they need, from the top of `area`.
 void paintLegend(Painter& painter, const std::vector<LegendEntry>& entries, const PixelRect& area);
 
-/// What stands around a 3-D scene.
+/// Texts and color bar around a 3-D scene.
 struct PanelText {
     std::string title;
     std::vector<LegendEntry> legend;
@@ -31,12 +41,12 @@ struct PanelText {
     std::string caption;
 };
 
-/// Where the parts of a panel with a 3-D scene lie.
+/// Layout of the parts of a panel with a 3-D scene.
 class PanelLayout {
 public:
     explicit PanelLayout(const PixelRect& panel, const PictureParts& parts = {});
 
-    /// The place of the 3-D scene.
+    /// The position of the 3-D scene.
     [[nodiscard]] PixelRect scene() const;
     void paint(Painter& painter, const PanelText& text) const;
 

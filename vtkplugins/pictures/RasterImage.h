@@ -26,4 +26,19 @@ struct RasterImage {
 /// One picture above another of the same width.
 [[nodiscard]] RasterImage stacked(RasterImage above, const RasterImage& below);
 
+/// Size of a picture file [pixel].
+struct PictureSize {
+    int width = 1600;
+    int height = 1000;
+};
+
+/// Parts of a picture besides its subject.
+struct PictureParts {
+    bool bars = true;    ///< scale bars, color bars, axes
+    bool labels = true;  ///< title, legend, caption, names and values
+    bool grid = true;    ///< lines on the surface
+
+    bool operator==(const PictureParts&) const = default;
+};
+
 }  // namespace asperity

@@ -6,10 +6,14 @@
 #include <vtkActorCollection.h>
 #include <vtkCamera.h>
 #include <vtkCellArray.h>
+#include <vtkClipPolyData.h>
+#include <vtkCutter.h>
+#include <vtkDataArray.h>
 #include <vtkFloatArray.h>
 #include <vtkLight.h>
 #include <vtkLookupTable.h>
 #include <vtkNew.h>
+#include <vtkPlane.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
@@ -21,6 +25,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 namespace asperity {
 
@@ -83,14 +88,21 @@ void extendByActors(Eigen::AlignedBox3d& box, const Matrix3& axes, vtkRenderer* 
     }
 }
 
-/// Every n-th of `count` places such that about `wanted` remain, and the last.
+/// Every n-th of `count` positions such that about `wanted` remain, and the last.
 std::vector<int> spread(int count, int wanted) {
-    std::vector<int> places;
+    std::vector<int> positions;
     const int lines = std::min(count - 1, wanted);
     for (int line = 0; line <= lines; ++line) {
-        places.push_back(line * (count - 1) / lines);
+        positions.push_back(line * (count - 1) / lines);
     }
-    return places;
+    return positions;
+}
+
+vtkSmartPointer<vtkPlane> planeOf(const CutPlane& plane) {
+    auto shown = vtkSmartPointer<vtkPlane>::New();
+    shown->SetOrigin(plane.origin.data());
+    shown->SetNormal(plane.toFront.data());
+    return shown;
 }
 
 }  // namespace
@@ -167,15 +179,15 @@ vtkSmartPointer<vtkActor> linesAsDrawn(vtkPolyData* data, const Color& color, do
 }
 
 vtkSmartPointer<vtkPolyData> polyline(const std::vector<Vector3>& points) {
-    vtkNew<vtkPoints> places;
-    places->SetDataTypeToDouble();
+    vtkNew<vtkPoints> positions;
+    positions->SetDataTypeToDouble();
     vtkNew<vtkCellArray> cells;
     cells->InsertNextCell(static_cast<int>(points.size()));
     for (const Vector3& point : points) {
-        cells->InsertCellPoint(places->InsertNextPoint(point.data()));
+        cells->InsertCellPoint(positions->InsertNextPoint(point.data()));
     }
     auto data = vtkSmartPointer<vtkPolyData>::New();
-    data->SetPoints(places);
+    data->SetPoints(positions);
     data->SetLines(cells);
     return data;
 }
@@ -243,6 +255,82 @@ void fitCamera(std::span<vtkRenderer* const> views, const Vector3& direction, do
     for (vtkRenderer* view : views) {
         view->SetActiveCamera(camera);
     }
+}
+
+vtkSmartPointer<vtkPolyData> Stretch::apply(vtkPolyData* data) const {
+    auto stretched = vtkSmartPointer<vtkPolyData>::New();
+    stretched->ShallowCopy(data);
+    const vtkIdType count = data->GetNumberOfPoints();
+    vtkNew<vtkPoints> points;
+    points->SetDataTypeToDouble();
+    points->SetNumberOfPoints(count);
+    vtkNew<vtkFloatArray> normals;
+    normals->SetName("Normals");
+    normals->SetNumberOfComponents(3);
+    normals->SetNumberOfTuples(count);
+    vtkDataArray* oldNormals = data->GetPointData()->GetNormals();
+    for (vtkIdType id = 0; id < count; ++id) {
+        points->SetPoint(id, point(Vector3(data->GetPoint(id))).data());
+        if (oldNormals != nullptr) {
+            normals->SetTuple(id, normal(Vector3(oldNormals->GetTuple(id))).data());
+        }
+    }
+    stretched->SetPoints(points);
+    if (oldNormals != nullptr) {
+        stretched->GetPointData()->SetNormals(normals);
+    }
+    return stretched;
+}
+
+vtkSmartPointer<vtkPolyData> behind(vtkPolyData* data, const CutPlane& plane) {
+    vtkNew<vtkClipPolyData> clip;
+    clip->SetInputData(data);
+    clip->SetClipFunction(planeOf(plane));
+    clip->InsideOutOn();
+    clip->Update();
+    return clip->GetOutput();
+}
+
+vtkSmartPointer<vtkPolyData> cutLine(vtkPolyData* surface, const CutPlane& plane) {
+    vtkNew<vtkCutter> cutter;
+    cutter->SetInputData(surface);
+    cutter->SetCutFunction(planeOf(plane));
+    cutter->Update();
+    return cutter->GetOutput();
+}
+
+vtkSmartPointer<vtkPolyData> cutFace(vtkPolyData* line, const CutPlane& plane, double bottom) {
+    vtkNew<vtkPoints> points;
+    points->SetDataTypeToDouble();
+    vtkNew<vtkFloatArray> normals;
+    normals->SetNumberOfComponents(3);
+    vtkNew<vtkCellArray> quads;
+    const auto add = [&](const Vector3& point) {
+        normals->InsertNextTuple(plane.toFront.data());
+        return points->InsertNextPoint(point.data());
+    };
+    vtkCellArray* segments = line->GetLines();
+    for (vtkIdType cell = 0; cell < segments->GetNumberOfCells(); ++cell) {
+        vtkIdType count = 0;
+        const vtkIdType* ids = nullptr;
+        segments->GetCellAtId(cell, count, ids);
+        for (vtkIdType i = 0; i + 1 < count; ++i) {
+            Vector3 one(line->GetPoint(ids[i]));
+            Vector3 other(line->GetPoint(ids[i + 1]));
+            if (plane.toFront.dot((other - one).cross(Vector3::UnitZ())) > 0.0) {
+                std::swap(one, other);  // its front faces the eye
+            }
+            const std::array<vtkIdType, 4> corners{add(one), add(other),
+                                                   add({other.x(), other.y(), bottom}),
+                                                   add({one.x(), one.y(), bottom})};
+            quads->InsertNextCell(static_cast<vtkIdType>(corners.size()), corners.data());
+        }
+    }
+    auto face = vtkSmartPointer<vtkPolyData>::New();
+    face->SetPoints(points);
+    face->SetPolys(quads);
+    face->GetPointData()->SetNormals(normals);
+    return face;
 }
 
 }  // namespace asperity

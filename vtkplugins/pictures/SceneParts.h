@@ -21,7 +21,7 @@ struct GridSize {
     int rows = 0;
 };
 
-/// How a matt surface answers to light.
+/// Response of a matt surface to light.
 struct Matt {
     double ambient = 0.0;
     double diffuse = 0.0;
@@ -37,7 +37,7 @@ inline constexpr Matt kWallMatt{0.8, 0.25};  ///< of blockWalls()
 /// Walls from the border of a grid surface straight down to z = bottom: a solid block.
 [[nodiscard]] vtkSmartPointer<vtkActor> blockWalls(vtkPolyData* surface, GridSize size,
                                                    double bottom);
-/// Which sides of a block have walls.
+/// Sides of a block that have walls.
 struct BlockWalls {
     bool front = true;  ///< smallest y
     bool back = true;
@@ -45,7 +45,7 @@ struct BlockWalls {
     bool right = true;
 };
 
-/// What they are made of: pairs of points, one of the surface and one below it.
+/// Returns the points of the walls: pairs, one of the surface and one below it.
 [[nodiscard]] vtkSmartPointer<vtkPolyData> blockSides(vtkPolyData* surface, GridSize size,
                                                       double bottom, const BlockWalls& walls = {});
 /// The same as walls look: matt, of the color of a block's sides.
@@ -63,8 +63,8 @@ struct BlockWalls {
                                                       int count);
 /// Lights from the upper left and a weak one from the camera.
 void addLights(vtkRenderer* renderer);
-/// How bright a matt surface is under such lights, about 0 ... 1, for colors that are lit before
-/// they are drawn. Unit vectors: rightwards, upwards and to the eye.
+/// Returns the brightness of a matt surface under such lights, about 0 ... 1, for colors that are
+/// lit before they are drawn. Unit vectors: rightwards, upwards and to the eye.
 /// @param toLight to the strong one
 [[nodiscard]] double brightness(const Vector3& normal, const Vector3& toLight, const Matt& matt);
 
@@ -72,5 +72,43 @@ void addLights(vtkRenderer* renderer);
 /// eye, such that all their actors fill a view whose sides have the ratio `aspect` (width /
 /// height).
 void fitCamera(std::span<vtkRenderer* const> views, const Vector3& direction, double aspect);
+
+/// The space that a picture draws: the world, with all heights multiplied by one factor. Surface,
+/// tip and contact share it, so that what touches in the world touches in the picture.
+class Stretch {
+public:
+    /// @param factor 1: true to scale
+    explicit Stretch(double factor) : factor_(factor) {}
+
+    [[nodiscard]] double factor() const { return factor_; }
+    [[nodiscard]] Vector3 point(const Vector3& world) const {
+        return {world.x(), world.y(), factor_ * world.z()};
+    }
+    /// Unit normal of what is drawn, of the unit normal of a surface in the world.
+    [[nodiscard]] Vector3 normal(const Vector3& world) const {
+        return Vector3(world.x(), world.y(), world.z() / factor_).normalized();
+    }
+    /// A copy with stretched points and, where there are any, normals.
+    [[nodiscard]] vtkSmartPointer<vtkPolyData> apply(vtkPolyData* data) const;
+
+private:
+    double factor_;
+};
+
+/// An upright plane that opens a block to the eye: what lies in front of it is not drawn.
+struct CutPlane {
+    Vector3 origin = Vector3::Zero();     ///< on the plane
+    Vector3 toFront = -Vector3::UnitY();  ///< level, unit, out of what is left
+};
+
+/// Returns what lies behind the plane, with its point data.
+[[nodiscard]] vtkSmartPointer<vtkPolyData> behind(vtkPolyData* data, const CutPlane& plane);
+
+/// Returns the line in which the plane meets a surface; empty where it does not.
+[[nodiscard]] vtkSmartPointer<vtkPolyData> cutLine(vtkPolyData* surface, const CutPlane& plane);
+
+/// Returns the face that the plane opens below such a line, straight down to z = bottom.
+[[nodiscard]] vtkSmartPointer<vtkPolyData> cutFace(vtkPolyData* line, const CutPlane& plane,
+                                                   double bottom);
 
 }  // namespace asperity

@@ -27,8 +27,8 @@ std::vector<double> niceTicks(double low, double high, int count) {
     const double first = std::ceil((low - slack) / step);
     const int last = static_cast<int>(std::floor((high + slack) / step - first));
     for (int n = 0; n <= last; ++n) {
-        const double place = first + n;
-        ticks.push_back(place == 0.0 ? 0.0 : place * step);
+        const double position = first + n;
+        ticks.push_back(position == 0.0 ? 0.0 : position * step);
     }
     return ticks;
 }

@@ -1,7 +1,8 @@
 #include "core/contact/halfspace/FieldConvolution.h"
 
 #include <algorithm>
-#include <cstddef>
+#include <cmath>
+#include <numbers>
 #include <unsupported/Eigen/FFT>
 
 namespace asperity {
@@ -25,6 +26,11 @@ bool hasSmallFactors(int number) noexcept {
 }
 
 std::size_t at(int index) noexcept { return static_cast<std::size_t>(index); }
+
+/// Displacement at a corner of the rectangle x by y, times pi.
+double cornerTerm(double x, double y) noexcept {
+    return x * std::asinh(y / std::abs(x)) + y * std::asinh(x / std::abs(y));
+}
 
 }  // namespace
 
@@ -140,6 +146,16 @@ void FieldConvolution::apply(std::span<const double> field, std::span<double> re
         std::fill(values + size_, values + period_, Complex());
     }
     inverseRows(result);
+}
+
+double loveInfluence(int rows, int columns) noexcept {
+    const double below = rows - 0.5;
+    const double above = rows + 0.5;
+    const double left = columns - 0.5;
+    const double right = columns + 0.5;
+    return ((cornerTerm(above, right) - cornerTerm(above, left)) -
+            (cornerTerm(below, right) - cornerTerm(below, left))) /
+           std::numbers::pi;
 }
 
 }  // namespace asperity

@@ -13,7 +13,8 @@ namespace asperity {
 /// fast Fourier transforms. Its work space makes it for one thread at a time.
 class FieldConvolution {
 public:
-    /// Of offsets (rows, columns) >= 0 or of wave numbers, by the constructor's name.
+    /// Even function of offsets (rows, columns) >= 0 or of wave numbers, as the factory's name
+    /// says.
     using EvenFunction = std::function<double(int, int)>;
 
     /// Fields that are zero outside of their `size` x `size` samples.
@@ -50,12 +51,17 @@ private:
     std::size_t stride_;  ///< from one column of the spectrum to the next
     std::unique_ptr<Transform> transform_;
     std::vector<double> symbol_;                  ///< (period / 2 + 1) columns, scaled
-    std::vector<std::complex<double>> spectrum_;  ///< likewise
+    std::vector<std::complex<double>> spectrum_;  ///< same
     std::vector<std::complex<double>> line_;      ///< one row's or column's transform
     std::vector<double> row_;                     ///< one row, padded
 };
 
 /// The smallest size of a field that is at least `samples` and quick to transform.
 [[nodiscard]] int fieldSize(int samples) noexcept;
+
+/// Displacement of an elastic half-space of unit modulus E* at the middle of one square of a unit
+/// grid by unit pressure on another that lies `rows` and `columns` away. Times pitch / E* in SI.
+/// Source: Love (1929); Johnson, Contact Mechanics (1985), 3.25.
+[[nodiscard]] double loveInfluence(int rows, int columns) noexcept;
 
 }  // namespace asperity

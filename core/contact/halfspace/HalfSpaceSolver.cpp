@@ -1,13 +1,10 @@
 #include "core/contact/halfspace/HalfSpaceSolver.h"
 
 #include "core/Error.h"
-#include "core/contact/halfspace/LoveKernel.h"
-#include "core/contact/halfspace/PixelWindow.h"
 #include "core/contact/halfspace/PressureSearch.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <numbers>
 
 namespace asperity {
@@ -62,7 +59,7 @@ PixelBounds actingPixels(int samples, const SurfaceTraction& traction) {
     });
 }
 
-/// Where anything acts, or will, at the gaps of the displacement so far.
+/// Returns where anything acts, or will, at the gaps of the displacement so far.
 PixelBounds reachOf(const HalfSpaceContact& contact, const HalfSpaceSolution& solution) {
     const double range = contact.cohesiveStress > 0.0 ? contact.cohesiveRange : 0.0;
     PixelBounds reach = actingPixels(contact.samples, solution.traction);
@@ -117,6 +114,42 @@ HalfSpaceDoubts doubtsAbout(const HalfSpaceContact& contact, const HalfSpaceSolu
 }
 
 }  // namespace
+
+void PixelBounds::include(int row, int column) noexcept {
+    lowRow = std::min(lowRow, row);
+    highRow = std::max(highRow, row);
+    lowColumn = std::min(lowColumn, column);
+    highColumn = std::max(highColumn, column);
+}
+
+void PixelBounds::include(const PixelBounds& others) noexcept {
+    if (!others.empty()) {
+        include(others.lowRow, others.lowColumn);
+        include(others.highRow, others.highColumn);
+    }
+}
+
+bool PixelBounds::within(const PixelWindow& window, int margin) const noexcept {
+    return lowRow >= window.row + margin && lowColumn >= window.column + margin &&
+           highRow < window.row + window.size - margin &&
+           highColumn < window.column + window.size - margin;
+}
+
+PixelWindow windowAround(const PixelBounds& bounds, int samples) noexcept {
+    constexpr int kMinMargin = 2;
+    constexpr int kMarginShare = 16;  // of the pixels across
+    const int across =
+        std::max(bounds.highRow - bounds.lowRow, bounds.highColumn - bounds.lowColumn) + 1;
+    const int margin = kMinMargin + across / kMarginShare;
+    const int size = std::min(fieldSize(across + 2 * margin), fieldSize(samples));
+    const auto first = [&](int low, int high) {
+        const int centerd = (low + high + 1 - size) / 2;
+        return std::clamp(centerd, std::min(0, samples - size), std::max(0, samples - size));
+    };
+    return {.row = first(bounds.lowRow, bounds.highRow),
+            .column = first(bounds.lowColumn, bounds.highColumn),
+            .size = size};
+}
 
 HalfSpaceSolver::HalfSpaceSolver(HalfSpaceLimits limits) : limits_(limits) {}
 

@@ -1,11 +1,7 @@
 #include "core/contact/halfspace/PressureSearch.h"
 
-#include "core/contact/halfspace/CohesiveZone.h"
-
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
-#include <span>
 #include <utility>
 
 namespace asperity {
@@ -18,6 +14,15 @@ double dot(std::span<const double> first, std::span<const double> second) {
         sum += first[i] * second[i];
     }
     return sum;
+}
+
+/// Over so much of the range at least, and twice the range at most, the stress falls off: a sharper
+/// law would make pixels flicker, a blunter one leave a contact without all of its cohesion.
+constexpr double kMinZone = 0.02;
+constexpr double kMaxZone = 2.0;
+
+double difference(std::span<const double> gaps, std::size_t before, std::size_t after) noexcept {
+    return 0.5 * (gaps[after] - gaps[before]);
 }
 
 }  // namespace
@@ -56,7 +61,7 @@ void PressureSearch::updateGap() {
     }
 }
 
-/// Whether the gaps left by the last step ask for another cohesive zone.
+/// Returns whether the gaps left by the last step ask for another cohesive zone.
 bool PressureSearch::updateCohesion() {
     if (medium_.cohesiveStress == 0.0) {
         return false;
@@ -97,8 +102,8 @@ void PressureSearch::chooseDirection() {
         product += residual_[i] * descent_[i];
         overlap += residualBefore[i] * descent_[i];
     }
-    const bool anew = grown || !(product_ > 0.0);
-    const double keep = anew ? 0.0 : std::max(0.0, (product - overlap) / product_);
+    const bool restart = grown || !(product_ > 0.0);
+    const double keep = restart ? 0.0 : std::max(0.0, (product - overlap) / product_);
     product_ = product;
     for (std::size_t i = 0; i < gap_.size(); ++i) {
         direction_[i] = touches_[i] != 0 ? descent_[i] + keep * direction_[i] : 0.0;
@@ -144,6 +149,25 @@ double PressureSearch::residual() const {
     }
     const double gaps = count > 0.0 ? std::sqrt(square / count) : 0.0;
     return std::max(largest > 0.0 ? gaps / largest : 0.0, cohesionChange_);
+}
+
+void cohesiveShares(std::span<const double> gaps, int size, double range,
+                    std::span<double> shares) noexcept {
+    const auto width = static_cast<std::size_t>(size);
+    for (std::size_t row = 0; row < width; ++row) {
+        const std::size_t below = row > 0 ? row - 1 : row;
+        const std::size_t above = std::min(row + 1, width - 1);
+        for (std::size_t column = 0; column < width; ++column) {
+            const std::size_t left = column > 0 ? column - 1 : column;
+            const std::size_t right = std::min(column + 1, width - 1);
+            const double across = difference(gaps, row * width + left, row * width + right);
+            const double up = difference(gaps, below * width + column, above * width + column);
+            const double blur =
+                std::clamp(std::abs(across) + std::abs(up), kMinZone * range, kMaxZone * range);
+            const std::size_t pixel = row * width + column;
+            shares[pixel] = std::clamp(0.5 + (range - gaps[pixel]) / blur, 0.0, 1.0);
+        }
+    }
 }
 
 }  // namespace asperity

@@ -1,10 +1,11 @@
 #pragma once
 
 #include "core/contact/halfspace/FieldConvolution.h"
-#include "core/contact/halfspace/HalfSpaceContact.h"
+#include "core/contact/halfspace/HalfSpaceSolver.h"
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace asperity {
@@ -14,7 +15,7 @@ namespace asperity {
 /// Source: Polonsky, Keer, Wear 231 (1999) 206.
 class PressureSearch {
 public:
-    /// What the window's half-space is made of.
+    /// Material of the window's half-space.
     struct Medium {
         double compliance = 0.0;      ///< pixel pitch / E* [m/Pa]
         double cohesiveStress = 0.0;  ///< [Pa]
@@ -55,9 +56,16 @@ private:
     std::vector<double> descent_;        ///< the residual, preconditioned
     std::vector<double> direction_;      ///< that the pressure moves along
     std::vector<double> response_;       ///< displacement by `direction_` [m]
-    double product_ = 0.0;               ///< residual . descent of the step before; 0: start anew
+    double product_ = 0.0;               ///< residual . descent of the step before; 0: start again
     double cohesionChange_ = 0.0;        ///< share of pixels' cohesion that the last step changed
     int convolutions_ = 0;
 };
+
+/// The part of each pixel whose gap is below `range` [m], 0 .. 1, from the gap at its middle and
+/// its slope to the neighbors: on a grid a cohesive zone's edge moves smoothly, not in steps of a
+/// pixel. The work of separation of a pixel stays stress x range.
+/// @param gaps of size x size pixels, row-major [m]  @param shares as many
+void cohesiveShares(std::span<const double> gaps, int size, double range,
+                    std::span<double> shares) noexcept;
 
 }  // namespace asperity

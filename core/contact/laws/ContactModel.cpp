@@ -2,8 +2,10 @@
 
 #include "core/Error.h"
 #include "core/contact/Within.h"
-#include "core/contact/laws/JoinedLaws.h"
+#include "core/contact/laws/JoinedLaw.h"
+#include "core/contact/laws/SplitLaw.h"
 #include "core/contact/laws/WettedContact.h"
+#include "core/contact/maugis/MaugisDugdale.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,7 +18,7 @@ namespace asperity {
 namespace {
 
 /// sigma0 of the range that is taken where a scene names none [Pa]; 0, without overflow, where the
-/// work of adhesion is none that a law takes.
+/// work of adhesion is none that a law accepts.
 double defaultStress(const ContactPair& pair) {
     return isWithin(pair.workOfAdhesion, 0.0, 1e3) ? pair.workOfAdhesion / kCohesiveRange : 0.0;
 }
@@ -69,6 +71,16 @@ std::shared_ptr<const MaugisTable> tableFor(ContactLaw law, const ContactPair& p
     const double deepest =
         std::min(MaugisTableRange::kMaxIndentation, 2.0 * pair.tipRadius / units.indentation);
     return sharedMaugisTable({low, high, deepest});
+}
+
+constexpr double kLargeContact = 0.3;  // a/R beyond which the paraboloid errs by some 3 %
+
+/// Contact radius over tip radius without load, by Maugis-Dugdale on the paraboloid.
+double unloadedRatio(const ContactPair& pair) {
+    const MaugisUnits units = maugisUnits(pair);
+    const MaugisLaw law(pair, pair.workOfAdhesion / kCohesiveRange);
+    const auto point = MaugisDugdale(law.lambda()).stable(MaugisControl::load(), 0.0);
+    return point ? point->contactRadius * units.radius / pair.tipRadius : 0.0;
 }
 
 }  // namespace
@@ -272,6 +284,28 @@ double ContactModel::lambda() const noexcept {
             return 0.0;
         }
     });
+}
+
+bool isLargeContact(double contactRadius, double effectiveRadius) noexcept {
+    return contactRadius > kLargeContact * effectiveRadius;
+}
+
+LawChoice chooseLaw(std::optional<ContactLaw> wanted, const ContactPair& pair, double filmThickness,
+                    double coneHalfAngle) {
+    if (wanted) {
+        return {.law = *wanted, .reason = LawReason::AskedFor};
+    }
+    requirePair(pair, pair.workOfAdhesion);  // any stress will do to look at the pair
+    if (pair.workOfAdhesion < kMinAdhesion) {
+        if (filmThickness > 0.0) {
+            return {ContactLaw::HertzFilm, LawReason::FilmWithoutAdhesion};
+        }
+        return coneHalfAngle > 0.0 ? LawChoice{ContactLaw::Sneddon, LawReason::NoAdhesionCone}
+                                   : LawChoice{ContactLaw::Hertz, LawReason::NoAdhesion};
+    }
+    const double ratio = unloadedRatio(pair);
+    return ratio > kLargeContact ? LawChoice{ContactLaw::SphereSplit, LawReason::WideContact, ratio}
+                                 : LawChoice{ContactLaw::Split, LawReason::NarrowContact, ratio};
 }
 
 }  // namespace asperity

@@ -1,16 +1,49 @@
 #pragma once
 
 #include "core/contact/ContactState.h"
-#include "core/contact/Material.h"
-#include "core/contact/laws/BodyPull.h"
 #include "core/contact/laws/ContactLaw.h"
 #include "core/contact/laws/ContactOptions.h"
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
+#include <limits>
 #include <memory>
+#include <optional>
 
 namespace asperity {
+
+/// A force on the tip beside that of the contact law, as a straight line of the indentation: the
+/// attraction by the sample around the contact, see BodySum.h.
+///
+/// On a lever it is what a meniscus is: each equilibrium is one of the bare law on a lever that is
+/// moved, and softened or stiffened. With a(d) = d + c F(d) the law's approach at an indentation d,
+/// F + p + g d instead of F is a law's approach (a - c p) / (1 + c g) on a lever of compliance
+/// c / (1 + c g), and energies at a given approach differ by the same. Source: docs/theory.md 3.8.
+struct BodyPull {
+    double force = 0.0;  ///< p, at an indentation of 0, > 0 repulsive [N]
+    double slope = 0.0;  ///< g, d(force)/d(indentation) [N/m]; for an approach 1 + c g must be > 0
+
+    bool operator==(const BodyPull&) const = default;
+
+    [[nodiscard]] bool present() const noexcept { return force != 0.0 || slope != 0.0; }
+    [[nodiscard]] double at(double indentation) const noexcept {  ///< [N]
+        return force + (slope * indentation);
+    }
+    /// Compliance of the lever that the bare law is asked for [m/N]; the softest where this force
+    /// outruns the lever. @param compliance its own
+    [[nodiscard]] double compliance(double compliance) const noexcept {
+        const double left = 1.0 + (compliance * slope);
+        return left > 0.0 ? compliance / left : std::numeric_limits<double>::infinity();
+    }
+    /// Approach that the bare law is asked for [m], and back. @param compliance of the lever itself
+    [[nodiscard]] double bareApproach(double approach, double compliance) const noexcept {
+        return (approach - (compliance * force)) / (1.0 + (compliance * slope));
+    }
+    [[nodiscard]] double approach(double bareApproach, double compliance) const noexcept {
+        return (bareApproach * (1.0 + (compliance * slope))) + (compliance * force);
+    }
+};
 
 class AttractiveTail;
 class FilmTable;
@@ -35,7 +68,7 @@ public:
     /// withTipRadius(). The range of the cohesive zone stays, its stress goes with the adhesion.
     [[nodiscard]] ContactModel withPair(const ContactPair& pair) const noexcept;
 
-    /// Adds a force beside the law's to every force below, in place of the one before. Of a model
+    /// Adds a force beside the law's to every force below, instead of the one before. Of a model
     /// that is made from this one there is none again.
     void setBodyPull(const BodyPull& pull) noexcept { body_ = pull; }
     [[nodiscard]] const BodyPull& bodyPull() const noexcept { return body_; }
@@ -77,7 +110,7 @@ public:
     /// The table that states come from; null where the setting or the law has none.
     [[nodiscard]] const MaugisTable* table() const noexcept { return given_.table.get(); }
 
-    /// What a film of the sample does to a contact, whatever the law; null on a half-space.
+    /// Effect of a film of the sample on a contact, whatever the law; null on a half-space.
     [[nodiscard]] const FilmTable* film() const noexcept { return given_.film.get(); }
     /// Contact radius beyond which the law does not hold on the sample's film [m]: where a law on a
     /// half-space gives 1 / 1.05 of its force, where `hertz_film` is no longer held to a reference;
@@ -87,12 +120,12 @@ public:
     [[nodiscard]] double coneHalfAngle() const noexcept {
         return leavesOutCone(given_.law) ? 0.0 : given_.options.coneHalfAngle;
     }
-    /// Of the sample [m]; 0: a half-space.
+    /// Thickness of the sample's film [m]; 0: a half-space.
     [[nodiscard]] double filmThickness() const noexcept { return given_.options.filmThickness; }
 
     /// The van der Waals tail of the split laws; null where the law has none.
     [[nodiscard]] const AttractiveTail* tail() const noexcept;
-    /// What tail and cohesive zone of the split laws take; null where the law has no tail.
+    /// Shares of tail and cohesive zone of the split laws; null where the law has no tail.
     [[nodiscard]] const AdhesionSplit* split() const noexcept;
 
 private:
@@ -109,7 +142,7 @@ private:
 
     [[nodiscard]] static Checked checked(ContactLaw law, const ContactPair& pair,
                                          ContactOptions options);
-    /// The law joined to its tail, see JoinedLaws.h: this header does not know the laws.
+    /// The law joined to its tail, see JoinedLaw.h: this header does not know the laws.
     struct Joined;
     [[nodiscard]] static Joined joinedLaw(const Checked& given) noexcept;
     [[nodiscard]] const Joined& joined() const noexcept;
@@ -135,5 +168,38 @@ private:
     BodyPull body_;
     alignas(double) std::array<std::byte, kJoinedSize> joined_;
 };
+
+/// Returns whether a contact is too wide for linear elasticity to be credible, above 0.3 of the
+/// effective radius of tip and sample, whichever law. Source: docs/theory.md 2.10.
+[[nodiscard]] bool isLargeContact(double contactRadius, double effectiveRadius) noexcept;
+
+/// Reason for a contact law.
+enum class LawReason : std::uint8_t {
+    AskedFor,
+    TermsOfScene,  ///< of the force, on which the scene decides one by one
+    NoAdhesion,
+    FilmWithoutAdhesion,
+    NoAdhesionCone,  ///< and a tip whose cone the load may press in
+    NarrowContact,   ///< without load: the paraboloid holds
+    WideContact,     ///< without load: only the exact sphere does
+};
+
+/// A contact law and why it was taken.
+struct LawChoice {
+    ContactLaw law = ContactLaw::Split;
+    LawReason reason = LawReason::AskedFor;
+    double unloadedRatio = 0.0;  ///< contact radius over tip radius, where the width decided
+};
+
+/// The law that was asked for, or where none was (`auto`): Maugis-Dugdale, which is exact from DMT
+/// to JKR, with its van der Waals tail; the same on the exact sphere where the contact is wider
+/// than 0.3 R already without load. Without adhesion Hertz, on a film that of the film; Sneddon's
+/// under a tip with a cone, since a paraboloid has none. Source:
+/// docs/theory.md 2.9, 2.10, 4.4, 4.8.
+/// @param filmThickness of the sample [m]; 0: a half-space
+/// @param coneHalfAngle of the tip [rad]; 0: no cone
+/// @throw Error where none was asked for and the pair is outside the laws' range, see ContactStatus
+[[nodiscard]] LawChoice chooseLaw(std::optional<ContactLaw> wanted, const ContactPair& pair,
+                                  double filmThickness = 0.0, double coneHalfAngle = 0.0);
 
 }  // namespace asperity

@@ -1,9 +1,43 @@
 #pragma once
 
-#include "core/contact/SolverSetting.h"
-#include "core/contact/laws/Meniscus.h"
+#include "core/EnumTable.h"
+
+#include <cstdint>
 
 namespace asperity {
+
+/// A water bridge between tip and sample: F = -4 pi R gamma cos(theta) (1 - D/d) at gaps D below d,
+/// its full pull while they are bonded. From the literature, not derived or verified here.
+/// Source: Israelachvili, as quoted in docs/theory.md 3.5.
+struct Meniscus {
+    double surfaceTension = 0.0;  ///< gamma [N/m]; 0: no meniscus
+    double contactAngle = 0.0;    ///< theta [rad]
+    double range = 0.0;           ///< d = 2 r_K cos(theta) [m]
+
+    bool operator==(const Meniscus&) const = default;
+
+    [[nodiscard]] bool present() const noexcept { return surfaceTension > 0.0 && range > 0.0; }
+    /// Largest pull [N], >= 0. @param tipRadius R [m]
+    [[nodiscard]] double pull(double tipRadius) const noexcept;
+    /// Force at an indentation of separate bodies, <= 0 [N].
+    [[nodiscard]] double force(double tipRadius, double indentation) const noexcept;
+    /// Work done on the bodies from infinite separation [J]. @param bonded the full pull acts
+    [[nodiscard]] double energy(double tipRadius, double indentation, bool bonded) const noexcept;
+};
+
+/// Method that finds a Maugis-Dugdale state: a choice of speed only, within the error bound that
+/// the table states. Folds are exact in every setting.
+enum class SolverSetting : std::uint8_t {
+    Exact,   ///< afresh each time
+    Newton,  ///< by Newton's method from the previous state
+    Table,   ///< from a table over transition parameter and indentation
+};
+
+template <>
+inline constexpr auto kEnumTable<SolverSetting> =
+    std::to_array<EnumRow<SolverSetting>>({{SolverSetting::Exact, "exact"},
+                                           {SolverSetting::Newton, "newton"},
+                                           {SolverSetting::Table, "table"}});
 
 /// Range of the cohesive stress that is taken where a scene names none, h0 = D0 (sqrt(10) - 1) [m].
 /// Source: docs/theory.md 1, 3.4.
@@ -19,7 +53,7 @@ struct FilmElasticity {
     bool operator==(const FilmElasticity&) const = default;
 };
 
-/// What a contact may have besides a law and a pair of materials.
+/// Options of a contact besides a law and a pair of materials.
 struct ContactOptions {
     double cohesiveStress = 0.0;  ///< sigma0 of the Maugis laws [Pa]; 0: w / kCohesiveRange
     double filmThickness = 0.0;   ///< of the sample [m]; 0: a half-space

@@ -1,12 +1,13 @@
 #include "core/contact/laws/FilmTable.h"
 
+#include "core/Error.h"
+#include "core/contact/Within.h"
 #include "core/contact/numerics/ChebyshevFit.h"
-#include "core/contact/numerics/GaussLegendre.h"
-#include "core/contact/numerics/RisingSearch.h"
 #include "core/contact/numerics/RootSearch.h"
 
+#include <Eigen/LU>
+
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <mutex>
@@ -17,10 +18,74 @@ namespace asperity {
 
 namespace {
 
+constexpr int kPanelNodes = 16;    // of the quadrature over wave numbers
+constexpr int kPanels = 16;        // equally wide
+constexpr double kMaxWave = 22.0;  // where L - 1 has fallen below rounding
+constexpr int kNodes = 32;         // of the quadrature over the contact
+
+struct Quadrature {
+    Eigen::VectorXd positions;
+    Eigen::VectorXd weights;
+};
+
+/// Gauss and Legendre's rule on 0 .. 1, by Newton's method on the Legendre polynomial.
+Quadrature gaussRule(int count) {
+    constexpr int kIterations = 8;
+    Quadrature rule{Eigen::VectorXd(count), Eigen::VectorXd(count)};
+    for (int i = 0; i < count; ++i) {
+        double x = std::cos(std::numbers::pi * (i + 0.75) / (count + 0.5));
+        double slope = 0.0;
+        for (int iteration = 0; iteration < kIterations; ++iteration) {
+            double value = 1.0;
+            double before = 0.0;
+            for (int n = 1; n <= count; ++n) {
+                const double next = (((2.0 * n) - 1.0) * x * value - (n - 1.0) * before) / n;
+                before = value;
+                value = next;
+            }
+            slope = count * (x * value - before) / (x * x - 1.0);
+            x -= value / slope;
+        }
+        rule.positions(i) = 0.5 * (1.0 - x);
+        rule.weights(i) = 1.0 / ((1.0 - x * x) * slope * slope);
+    }
+    return rule;
+}
+
+/// Compliance of a bonded film for a wave of this number times thickness, over that of a half-space
+/// of the same material. @param kappa 3 - 4 nu
+double filmCompliance(double kappa, double k) {
+    const double once = std::exp(-2.0 * k);
+    const double twice = once * once;
+    return (kappa * (1.0 - twice) - 4.0 * k * once) /
+           (kappa * (1.0 + twice) + (4.0 * k * k + 1.0 + kappa * kappa) * once);
+}
+
+/// Coefficients of phi / z as a polynomial in z = 1 - x^2. @param phi at the fit's nodes
+std::array<double, kFilmProfileTerms> profileOf(const ChebyshevFit& fit,
+                                                const Eigen::VectorXd& phi) {
+    // In powers of 2 z - 1, where the fit is well conditioned.
+    std::array<double, kFilmProfileTerms> centerd{};
+    for (std::size_t power = 0; power < kFilmProfileTerms; ++power) {
+        for (std::size_t node = 0; node < kFilmProfileTerms; ++node) {
+            const double z = 0.5 * (1.0 + fit.nodes()[node]);
+            centerd[power] += fit.weight(power, node) * phi(static_cast<Eigen::Index>(node)) / z;
+        }
+    }
+    std::array<double, kFilmProfileTerms> powers{};
+    for (std::size_t k = kFilmProfileTerms; k-- > 0;) {  // Horner's rule: times 2 z - 1, plus
+        for (std::size_t m = kFilmProfileTerms; m-- > 0;) {
+            powers[m] = (m > 0 ? 2.0 * powers[m - 1] : 0.0) - powers[m];
+        }
+        powers[0] += centerd[k];
+    }
+    return powers;
+}
+
 constexpr double kHertz = 4.0 / 3.0;         // force over a^3
 constexpr double kHertzEnergy = 8.0 / 15.0;  // energy over a^5
 constexpr double kStiffened = 1.05;          // from which force over a half-space's it is flagged
-/// The error between the places where it is measured.
+/// The error between the positions where it is measured.
 constexpr double kNodeSafety = 4.0;
 
 constexpr FilmRatios kNothing{
@@ -46,6 +111,99 @@ double relativeError(double value, double exact) { return std::abs((value / exac
 
 }  // namespace
 
+FilmEquation::FilmEquation(const FilmElasticity& elasticity) {
+    if (!isWithin(elasticity.poissonRatio, 0.0, 0.5) || !isWithin(elasticity.share, 0.0, 1.0)) {
+        throw Error("film: expected a Poisson ratio from 0 to 0.5 and a share from 0 to 1");
+    }
+    const double kappa = 3.0 - (4.0 * elasticity.poissonRatio);
+    const Quadrature rule = gaussRule(kPanelNodes);
+    constexpr double kWidth = kMaxWave / kPanels;
+    for (int panel = 0; panel < kPanels; ++panel) {
+        for (int i = 0; i < kPanelNodes; ++i) {
+            const double k = kWidth * (panel + rule.positions(i));
+            waves_.push_back({k, kWidth * rule.weights(i) * elasticity.share *
+                                     (filmCompliance(kappa, k) - 1.0)});
+            addSurfaceOf(k);
+        }
+    }
+}
+
+void FilmEquation::addSurfaceOf(double number) {
+    static const ChebyshevFit fit(FilmSurface::kTerms);
+    for (std::size_t cell = 0; cell < FilmSurface::kCount; ++cell) {
+        std::array<double, FilmSurface::kTerms> powers{};
+        for (std::size_t node = 0; node < FilmSurface::kTerms; ++node) {
+            const double distance =
+                FilmSurface::kCells.valueAt(FilmSurface::kFirst + static_cast<std::int64_t>(cell),
+                                            fit.nodes()[node]) -
+                FilmSurface::kNear;
+            const double value = ::j0(number * distance);
+            for (std::size_t power = 0; power < FilmSurface::kTerms; ++power) {
+                powers[power] += fit.weight(power, node) * value;
+            }
+        }
+        surfaceOfWaves_.insert(surfaceOfWaves_.end(), powers.begin(), powers.end());
+    }
+}
+
+/// In units of the contact radius, s = x / a, and of a^2 / R: phi = D h - g with (1 + K) h = 1 and
+/// (1 + K) g = s^2, and D such that phi(1) = 0. As d phi / d a is h times d indentation / d a, the
+/// integral of h is the stiffness.
+FilmRatios FilmEquation::solve(double ratio) const {
+    static const Quadrature rule = gaussRule(kNodes);
+    static const ChebyshevFit fit(kFilmProfileTerms);
+    const auto waves = static_cast<Eigen::Index>(waves_.size());
+    const auto cosines = [&](const Eigen::VectorXd& positions) {
+        Eigen::MatrixXd values(positions.size(), waves);
+        for (Eigen::Index k = 0; k < waves; ++k) {
+            const double number = ratio * waves_[static_cast<std::size_t>(k)].number;
+            values.col(k) = (number * positions.array()).cos();
+        }
+        return values;
+    };
+    Eigen::VectorXd kernel(waves);
+    for (Eigen::Index k = 0; k < waves; ++k) {
+        kernel(k) = waves_[static_cast<std::size_t>(k)].weight;
+    }
+    const Eigen::MatrixXd onNodes = cosines(rule.positions);
+    // The wave amplitudes of a function that is given at the nodes, weighted by the kernel.
+    const Eigen::MatrixXd amplitudes =
+        kernel.asDiagonal() * onNodes.transpose() * rule.weights.asDiagonal();
+    const double scale = 2.0 * ratio / std::numbers::pi;
+    Eigen::MatrixXd operation = scale * onNodes * amplitudes;
+    operation.diagonal().array() += 1.0;
+    Eigen::MatrixXd right(kNodes, 2);
+    right.col(0).setOnes();
+    right.col(1) = rule.positions.array().square();
+    const Eigen::MatrixXd solution = operation.partialPivLu().solve(right);
+    const Eigen::MatrixXd outgoing = amplitudes * solution;
+
+    // The profile's nodes and, last, the edge.
+    Eigen::VectorXd positions(kFilmProfileTerms + 1);
+    for (std::size_t i = 0; i < kFilmProfileTerms; ++i) {
+        positions(static_cast<Eigen::Index>(i)) = std::sqrt(0.5 * (1.0 - fit.nodes()[i]));
+    }
+    positions(kFilmProfileTerms) = 1.0;
+    Eigen::MatrixXd there = -scale * cosines(positions) * outgoing;
+    there.col(0).array() += 1.0;
+    there.col(1).array() += positions.array().square();
+
+    const double depth = there(kFilmProfileTerms, 1) / there(kFilmProfileTerms, 0);
+    const Eigen::VectorXd phi = depth * solution.col(0) - solution.col(1);
+    const double force = rule.weights.dot(phi);
+    const double moment = rule.weights.dot((phi.array() * right.col(1).array()).matrix());
+    FilmRatios ratios{.indentation = depth,
+                      .force = 1.5 * force,
+                      .stiffness = rule.weights.dot(solution.col(0)),
+                      .energy = 15.0 / 8.0 * (depth * force - moment),
+                      .profile = profileOf(fit, depth * there.col(0) - there.col(1))};
+    const Eigen::Map<const Eigen::MatrixXd> surfaceOfWaves(
+        surfaceOfWaves_.data(), static_cast<Eigen::Index>(ratios.surface.size()), waves);
+    Eigen::Map<Eigen::VectorXd>(ratios.surface.data(), surfaceOfWaves.rows()) =
+        surfaceOfWaves * (depth * outgoing.col(0) - outgoing.col(1));
+    return ratios;
+}
+
 double FilmTable::largestRatio() noexcept { return kEnd - kNear; }
 
 FilmTable::FilmTable(const FilmElasticity& elasticity)
@@ -61,10 +219,10 @@ FilmTable::FilmTable(const FilmElasticity& elasticity)
     findHalfSpaceLimit();
 }
 
-FilmRatios FilmTable::valueAt(const Term* terms, double place) {
+FilmRatios FilmTable::valueAt(const Term* terms, double position) {
     FilmRatios sum = kNothing;
     for (std::size_t power = 0; power < kTerms; ++power) {
-        addScaled(sum, std::pow(place, static_cast<double>(power)), terms[power]);
+        addScaled(sum, std::pow(position, static_cast<double>(power)), terms[power]);
     }
     return sum;
 }
@@ -73,8 +231,8 @@ void FilmTable::fit(const FilmEquation& equation, std::int64_t cell) {
     static const ChebyshevFit chebyshev(kTerms);
     Term* terms = terms_.data() + (static_cast<std::size_t>(cell) * kTerms);
     for (std::size_t node = 0; node < kTerms; ++node) {
-        const double place = chebyshev.nodes()[node];
-        const FilmRatios exact = equation.solve(kCells.valueAt(kFirst + cell, place) - kNear);
+        const double position = chebyshev.nodes()[node];
+        const FilmRatios exact = equation.solve(kCells.valueAt(kFirst + cell, position) - kNear);
         for (std::size_t power = 0; power < kTerms; ++power) {
             addScaled(terms[power], chebyshev.weight(power, node), exact);
         }
@@ -92,9 +250,9 @@ double FilmTable::measure(const FilmEquation& equation, std::int64_t cell) const
     static const ChebyshevFit chebyshev(kTerms);
     const Term* terms = terms_.data() + (static_cast<std::size_t>(cell) * kTerms);
     double worst = 0.0;
-    for (const double place : chebyshev.worstPlaces()) {
-        const FilmRatios exact = equation.solve(kCells.valueAt(kFirst + cell, place) - kNear);
-        const FilmRatios found = valueAt(terms, place);
+    for (const double position : chebyshev.worstPositions()) {
+        const FilmRatios exact = equation.solve(kCells.valueAt(kFirst + cell, position) - kNear);
+        const FilmRatios found = valueAt(terms, position);
         worst = std::max({worst, relativeError(found.indentation, exact.indentation),
                           relativeError(found.force, exact.force),
                           relativeError(found.stiffness, exact.stiffness),
@@ -116,17 +274,17 @@ void FilmTable::findHalfSpaceLimit() {
             : std::sqrt(within(rootBetween(excess, kMinContact, end_.ratio)).indentation);
 }
 
-FilmTable::Place FilmTable::placeOf(double ratio) const noexcept {
+FilmTable::Position FilmTable::positionOf(double ratio) const noexcept {
     const double value = kNear + ratio;
     const std::int64_t cell = kCells.cellOf(value);
     const double width = kCells.valueAt(cell, 1.0) - kCells.valueAt(cell, -1.0);
     return {.terms = terms_.data() + (static_cast<std::size_t>(cell - kFirst) * kTerms),
-            .place = kCells.placeOf(value),
+            .position = kCells.positionOf(value),
             .rate = 2.0 / width};
 }
 
 FilmPoint FilmTable::within(double ratio) const noexcept {
-    const Place at = placeOf(ratio);
+    const Position at = positionOf(ratio);
     double indentation = 0.0;
     double rate = 0.0;
     double force = 0.0;
@@ -134,11 +292,11 @@ FilmPoint FilmTable::within(double ratio) const noexcept {
     double energy = 0.0;
     for (std::size_t power = kTerms; power-- > 0;) {
         const Term& term = at.terms[power];
-        rate = (rate * at.place) + indentation;
-        indentation = (indentation * at.place) + term.indentation;
-        force = (force * at.place) + term.force;
-        stiffness = (stiffness * at.place) + term.stiffness;
-        energy = (energy * at.place) + term.energy;
+        rate = (rate * at.position) + indentation;
+        indentation = (indentation * at.position) + term.indentation;
+        force = (force * at.position) + term.force;
+        stiffness = (stiffness * at.position) + term.stiffness;
+        energy = (energy * at.position) + term.energy;
     }
     const double square = ratio * ratio;
     return {.ratio = ratio,
@@ -193,36 +351,36 @@ FilmPoint FilmTable::onSpring(double value, double compliance) const noexcept {
     return point;
 }
 
-FilmTable::Profile FilmTable::profileAt(const Place& at) noexcept {
+FilmTable::Profile FilmTable::profileAt(const Position& at) noexcept {
     Profile profile{};
     for (std::size_t power = kTerms; power-- > 0;) {
         for (std::size_t m = 0; m < kFilmProfileTerms; ++m) {
-            profile[m] = (profile[m] * at.place) + at.terms[power].profile[m];
+            profile[m] = (profile[m] * at.position) + at.terms[power].profile[m];
         }
     }
     return profile;
 }
 
-double FilmTable::surfaceAt(const Place& at, double distance) noexcept {
+double FilmTable::surfaceAt(const Position& at, double distance) noexcept {
     const double value = FilmSurface::kNear + distance;
     const auto cell =
         static_cast<std::size_t>(FilmSurface::kCells.cellOf(value) - FilmSurface::kFirst);
-    const double place = FilmSurface::kCells.placeOf(value);
+    const double position = FilmSurface::kCells.positionOf(value);
     double sum = 0.0;
     for (std::size_t outer = FilmSurface::kTerms; outer-- > 0;) {
         const std::size_t index = (cell * FilmSurface::kTerms) + outer;
         double coefficient = 0.0;
         for (std::size_t power = kTerms; power-- > 0;) {
-            coefficient = (coefficient * at.place) + at.terms[power].surface[index];
+            coefficient = (coefficient * at.position) + at.terms[power].surface[index];
         }
-        sum = (sum * place) + coefficient;
+        sum = (sum * position) + coefficient;
     }
     return sum;
 }
 
 /// Abel's transform of each term of the profile is a power of the height.
 double FilmTable::pressure(double ratio, double height) const noexcept {
-    const Profile profile = profileAt(placeOf(std::min(ratio, end_.ratio)));
+    const Profile profile = profileAt(positionOf(std::min(ratio, end_.ratio)));
     const double square = height * height;
     double sum = 0.0;
     double factor = 2.0 * height;  // 2 m times the integral of (h^2 - v^2)^(m - 1) over 0 < v < h
@@ -241,15 +399,15 @@ double FilmTable::displacementWithin(double ratio, double distance) const noexce
     if (FilmSurface::kNear + distance >= FilmSurface::kEnd) {
         return (1.0 - elasticity_.share) * at(ratio).force / (pi * distance);
     }
-    const Place at = placeOf(ratio);
+    const Position at = positionOf(ratio);
     const Profile profile = profileAt(at);
     const double narrow = std::min(1.0, ratio / distance);
     if (!(narrow > 0.0)) {
         return 0.0;  // rounded away
     }
     const auto phi = [&](double angle) {
-        const double place = std::sin(angle) / narrow;
-        const double z = (1.0 - place) * (1.0 + place);
+        const double position = std::sin(angle) / narrow;
+        const double z = (1.0 - position) * (1.0 + position);
         double sum = 0.0;
         for (std::size_t m = kFilmProfileTerms; m-- > 0;) {
             sum = (sum + profile[m]) * z;
@@ -288,6 +446,33 @@ std::shared_ptr<const FilmTable> sharedFilmTable(const FilmElasticity& elasticit
     }
     kept[next] = std::make_shared<const FilmTable>(elasticity);
     return kept[std::exchange(next, (next + 1) % kKept)];
+}
+
+FilmLaw::FilmLaw(const ContactPair& pair, double thickness, const FilmTable& table) noexcept
+    : thickness_(thickness)
+    , indentationUnit_(thickness * (thickness / pair.tipRadius))
+    , stiffnessUnit_(pair.reducedModulus * thickness)
+    , table_(&table) {}
+
+LawPoint FilmLaw::fold(double /*compliance*/) const noexcept { return {}; }
+
+std::optional<LawPoint> FilmLaw::stable(double approach, double compliance) const noexcept {
+    if (!(approach >= 0.0)) {
+        return std::nullopt;
+    }
+    const FilmPoint point =
+        table_->onSpring(approach / indentationUnit_, compliance * stiffnessUnit_);
+    const double radius = thickness_ * point.ratio;
+    return LawPoint{.force = stiffnessUnit_ * indentationUnit_ * point.force,
+                    .indentation = indentationUnit_ * point.indentation,
+                    .contactRadius = radius,
+                    .cohesiveRadius = radius,
+                    .stiffness = stiffnessUnit_ * point.stiffness};
+}
+
+double FilmLaw::energy(const LawPoint& point) const noexcept {
+    return stiffnessUnit_ * indentationUnit_ * indentationUnit_ *
+           table_->at(point.contactRadius / thickness_).energy;
 }
 
 }  // namespace asperity

@@ -2,7 +2,6 @@
 
 #include "core/Error.h"
 #include "core/contact/ContactState.h"
-#include "core/contact/ContactStatus.h"
 #include "core/contact/numerics/RootSearch.h"
 
 #include <queue>
@@ -36,7 +35,7 @@ void requirePlan(const ForceCurvePlan& plan) {
     }
 }
 
-/// The next approach that rounding tells from this one in any sum with it.
+/// The next approach that differs from this one after rounding in any sum with it.
 double justBeyond(double approach) {
     return approach + (16.0 * std::numeric_limits<double>::epsilon() * std::abs(approach)) +
            std::numeric_limits<double>::min();
@@ -72,7 +71,7 @@ Way withJump(Way way, const std::optional<TipJump>& jump) {
     return way;
 }
 
-/// A place of the curve.
+/// A position of the curve.
 struct Knot {
     double position = 0.0;  ///< of the base [m]
     double force = 0.0;     ///< [N]

@@ -13,7 +13,7 @@ struct ForceCurvePoint {
     ContactState state;
 };
 
-/// A jump of the tip while the base stands still.
+/// A jump of the tip while the base is at rest.
 struct TipJump {
     double basePosition = 0.0;  ///< [m]
     ContactState before;
@@ -24,7 +24,7 @@ struct TipJump {
 /// @param compliance of the lever along the surface's normal [m/N]
 [[nodiscard]] std::optional<TipJump> snapInOf(const ContactModel& model,
                                               double compliance) noexcept;
-/// The pull-off of a law on a lever, likewise on the way out.
+/// The pull-off of a law on a lever, on the way out.
 [[nodiscard]] std::optional<TipJump> pullOffOf(const ContactModel& model,
                                                double compliance) noexcept;
 
@@ -40,7 +40,7 @@ struct TipJump {
 [[nodiscard]] std::optional<double> basePositionAt(const ContactModel& model, double compliance,
                                                    double force) noexcept;
 
-/// What a lever shows as its base goes to the sample and back.
+/// Curve that a lever shows as its base approaches the sample and retracts.
 struct ForceCurve {
     std::vector<ForceCurvePoint> approach;
     std::vector<ForceCurvePoint> retract;
@@ -49,7 +49,7 @@ struct ForceCurve {
     std::optional<ForceCurvePoint> strongest;  ///< none: the law never pulls
 };
 
-/// Which part of it is followed.
+/// Part of the curve that is followed.
 struct ForceCurvePlan {
     double farthest = 0.0;  ///< base position where the curve begins and ends, < 0 [m]
     double deepest = 0.0;   ///< where it turns, > 0 [m]

@@ -2,11 +2,22 @@
 
 #include "core/contact/ContactState.h"
 #include "core/contact/laws/AttractiveTail.h"
-#include "core/contact/laws/LawPoint.h"
+#include "core/contact/laws/ConeMaugisLaw.h"
+#include "core/contact/laws/ContactLaw.h"
+#include "core/contact/laws/ContactModel.h"
+#include "core/contact/laws/FilmTable.h"
+#include "core/contact/laws/HertzLaw.h"
+#include "core/contact/laws/SphereJkrLaw.h"
+#include "core/contact/laws/SphereMaugisLaw.h"
+#include "core/contact/laws/SplitLaw.h"
 
 #include <algorithm>
+#include <cstddef>
+#include <new>
 #include <optional>
+#include <type_traits>
 #include <utility>
+#include <variant>
 
 namespace asperity {
 
@@ -60,7 +71,7 @@ public:
     [[nodiscard]] ContactState state(double approach, double compliance) const noexcept {
         return stateAt(tail_.separationAt(approach, compliance, tail_.endSeparation(compliance)));
     }
-    /// The state at endApproach(): near a fold the approach hardly tells it from its neighbors.
+    /// The state at endApproach(): near a fold the approach hardly differs between neighbors.
     [[nodiscard]] ContactState last(double compliance) const noexcept {
         return stateAt(tail_.endSeparation(compliance));
     }
@@ -79,7 +90,7 @@ private:
 };
 
 /// A law for bonded bodies joined to one for separate ones, with the jumps between them at the
-/// folds for the present lever. `Bonded` is a class as LawPoint.h describes.
+/// folds for the present lever. `Bonded` is a class as ContactLaw.h describes.
 /// Source: docs/theory.md 2.5, 3.4, 7.1.
 template <class Separate, class Bonded>
 class JoinedLaw {
@@ -188,5 +199,90 @@ private:
     Separate separate_;
     Bonded bonded_;
 };
+
+// Contents of ContactModel beside its parameters: the laws, and which one a name means. For
+// its sources alone: callers know no single law, and a new one is compiled into these.
+
+/// Calls `visitor` with what a variant holds, as std::visit does, but can never throw: a variant of
+/// types that copy without throwing always holds something.
+template <std::size_t First = 0, class Visitor, class... Alternatives>
+auto onAlternative(const Visitor& visitor, const std::variant<Alternatives...>& variant) noexcept {
+    if constexpr (First + 1 < sizeof...(Alternatives)) {
+        if (variant.index() != First) {
+            return onAlternative<First + 1>(visitor, variant);
+        }
+    }
+    return visitor(*std::get_if<First>(&variant));
+}
+
+struct ContactModel::Joined {
+    template <class Bonded>
+    using LawWithOnset = JoinedLaw<NoTail, Bonded>;
+    template <class Bonded>
+    using Tailed = JoinedLaw<WithTail, Bonded>;
+
+    std::variant<LawWithOnset<HertzLaw>, LawWithOnset<DmtLaw>, LawWithOnset<JkrLaw>,
+                 LawWithOnset<MaugisLaw>, LawWithOnset<SneddonLaw>, LawWithOnset<SphereJkrLaw>,
+                 LawWithOnset<SphereMaugisLaw>, LawWithOnset<ConeMaugisLaw>, LawWithOnset<FilmLaw>,
+                 Tailed<SplitLaw>, Tailed<SphereSplitLaw>, Tailed<ConeSplitLaw>>
+        law;
+};
+
+inline ContactModel::Joined ContactModel::joinedLaw(const Checked& given) noexcept {
+    const ContactLaw law = given.law;
+    const ContactPair& pair = given.pair;
+    const ContactOptions& options = given.options;
+    const double cone = options.coneHalfAngle;
+    const auto sudden = [](const auto& bonded) {
+        return Joined{JoinedLaw(NoTail(bonded.onset()), bonded)};
+    };
+    const auto tailed = [&given](const auto& bondedBehind) {
+        const AttractiveTail tail = splitTail(given.pair);
+        return Joined{JoinedLaw(WithTail(tail), bondedBehind(tail))};
+    };
+    const MaugisSolver solver{options.solver, given.table.get()};
+    if (isAdhesive(law) && pair.workOfAdhesion < kMinAdhesion) {
+        return isSphere(law) ? sudden(SneddonLaw(pair, cone)) : sudden(HertzLaw(pair));
+    }
+    switch (law) {  // no default: the compiler names a law that is missing here
+    case ContactLaw::Hertz:
+        break;
+    case ContactLaw::Dmt:
+        return sudden(DmtLaw(pair));
+    case ContactLaw::Jkr:
+        return sudden(JkrLaw(pair));
+    case ContactLaw::Maugis:
+        return sudden(MaugisLaw(pair, options.cohesiveStress, solver));
+    case ContactLaw::Sneddon:
+        return sudden(SneddonLaw(pair, cone));
+    case ContactLaw::SphereJkr:
+        return sudden(SphereJkrLaw(pair, cone));
+    case ContactLaw::SphereMaugis:
+        return cone > 0.0 ? sudden(ConeMaugisLaw(pair, options.cohesiveStress, cone))
+                          : sudden(SphereMaugisLaw(pair, options.cohesiveStress));
+    case ContactLaw::Split:
+        return tailed([&](const AttractiveTail& tail) { return splitLaw(pair, tail, solver); });
+    case ContactLaw::SphereSplit:
+        return cone > 0.0
+                   ? tailed(
+                         [&](const AttractiveTail& tail) { return coneSplitLaw(pair, tail, cone); })
+                   : tailed([&](const AttractiveTail& tail) { return sphereSplitLaw(pair, tail); });
+    case ContactLaw::HertzFilm:
+        return sudden(FilmLaw(pair, options.filmThickness, *given.film));
+    }
+    return sudden(HertzLaw(pair));
+}
+
+inline const ContactModel::Joined& ContactModel::joined() const noexcept {
+    // A copy of the bytes is a copy of the law.
+    static_assert(std::is_trivially_copyable_v<Joined>);
+    static_assert(sizeof(Joined) <= kJoinedSize && alignof(Joined) <= alignof(double));
+    return *std::launder(reinterpret_cast<const Joined*>(joined_.data()));
+}
+
+template <class Visitor>
+auto ContactModel::onJoined(const Visitor& visitor) const noexcept {
+    return onAlternative(visitor, joined().law);
+}
 
 }  // namespace asperity

@@ -1,18 +1,64 @@
 #pragma once
 
-#include "core/contact/Material.h"
+#include "core/contact/ContactState.h"
 #include "core/contact/laws/AttractiveTail.h"
 #include "core/contact/laws/ConeMaugisLaw.h"
-#include "core/contact/laws/LawPoint.h"
-#include "core/contact/laws/MaugisLaw.h"
+#include "core/contact/laws/ContactLaw.h"
+#include "core/contact/laws/ContactOptions.h"
 #include "core/contact/laws/SphereMaugisLaw.h"
+#include "core/contact/maugis/MaugisDugdale.h"
+#include "core/contact/maugis/MaugisTable.h"
 
 #include <optional>
 #include <utility>
 
 namespace asperity {
 
-/// How the work of adhesion is divided between the van der Waals tail and the cohesive zone.
+/// Method that finds the states of MaugisLaw along a path.
+struct MaugisSolver {
+    SolverSetting solver = SolverSetting::Exact;
+    const MaugisTable* table = nullptr;  ///< must outlive the law; null: none covers it
+};
+
+/// Maugis-Dugdale in SI: a cohesive zone of constant stress around the contact, and without contact
+/// across a gap. Exact from DMT to JKR; the surfaces attract each other within the range h0 = w /
+/// sigma0. Valid for contact radii below about 0.3 R.
+/// Source: Maugis (1992); Kim, McMeeking, Johnson (1998); docs/theory.md 2.3-2.7.
+class MaugisLaw {
+public:
+    /// The pair's work of adhesion must be > 0. Beyond a transition parameter of 1e7, where the
+    /// curve is JKR's to 1e-13, the stress is lowered.
+    /// @param cohesiveStress sigma0 [Pa], > 0
+    MaugisLaw(const ContactPair& pair, double cohesiveStress, MaugisSolver solver = {}) noexcept;
+
+    [[nodiscard]] double lambda() const noexcept { return curve_.curve().lambda(); }
+    [[nodiscard]] double cohesiveStress() const noexcept { return cohesiveStress_; }  ///< [Pa]
+    /// h0 [m]
+    [[nodiscard]] double range() const noexcept;
+
+    // As ContactLaw.h has it.
+    [[nodiscard]] LawPoint fold(double compliance) const noexcept;
+    [[nodiscard]] std::optional<LawPoint> stable(double approach, double compliance) const noexcept;
+    /// The same by the solver's setting. @param coordinate of a state near it, any number is
+    /// allowed
+    [[nodiscard]] std::optional<LawPoint> stable(double approach, double compliance,
+                                                 double coordinate) const noexcept;
+    [[nodiscard]] double energy(const LawPoint& point) const noexcept;
+    [[nodiscard]] double onset() const noexcept { return -range(); }
+
+private:
+    [[nodiscard]] MaugisControl control(double compliance) const noexcept;
+    [[nodiscard]] LawPoint inSi(const MaugisPoint& point) const noexcept;
+    [[nodiscard]] LawPoint inSi(const MaugisState& state) const noexcept;
+    [[nodiscard]] double stiffnessInSi(double stiffness) const noexcept;
+
+    MaugisUnits units_;
+    double cohesiveStress_;
+    MaugisDugdale curve_;
+    MaugisSolver solver_;
+};
+
+/// Division of the work of adhesion between the van der Waals tail and the cohesive zone.
 /// Source: docs/theory.md 3.4.
 struct AdhesionSplit {
     double hamaker = 0.0;          ///< Hamaker constant of the tail [J]
@@ -28,7 +74,7 @@ struct AdhesionSplit {
 /// The tail of a pair with work of adhesion > 0, down to where the cohesive zone takes over.
 [[nodiscard]] AttractiveTail splitTail(const ContactPair& pair) noexcept;
 
-/// What tail and zone of a pair take. @param tail splitTail() of the pair
+/// Returns the shares of a pair's tail and zone. @param tail splitTail() of the pair
 [[nodiscard]] AdhesionSplit adhesionSplit(const ContactPair& pair,
                                           const AttractiveTail& tail) noexcept;
 
@@ -37,7 +83,7 @@ struct AdhesionSplit {
 /// and indentation are continuous where a tail that does not snap ends at the joint, since every
 /// zone begins there with no force across its whole range.
 /// Source: docs/theory.md 3.4, equation (3.3).
-/// @tparam Zone a class as LawPoint.h describes, with a cohesive zone
+/// @tparam Zone a class as ContactLaw.h describes, with a cohesive zone
 template <class Zone>
 class TailedLaw {
 public:
@@ -52,7 +98,7 @@ public:
     /// Transition parameter of the cohesive zone.
     [[nodiscard]] double lambda() const noexcept { return zone_.lambda(); }
 
-    // As LawPoint.h has it; the energy is counted from infinite separation.
+    // As ContactLaw.h has it; the energy is counted from infinite separation.
     [[nodiscard]] LawPoint fold(double compliance) const noexcept {
         return withTail(zone_.fold(compliance));
     }

@@ -1,10 +1,49 @@
 #pragma once
 
-#include "core/contact/laws/SpherePunch.h"
+#include "core/contact/ContactState.h"
+#include "core/contact/laws/ContactLaw.h"
 
 #include <limits>
 
 namespace asperity {
+
+/// Contact of a half-space with a rigid sphere up to its equator, in units of the sphere's radius.
+/// `depth` runs from 0 (no contact) to infinity (the contact circle reaches the equator) and keeps
+/// full precision at both ends. Source: docs/theory.md 4.4.
+struct SphereContact {
+    double depth = 0.0;   ///< A = atanh(a)
+    double radius = 0.0;  ///< a = tanh(A)
+    double rim = 0.0;     ///< sqrt(1 - a^2), height of the contact's edge below the center
+};
+
+[[nodiscard]] SphereContact sphereContact(double depth) noexcept;
+
+/// The contact with this radius, 0 .. 1; from 1 - 1e-17 on the depth is cut off.
+[[nodiscard]] SphereContact sphereContactOfRadius(double radius) noexcept;
+
+/// Force without adhesion, in units of E* R^2. Source: Sneddon (1965).
+[[nodiscard]] double sphereForce(const SphereContact& contact) noexcept;
+
+/// Elastic energy of the surface pressed to the sphere within the contact radius at this
+/// indentation, in units of E* R^3: integral of g(t)^2 of docs/theory.md 4.1 over the contact.
+[[nodiscard]] double sphereElasticEnergy(const SphereContact& contact, double indentation) noexcept;
+
+/// Units that convert the numbers of a unit sphere on a half-space of unit modulus to SI.
+struct SphereUnits {
+    double length = 0.0;     ///< R [m]
+    double stiffness = 0.0;  ///< E* R [N/m]
+
+    explicit SphereUnits(const ContactPair& pair) noexcept;
+
+    [[nodiscard]] double force() const noexcept { return stiffness * length; }  ///< [N]
+    [[nodiscard]] double energy() const noexcept { return force() * length; }   ///< [J]
+    [[nodiscard]] LawPoint toSi(const LawPoint& point) const noexcept;
+    [[nodiscard]] LawPoint fromSi(const LawPoint& point) const noexcept;
+};
+
+/// Ratio of two rates along a curve; 1e30 in size where the curve is steeper than that, as at the
+/// end of the branch in displacement control.
+[[nodiscard]] double boundedSlope(double forceRate, double indentationRate) noexcept;
 
 /// Contact of a half-space with a rigid tip, without adhesion, in units of the radius of the sphere
 /// that ends the tip. The edge of the contact lies on the sphere or on the cone that goes on from
@@ -70,5 +109,33 @@ private:
     double slope_ = 0.0;                                      ///< of the cone: cot(alpha)
     double joint_ = std::numeric_limits<double>::infinity();  ///< coordinate where the cone begins
 };
+
+/// Integrals over the contacts between a contact radius a and the radius c of the cohesive zone
+/// around it, of their elastic indentation d(t), in units of the sphere's radius.
+struct ZoneIntegrals {
+    double opening = 0.0;  ///< of (d(t) - d(a)) / sqrt(c^2 - t^2)
+    double spread = 0.0;   ///< of d'(t) t / sqrt(c^2 - t^2), over c
+    double work = 0.0;     ///< of (d(t) - d(a)) sqrt(c^2 - t^2)
+
+    ZoneIntegrals& operator+=(const ZoneIntegrals& other) noexcept;
+};
+
+[[nodiscard]] ZoneIntegrals operator+(ZoneIntegrals one, const ZoneIntegrals& other) noexcept;
+[[nodiscard]] ZoneIntegrals operator*(double factor, const ZoneIntegrals& integrals) noexcept;
+
+/// Returns the integrals of a zone, to some 1e-12. Real-time safe. Source: docs/theory.md 4.8.
+/// @param punch with a cone  @param width sqrt(c^2 - a^2)
+[[nodiscard]] ZoneIntegrals zoneIntegrals(const TipPunch& punch, const PunchContact& contact,
+                                          double width) noexcept;
+
+/// Returns the integral of the elastic indentation d(t) / sqrt(r^2 - t^2) over the part of a
+/// contact on the cone: by how much the cone leaves the surface at r unpressed.
+/// @param run of the contact's edge, > 0  @param radius r, at least the contact's
+[[nodiscard]] double coneTransform(const TipPunch& punch, double run, double radius) noexcept;
+
+/// Returns the integral of d'(t) / sqrt(t^2 - r^2) over the part of a contact on the cone and
+/// beyond r: pi times the pressure of a half-space of unit modulus at r that the cone causes.
+/// @param run of the contact's edge, > 0  @param radius r, less than the contact's
+[[nodiscard]] double conePressure(const TipPunch& punch, double run, double radius) noexcept;
 
 }  // namespace asperity

@@ -1,7 +1,7 @@
 #include "core/contact/laws/WettedContact.h"
 
 #include "core/contact/ContactState.h"
-#include "core/contact/laws/JoinedLaws.h"
+#include "core/contact/laws/JoinedLaw.h"
 
 #include <algorithm>
 
@@ -70,7 +70,7 @@ ContactState WettedContact::bondedAt(double approach, double compliance,
     return model_.bare(approach + moved, compliance, memory);
 }
 
-/// Of bodies, meniscus and lever [J].
+/// Energy of bodies, meniscus and lever [J].
 double WettedContact::energy(const ContactState& wetted, double compliance) const noexcept {
     const Meniscus& meniscus = model_.given_.options.meniscus;
     const double radius = model_.given_.pair.tipRadius;

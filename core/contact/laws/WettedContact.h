@@ -15,7 +15,7 @@ public:
 
     [[nodiscard]] ContactState equilibrium(double approach, double compliance,
                                            const ContactMemory& memory) const noexcept;
-    /// Where separate bodies lose their last stable state: approach of the undeflected tip [m].
+    /// Approach of the undeflected tip at which separate bodies lose their last stable state [m].
     [[nodiscard]] double jumpInApproach(double compliance) const noexcept {
         return endOfSeparate(compliance).approach;
     }

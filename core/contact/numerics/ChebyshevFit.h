@@ -31,19 +31,19 @@ public:
     }
 
     [[nodiscard]] const std::vector<double>& nodes() const noexcept { return nodes_; }
-    /// What the value at a node contributes to the coefficient of a power.
+    /// Contribution of the value at a node to the coefficient of a power.
     [[nodiscard]] double weight(std::size_t power, std::size_t node) const noexcept {
         return powers_[power][node];
     }
-    /// Where the error of such a polynomial is largest: between the nodes and at both ends.
-    [[nodiscard]] std::vector<double> worstPlaces() const {
-        std::vector<double> places;
+    /// Returns where the error of such a polynomial is largest: between the nodes and at both ends.
+    [[nodiscard]] std::vector<double> worstPositions() const {
+        std::vector<double> positions;
         for (std::size_t i = 0; i <= nodes_.size(); ++i) {
             const double angle =
                 std::numbers::pi * static_cast<double>(i) / static_cast<double>(nodes_.size());
-            places.push_back(-std::cos(angle));
+            positions.push_back(-std::cos(angle));
         }
-        return places;
+        return positions;
     }
 
 private:

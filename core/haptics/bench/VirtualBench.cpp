@@ -15,6 +15,14 @@ double slowed(double velocity, double most) {
     return std::copysign(std::max(0.0, std::abs(velocity) - most), velocity);
 }
 
+constexpr double kReachSpeed = 0.5;  // a third of that at which the governor trips [m/s]
+
+/// `way`, but no longer than `most`.
+Vector3 shortened(const Vector3& way, double most) {
+    const double length = way.norm();
+    return length > most ? Vector3((most / length) * way) : way;
+}
+
 }  // namespace
 
 VirtualBench::VirtualBench(const BenchSetup& setup, const Vector3& start)
@@ -66,6 +74,16 @@ Vector3 VirtualBench::delayed(const Vector3& force) noexcept {
     Vector3 arriving = std::exchange(onTheWay_[oldest_], force);
     oldest_ = (oldest_ + 1) % onTheWay_.size();
     return arriving;
+}
+
+SimulatedDevice::SimulatedDevice(const Vector3& start, const BenchSetup& setup)
+    : PilotedDevice(start), bench_(setup, start), reach_(start) {}
+
+DeviceState SimulatedDevice::advance(double timeStep) noexcept {
+    reach_ += shortened(pilot(timeStep) - reach_, kReachSpeed * timeStep);
+    reach_ = shortened(reach_, bench_.specification().workspaceRadius);
+    bench_.reachFor(reach_);
+    return bench_.advance(timeStep);
 }
 
 }  // namespace asperity

@@ -46,9 +46,9 @@ public:
     /// @param start where handle and hand rest at first [m]
     VirtualBench(const BenchSetup& setup, const Vector3& start);
 
-    /// Where the operator wants the handle from now on [m].
+    /// Sets where the operator wants the handle from now on [m].
     void reachFor(const Vector3& target) noexcept { target_ = target; }
-    /// How it is held from now on.
+    /// Sets how the handle is held from now on.
     void grip(const ArmImpedance& arm) noexcept { arm_ = arm; }
 
     [[nodiscard]] DeviceSpecification specification() const noexcept override;
@@ -57,7 +57,7 @@ public:
     DeviceState advance(double timeStep) noexcept override;
     void setForce(const Vector3& force) noexcept override { command_ = force; }
 
-    /// Where the handle really is [m].
+    /// True position of the handle [m].
     [[nodiscard]] const Vector3& position() const noexcept { return position_; }
     [[nodiscard]] const Vector3& velocity() const noexcept { return velocity_; }  ///< [m/s]
 
@@ -76,6 +76,27 @@ private:
     std::size_t oldest_ = 0;
     double time_ = 0.0;  ///< [s]
     std::int64_t substeps_ = 0;
+};
+
+/// A simulated haptic device: the virtual bench with an operator who holds the handle in a normal
+/// grip and reaches for where mouse and keyboard pilot it, at most by 0.5 m/s and no farther than
+/// to the edge of its workspace. The force that comes back moves the handle away from there, as it
+/// does a hand.
+class SimulatedDevice final : public PilotedDevice {
+public:
+    /// @param start where handle and hand rest at first, in the device's own frame [m]
+    explicit SimulatedDevice(const Vector3& start, const BenchSetup& setup = {.arm = kNormalGrip});
+
+    [[nodiscard]] DeviceSpecification specification() const noexcept override {
+        return bench_.specification();
+    }
+    [[nodiscard]] double delay() const noexcept override { return bench_.delay(); }
+    DeviceState advance(double timeStep) noexcept override;
+    void setForce(const Vector3& force) noexcept override { bench_.setForce(force); }
+
+private:
+    VirtualBench bench_;
+    Vector3 reach_;  ///< where the operator wants the handle [m]
 };
 
 }  // namespace asperity

@@ -58,7 +58,7 @@ void BlackBox::keep(const TickSample& sample) {
 
 void BlackBox::mark(const Snapshot& latest) {
     const double time = latest.sample.time;
-    // Before the first tick that did not fail time stands still, and tells ticks not apart.
+    // Before the first tick that did not fail, time is constant and ticks look alike.
     if (frozen_ || !latest.memory.started || time < lastTime_) {
         return;
     }

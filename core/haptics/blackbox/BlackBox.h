@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/haptics/Snapshot.h"
+#include "core/haptics/VirtualRun.h"
 
 #include <boost/circular_buffer.hpp>
 
@@ -17,7 +17,7 @@ public:
     static constexpr double kMarkSpacing = 0.1;
     static constexpr double kSeconds = 10.0;  ///< that it keeps, at up to 10 kHz
 
-    /// For a run from its first tick on.
+    /// Begins with the first tick of a run.
     /// @param timeStep between ticks [s]
     /// @param seconds how long a stretch it keeps, at least [s]
     explicit BlackBox(double timeStep, double seconds = kSeconds);
@@ -31,21 +31,21 @@ public:
     /// Holds what it has; nothing more is taken.
     void freeze() noexcept { frozen_ = true; }
     [[nodiscard]] bool frozen() const noexcept { return frozen_; }
-    /// Forgets all and begins anew at the next mark. A fault that is latched then does not freeze
+    /// Forgets all and begins again at the next mark. A fault that is latched then does not freeze
     /// it again; the next one does.
     void restart() noexcept;
-    /// Moves out what it holds, to be written by another thread, and begins anew as restart().
+    /// Moves out what it holds, to be written by another thread, and begins again as restart().
     [[nodiscard]] BlackBox release();
 
     /// Oldest first. A box that froze by itself ends with the first tick of the fault.
     [[nodiscard]] const boost::circular_buffer<TickSample>& samples() const noexcept {
         return samples_;
     }
-    /// What the first of the samples starts from; only where there are some.
+    /// State that the first of the samples starts from; only where there are some.
     [[nodiscard]] const TickMemory& memory() const noexcept { return marks_.front().memory; }
 
 private:
-    /// Where a replay can begin: with the first tick after this one.
+    /// Point where a replay can begin: with the first tick after this one.
     struct Mark {
         double time = 0.0;  ///< of the tick [s]
         TickMemory memory;  ///< after it

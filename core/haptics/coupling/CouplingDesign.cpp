@@ -5,11 +5,43 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 
 namespace asperity {
 
 namespace {
+
+/// Speed s of a proxy that is pushed along the surface: push = resistance s + friction s / sqrt(s^2
+/// + v0^2). The right side rises and bends down, so that Newton's steps from below stay below.
+double slidingSpeed(double push, double resistance, const ProxyLoad& load) {
+    constexpr int kMaxSteps = 40;
+    constexpr double kAccuracy = 1e-12;
+    double speed = std::max(0.0, push - load.friction) / resistance;
+    for (int i = 0; i < kMaxSteps; ++i) {
+        const double total = std::hypot(speed, load.restSpeed);
+        const double rest = push - resistance * speed - load.friction * (speed / total);
+        const double fading = load.restSpeed / total;
+        const double slope = resistance + load.friction / total * fading * fading;
+        const double step = rest / slope;
+        speed += step;
+        if (!(step > kAccuracy * speed)) {
+            break;
+        }
+    }
+    return speed;
+}
+
+/// Velocity of a proxy under `push` [N], its friction included.
+Vector3 proxyVelocity(const Vector3& push, double resistance, const ProxyLoad& load) {
+    const Vector3 along = push - push.dot(load.normal) * load.normal;
+    const double size = along.norm();
+    if (!(load.friction > 0.0 && size > 0.0)) {
+        return push / resistance;
+    }
+    const double speed = slidingSpeed(size, resistance, load);
+    return (push - along) / resistance + (speed / size) * along;
+}
 
 constexpr double kMaxCouplingStiffness = 600.0;  // [N/m]
 constexpr double kProxyDamping = 3.0;            // [N s/m]
@@ -48,7 +80,32 @@ double massOf(const DeviceSpecification& device) {
 
 double ageOf(const LoopTiming& timing) { return timing.timeStep / 2.0 + timing.delay; }
 
+constexpr double kForceControl = 1e3;  // compliance beside which no indentation counts [m/N]
+
+/// Returns what is left for the contact beside a guide, from (K + k) T/2 + b = bp [N/m].
+double contactBound(const CouplingGains& gains, const GuideLoad& guide, double timeStep) {
+    CouplingGains left = gains;
+    left.proxyDamping -= guide.damping;
+    return stiffestContact(left, timeStep) - guide.stiffness;
+}
+
 }  // namespace
+
+CouplingStep stepCoupling(const CouplingGains& gains, const Vector3& deviceMotion,
+                          const Vector3& stretch, const ProxyLoad& load, double timeStep) noexcept {
+    // F = Kc (stretch + deviceMotion - T vp) + Bc (deviceMotion / T - vp) put into the balance
+    // leaves resistance * vp = push + friction.
+    const double resistance =
+        gains.proxyDamping + gains.damping + gains.stiffness * timeStep;  // [N s/m]
+    const Vector3 push = gains.stiffness * (stretch + deviceMotion) +
+                         (gains.damping / timeStep) * deviceMotion + load.force;
+    const Vector3 velocity = proxyVelocity(push, resistance, load);
+    const Vector3 friction = resistance * velocity - push;
+    const Vector3 motion = timeStep * velocity;
+    return {.device = load.force + friction - gains.proxyDamping * velocity,
+            .motion = motion,
+            .stretch = stretch + deviceMotion - motion};
+}
 
 CouplingGains designCoupling(const DeviceSpecification& device, const LoopTiming& timing) {
     check(device, timing);
@@ -85,6 +142,33 @@ bool holdsHandle(const CouplingGains& gains, const DeviceSpecification& device,
 
 double stiffestContact(const CouplingGains& gains, double timeStep) noexcept {
     return 2.0 * gains.proxyDamping / timeStep;
+}
+
+double inSeries(double first, double second) noexcept { return 1.0 / (1.0 / first + 1.0 / second); }
+
+TipLoad tipLoad(const ProbeSystem& system, double largestForce, PositionControl control) noexcept {
+    const ContactModel& contact = system.contact;
+    const double lever = 1.0 / system.cantilever.compliance()(2, 2);
+    const ContactState pressed =
+        contact.equilibrium(kForceControl * largestForce, kForceControl, {});
+    const double stiffness =
+        control == PositionControl::Tip ? pressed.stiffness : inSeries(lever, pressed.stiffness);
+    return {.stiffness = pressed.solved() ? stiffness : lever,
+            .adhesion = std::max(0.0, -contact.lastBonded(kForceControl).force)};
+}
+
+ScaleJudgment judgeScale(const TipLoad& tip, const DeviceScale& scale,
+                         const std::optional<CouplingGains>& coupling, const ScaleBounds& bounds,
+                         const GuideLoad& guide) {
+    const double contact = tip.stiffness * scale.forceGain * scale.positionGain;
+    return {.contact = contact,
+            .contactBound = coupling ? contactBound(*coupling, guide, bounds.timeStep)
+                                     : std::numeric_limits<double>::infinity(),
+            .felt = coupling ? inSeries(contact, coupling->stiffness) : contact,
+            .feltBound = bounds.stiffness,
+            .adhesion = tip.adhesion * scale.forceGain,
+            .forceBound = bounds.force,
+            .guided = guide.stiffness > 0.0 || guide.damping > 0.0};
 }
 
 }  // namespace asperity

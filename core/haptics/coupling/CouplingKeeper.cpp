@@ -3,12 +3,26 @@
 #include "core/haptics/mapping/WorkspaceMapping.h"
 #include "core/scene/Scene.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
 namespace asperity {
 
 namespace {
+
+CoupledDevice judged(const ProbeSystem& tip, const DeviceRequest& request,
+                     const CouplingGains& gains) {
+    const double force = std::min(request.device.maxForce, request.maxForce);
+    const TipLoad load = tipLoad(tip, force / request.scale.forceGain, request.control);
+    return {.gains = gains,
+            .judgment = judgeScale(load, request.scale, gains,
+                                   {.stiffness = request.device.maxStiffness,
+                                    .force = force,
+                                    .timeStep = request.timing.timeStep},
+                                   request.guide),
+            .noCoupling = {}};
+}
 
 constexpr double kStandardPosition = 1e-6;  // 1 mm : 1 nm
 constexpr double kStandardForce = 1e8;      // 1 N : 10 nN
@@ -20,7 +34,7 @@ constexpr double kForceStep = 0.8;
 constexpr double kMaxPositionGain = 1e-4;
 
 // Gains are designed for a delay rounded up to this, so that one that creeps up as it is measured
-// does not seat the spring anew at every frame [s].
+// does not seat the spring again at every frame [s].
 constexpr double kDelayStep = 0.5e-3;
 
 double roundedUp(double delay) {
@@ -43,6 +57,19 @@ GuideLoad guideLoad(const VirtualFixture& guide) {
 }
 
 }  // namespace
+
+CoupledDevice coupleDevice(const ProbeSystem& tip, const DeviceRequest& request) {
+    try {
+        if (request.own.couples() && holdsHandle(request.own, request.device, request.timing)) {
+            if (CoupledDevice own = judged(tip, request, request.own); own.holds()) {
+                return own;
+            }
+        }
+        return judged(tip, request, designCoupling(request.device, request.timing));
+    } catch (const Error& error) {
+        return {.gains = {}, .judgment = {}, .noCoupling = error.what()};
+    }
+}
 
 DeviceRequest CouplingKeeper::request(const Held& held, const Settings& knobs) const {
     return {.device = held.device,

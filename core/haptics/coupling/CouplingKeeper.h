@@ -1,13 +1,40 @@
 #pragma once
 
 #include "core/Error.h"
-#include "core/haptics/coupling/CoupledDevice.h"
+#include "core/haptics/coupling/CouplingDesign.h"
+#include "core/haptics/device/HapticDevice.h"
 
 #include <optional>
+#include <string>
 
 namespace asperity {
 
 struct Scene;
+
+/// A force-feedback device that shall drive a tip.
+struct DeviceRequest {
+    DeviceSpecification device;
+    LoopTiming timing;
+    DeviceScale scale;
+    CouplingGains own;      ///< that the scene asks for; none: those that are designed
+    double maxForce = 0.0;  ///< that the operator shall feel at most [N]
+    GuideLoad guide;
+    PositionControl control = PositionControl::Base;
+};
+
+/// The coupling of such a device, and what it feels; or why there is none.
+struct CoupledDevice {
+    CouplingGains gains;
+    ScaleJudgment judgment;
+    std::string noCoupling;  ///< why designCoupling() has none; empty: it has
+
+    [[nodiscard]] bool holds() const noexcept { return noCoupling.empty() && judgment.holds(); }
+};
+
+/// The scene's own coupling where it keeps the handle at rest and bears the contact, else the
+/// designed one where that does: a force-feedback device is never without.
+/// Source: docs/haptics.md, Gains and Scale.
+[[nodiscard]] CoupledDevice coupleDevice(const ProbeSystem& tip, const DeviceRequest& request);
 
 /// A device cannot be held as it was asked for.
 struct CouplingRefused : Error {
@@ -40,12 +67,13 @@ public:
     /// @throw CouplingRefused; nothing has changed then
     [[nodiscard]] Settings turned(Settings wanted, double delay);
 
-    /// A delay that has grown beyond what the gains are designed for has them designed anew; where
+    /// A delay that has grown beyond what the gains are designed for has them designed again; where
     /// none hold any more the forces go off, and coupled() says why.
     /// @return the knobs that changed; none: as they were
     [[nodiscard]] std::optional<Settings> follow(Settings knobs, double delay);
 
-    /// Whether the device could be held on another sample or with another model under these knobs.
+    /// Checks that the device can be held on another sample or with another model under these
+    /// knobs.
     /// @throw CouplingRefused
     void requireHolding(const ProbeSystem& tip, const Settings& knobs) const;
 
@@ -62,7 +90,7 @@ private:
         CoupledDevice coupled;
         DeviceScale scale;
         DeviceScale before;            ///< of the devices that only sense
-        CouplingGains couplingBefore;  ///< likewise
+        CouplingGains couplingBefore;  ///< same
     };
 
     [[nodiscard]] DeviceRequest request(const Held& held, const Settings& knobs) const;

@@ -24,9 +24,10 @@ public:
 
     /// Dissipated less what leaked, below 0 when the port has given energy: the trace [J].
     [[nodiscard]] double energy() const noexcept { return energy_; }
-    /// What the spring stores for the force that now acts at the handle [J].
+    /// Energy that the spring stores for the force that now acts at the handle [J].
     [[nodiscard]] double spring() const noexcept { return stored(acting_); }
-    /// Whether it gave more than encoder and contact explain: the operator must be warned.
+    /// Returns whether the port gave more than encoder and contact explain: the operator must be
+    /// warned.
     [[nodiscard]] bool active() const noexcept;
 
 private:

@@ -8,14 +8,18 @@ namespace asperity {
 
 namespace {
 
+constexpr double kEndShare = 0.75;  ///< of the force at the deepest position
+constexpr double kMinTicks = 4.0;
+constexpr double kSure = 10.0;  ///< standard deviations of a slope
+
 constexpr int kTicksOff = 5;           ///< in a row that end a cycle: one may be noise
 constexpr double kResidualPull = 0.5;  ///< of the strongest: attraction that a free tip may feel
 
 constexpr double kSlide = 1e-9;  ///< sideways, more than the jitter of a device [m]
-/// Of the tip: more than a lever that presses bends sideways on a slope [m].
+/// Sideways motion of the tip: more than a lever that presses bends sideways on a slope [m].
 constexpr double kTipSlide = 5e-9;
 
-/// Whether the base goes along the sample rather than to it or from it.
+/// Returns whether the base goes along the sample rather than to it or from it.
 bool slides(const BaseMotion& base) noexcept {
     return std::hypot(base.velocity.x(), base.velocity.y()) > std::abs(base.velocity.z());
 }
@@ -37,6 +41,108 @@ std::optional<Reading> withMissed(std::optional<Reading> reading, double missed)
 
 }  // namespace
 
+void UnloadingFit::restart(const ForceDistancePoint& deepest, double force) noexcept {
+    *this = {};
+    open_ = force > 0.0;
+    endForce_ = kEndShare * force;
+    first_ = deepest;
+    add(deepest);
+}
+
+void UnloadingFit::take(const ForceDistancePoint& point, double force) noexcept {
+    open_ = open_ && force >= endForce_;
+    if (open_) {
+        add(point);
+    }
+}
+
+void UnloadingFit::add(const ForceDistancePoint& point) noexcept {
+    const double base = point.baseDistance - first_.baseDistance;
+    const double separation = point.separation - first_.separation;
+    const double force = point.force - first_.force;
+    count_ += 1.0;
+    base_ += base;
+    force_ += force;
+    separation_ += separation;
+    baseBase_ += base * base;
+    baseForce_ += base * force;
+    baseSeparation_ += base * separation;
+    separation2_ += separation * separation;
+    force2_ += force * force;
+}
+
+Reading UnloadingFit::slopeOf(double sum, double sumOfSquares,
+                              double sumOfProducts) const noexcept {
+    const double spread = baseBase_ - base_ * base_ / count_;
+    const double slope = (sumOfProducts - base_ * sum / count_) / spread;
+    const double scatter = sumOfSquares - sum * sum / count_ - slope * slope * spread;
+    return {.value = slope, .sigma = std::sqrt(std::max(0.0, scatter) / (count_ - 2.0) / spread)};
+}
+
+std::optional<Reading> UnloadingFit::stiffness() const noexcept {
+    if (count_ < kMinTicks || !(baseBase_ * count_ > base_ * base_)) {
+        return std::nullopt;
+    }
+    const Reading force = slopeOf(force_, force2_, baseForce_);
+    const Reading separation = slopeOf(separation_, separation2_, baseSeparation_);
+    if (!(force.value < -kSure * force.sigma) || !(separation.value > kSure * separation.sigma)) {
+        return std::nullopt;
+    }
+    const double stiffness = -force.value / separation.value;
+    // The same noise moves both slopes, in opposite directions.
+    const double share = separation.sigma / separation.value - force.sigma / force.value;
+    return Reading{.value = stiffness, .sigma = stiffness * share};
+}
+
+Reading StrongestForce::meanOf(const std::array<HalfForce, 2>& halves) noexcept {
+    return {.value = 0.5 * (halves[0].force + halves[1].force),
+            .sigma = 0.5 * std::hypot(halves[0].sigma, halves[1].sigma)};
+}
+
+bool StrongestForce::take(const std::array<HalfForce, 2>& halves, double force,
+                          const DepthBeside& depth) noexcept {
+    for (std::size_t i = 0; i < halves.size(); ++i) {
+        const double sure = halves[i].smooth - (caution_ * halves[i].smoothSigma);
+        if (!reading_ || sure > strongest_[i]) {
+            strongest_[i] = sure;
+            measured_[i] = halves[1 - i];
+            measuredDepth_[i] = depth.halves[1 - i];
+            pickSigma_[i] = depth.stiffness > 0.0 ? halves[i].smoothSigma / depth.stiffness : 0.0;
+        }
+    }
+    const bool isStrongest = !reading_ || force > strongestForce_;
+    strongestForce_ = isStrongest ? force : strongestForce_;
+    reading_ = meanOf(measured_);
+    return isStrongest;
+}
+
+Reading StrongestForce::readingBeside() const noexcept {
+    Reading depth = meanOf(measuredDepth_);
+    depth.sigma = std::hypot(depth.sigma, 0.5 * std::hypot(pickSigma_[0], pickSigma_[1]));
+    return depth;
+}
+
+void StrongestPositions::take(double force, double sigma, double position) noexcept {
+    // In standard deviations: how far below the strongest a force counts as equal, and how far
+    // above the first one it shows that the position is another.
+    constexpr double kWeaker = 3.0;
+    constexpr double kStronger = 5.0;
+    if (!started_ || force > first_ + kStronger * sigma) {
+        started_ = true;
+        first_ = strongest_ = force;
+        lowest_ = highest_ = position;
+    }
+    strongest_ = std::max(strongest_, force);
+    if (force >= strongest_ - kWeaker * sigma) {
+        lowest_ = std::min(lowest_, position);
+        highest_ = std::max(highest_, position);
+    }
+}
+
+double StrongestPositions::sigmaOf(double position) const noexcept {
+    return std::max(position - lowest_, highest_ - position) / std::sqrt(3.0);
+}
+
 void CycleDetector::take(double time, const TickInput& input, const TickOutput& out) noexcept {
     if (!hasPoint(out)) {
         cycle_.interrupted = cycle_.interrupted || cycle_.phase == CyclePhase::Contact;
@@ -51,7 +157,7 @@ void CycleDetector::take(double time, const TickInput& input, const TickOutput& 
     takeTrends();
     const bool turned = branch_.take(input, out) != branchBefore;
     slides_ = slides(out.base);
-    place_ = out.base.position.head<2>();
+    base_ = out.base.position.head<2>();
     tip_ = out.model.tip.head<2>();
     const bool bonded = out.model.contact.branch == ContactBranch::Bonded;
     const bool acts = trend_.pushes() || trend_.pulls();
@@ -97,22 +203,22 @@ void CycleDetector::begin() noexcept {
     push_ = StrongestForce(StrongestForce::kGrowing);
     snapInPull_ = StrongestForce(StrongestForce::kSudden);
     pullOffPull_ = StrongestForce(StrongestForce::kGrowing);
-    snapInPlaces_ = {};
+    snapInPositions_ = {};
     areaVariance_ = 0.0;
     retracted_ = false;
     ++number_;
 }
 
 void CycleDetector::takeApart(double time, bool turned, bool touches) noexcept {
-    const bool anew = turned && branch_.branch() == CurveBranch::Approach;
-    if (anew || (touches && cycle_.complete())) {
+    const bool again = turned && branch_.branch() == CurveBranch::Approach;
+    if (again || (touches && cycle_.complete())) {
         begin();
     }
     if (touches) {
         cycle_.phase = CyclePhase::Contact;
         cycle_.touchTime = time;
-        cycle_.place = tip_;
-        touched_ = place_;
+        cycle_.position = tip_;
+        touched_ = base_;
         tipTouched_ = tip_;
         deepest_ = std::numeric_limits<double>::infinity();
         ticksOff_ = 0;
@@ -127,7 +233,7 @@ void CycleDetector::takeContact(double time, bool turned, bool held) noexcept {
         cycle_.offTime = time;
         return;
     }
-    cycle_.slid = cycle_.slid || (place_ - touched_).norm() > kSlide ||
+    cycle_.slid = cycle_.slid || (base_ - touched_).norm() > kSlide ||
                   (tip_ - tipTouched_).norm() > kTipSlide;
     if (trend_.pushes()) {
         (void)push_.take(trend_.halves(1.0), trend_.push(),
@@ -149,7 +255,7 @@ void CycleDetector::takeContact(double time, bool turned, bool held) noexcept {
 }
 
 /// An attraction that comes before contact counts, too: instrument and model seldom snap in at the
-/// same tick. The place lies between two ticks, and the noise lets a weaker pull further on seem
+/// same tick. The position lies between two ticks, and the noise lets a weaker pull further on seem
 /// the strongest.
 void CycleDetector::takeSnapIn() noexcept {
     const bool approaches =
@@ -158,18 +264,18 @@ void CycleDetector::takeSnapIn() noexcept {
         return;
     }
     const bool isStrongest = snapInPull_.take(trend_.halves(-1.0), trend_.pull());
-    snapInPlaces_.take(trend_.pull(), settledSigma(trend_, point_), point_.baseDistance);
-    Reading& place = cycle_.snapInBaseDistance;
+    snapInPositions_.take(trend_.pull(), settledSigma(trend_, point_), point_.baseDistance);
+    Reading& position = cycle_.snapInBaseDistance;
     if (isStrongest) {
-        place.value = point_.baseDistance;
-        snapInPlaceNoise_ = std::hypot(step_ / std::sqrt(12.0), compliance() * trend_.sigma());
+        position.value = point_.baseDistance;
+        snapInPositionNoise_ = std::hypot(step_ / std::sqrt(12.0), compliance() * trend_.sigma());
         snapInMissed_ = missedByStep();
     }
-    place.sigma = std::hypot(snapInPlaceNoise_, snapInPlaces_.sigmaOf(place.value));
+    position.sigma = std::hypot(snapInPositionNoise_, snapInPositions_.sigmaOf(position.value));
     cycle_.snapIn = withMissed(snapInPull_.reading(), snapInMissed_);
 }
 
-/// A jump comes anywhere between two ticks: meanwhile the base moves on by up to a step, and the
+/// A jump comes anywhere between two ticks: the base moves on by up to a step, and the
 /// force with it, as lever and contact let it, at most as the lever alone.
 double CycleDetector::missedByStep() const noexcept {
     const double lever = compliance() > 0.0 ? 1.0 / compliance() : 0.0;
@@ -206,7 +312,7 @@ void CycleDetector::takeAreas(double forceBefore) noexcept {
     }
 }
 
-/// Where the tip slides, rough ground changes the distance: unloading begins after that.
+/// Where the tip slides, roughness changes the distance: unloading begins after that.
 void CycleDetector::takeUnloading() noexcept {
     if (slides_ || point_.baseDistance < deepest_) {
         deepest_ = point_.baseDistance;

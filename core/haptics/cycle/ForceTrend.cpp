@@ -13,8 +13,8 @@ constexpr int kLongMemory = 100;  ///< ticks
 constexpr double kJump = 6.0;     ///< standard deviations off the line
 constexpr double kAgree = 3.0;    ///< standard deviations of the short line from the long one
 
-/// Of the mean of some ticks about the continued least-squares line through those before, in
-/// variances of a tick.
+/// Variance of the mean of some ticks about the continued least-squares line through those before,
+/// in variances of a tick.
 double varianceAfter(int ticksBefore, double ticks) noexcept {
     const double n = ticksBefore;
     const double ahead = 0.5 * (n + ticks);  // from the middle of the one to that of the other

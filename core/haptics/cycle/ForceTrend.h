@@ -14,7 +14,7 @@ struct HalfForce {
 };
 
 /// The normal force with less noise: a straight line through about the last 20 ticks, which follows
-/// a ramp without lag and starts anew at a jump. Its standard deviation is at most 0.42 of that of
+/// a ramp without lag and starts again at a jump. Its standard deviation is at most 0.42 of that of
 /// one tick, for white noise. O(1), allocation-free.
 ///
 /// A jump shows in one tick far off the line, or, where the force went straight before, in the mean
@@ -59,7 +59,7 @@ private:
         int ticks = 0;  ///< since the start, at most the memory
 
         void take(double measured, double sigmaOfOne, int memory) noexcept;
-        /// Whether the other line is the same force and slope within the noise of this one.
+        /// Returns whether the other line is the same force and slope within the noise of this one.
         [[nodiscard]] bool agreesWith(const Line& other) const noexcept;
     };
     struct Tick {
@@ -79,9 +79,9 @@ private:
     [[nodiscard]] HalfForce halfAlong(double sign, std::size_t index) const noexcept;
     void takeInLines(const Tick& tick) noexcept;
     [[nodiscard]] bool isFarOff(const Tick& tick) const noexcept;
-    /// How many of the recent ticks come after a jump; 0: there was none.
+    /// Number of the recent ticks that come after a jump; 0: there was none.
     [[nodiscard]] std::size_t ticksSinceJump() const noexcept;
-    /// How far the last ticks, so many, are off the line before them, in standard deviations.
+    /// Distance of the last `ticks` ticks from the line before them, in standard deviations.
     [[nodiscard]] double jumpBefore(std::size_t ticks) const noexcept;
 
     Line line_;

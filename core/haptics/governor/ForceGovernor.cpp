@@ -7,7 +7,10 @@ namespace asperity {
 
 namespace {
 
-/// After a stall one tick may stand for many; the force comes on by no more than this at once.
+constexpr double kStretch = 2e-3;   // [s]
+constexpr double kRounding = 1e-9;  // of a sum of time steps, relative
+
+/// After a stall one tick may count for many; the force comes on by no more than this at once.
 constexpr double kMaxStep = 10e-3;  // [s]
 
 bool isFinite(const TickInput& input, const ForceRequest& request) {
@@ -72,7 +75,7 @@ double nextShare(const TickInput& input, double before, double wanted, double de
     return std::min(1.0, before + step / input.settings.governor.engageTime);
 }
 
-/// What keeps the force away, or On.
+/// Returns what keeps the force away, or On.
 ForceState permission(const TickInput& input, Fault fault) {
     if (fault != Fault::None) {
         return ForceState::Fault;
@@ -111,6 +114,20 @@ GovernedForce passed(const TickInput& input, const ForceRequest& request) {
 }
 
 }  // namespace
+
+SpeedWatch watchSpeed(const SpeedWatch& watch, const Vector3& position, double timeStep) noexcept {
+    if (!watch.started) {
+        return {.from = position, .started = true};
+    }
+    SpeedWatch next = watch;
+    next.time += timeStep;
+    if (next.time >= kStretch * (1.0 - kRounding)) {
+        next.speed = (position - watch.from).stableNorm() / next.time;
+        next.from = position;
+        next.time = 0.0;
+    }
+    return next;
+}
 
 GovernedForce governForce(const TickInput& input, const ForceRequest& request,
                           const GovernorMemory& before) noexcept {

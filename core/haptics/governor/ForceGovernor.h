@@ -1,13 +1,26 @@
 #pragma once
 
 #include "core/Vector.h"
-#include "core/haptics/governor/SpeedWatch.h"
 #include "core/scene/TickInput.h"
 #include "core/scene/TickOutput.h"
 
 #include <cstdint>
 
 namespace asperity {
+
+/// Measures how fast a device moves over stretches of two milliseconds, or one tick where that is
+/// longer: a device reports less often than a fast loop ticks, and from tick to tick its position
+/// would stand still and leap.
+struct SpeedWatch {
+    Vector3 from = Vector3::Zero();  ///< where the present stretch began [m]
+    double time = 0.0;               ///< since then [s]
+    bool started = false;            ///< false: nothing is known of the device yet
+    double speed = 0.0;              ///< over the last whole stretch [m/s]
+};
+
+/// The watch after one more time step [s], with the device at `position` [m]. Both finite.
+[[nodiscard]] SpeedWatch watchSpeed(const SpeedWatch& watch, const Vector3& position,
+                                    double timeStep) noexcept;
 
 /// A device may be silent for this long; then its force begins to fade [s].
 inline constexpr double kSilenceAllowed = 10e-3;
@@ -17,7 +30,7 @@ inline constexpr double kSilenceEnd = 40e-3;
 /// Share of the largest force up to which a force may come on.
 inline constexpr double kSmallShare = 0.1;
 
-/// What a tick wants the operator to feel; the device's axes.
+/// Force that a tick requests for the operator; the device's axes.
 struct ForceRequest {
     Vector3 force = Vector3::Zero();  ///< of the coupling, or of the sample itself [N]
     double mismatch = 0.0;            ///< Kc |device less proxy|, 0 without a coupling [N]
@@ -25,10 +38,10 @@ struct ForceRequest {
     Fault fault = Fault::None;        ///< latched before, or found by this tick
 };
 
-/// What the governor hands from one tick to the next.
+/// State of the governor carried from tick to tick.
 struct GovernorMemory {
     double share = 0.0;        ///< of the wanted force that acts, 0 to 1
-    double edgeShare = 0.0;    ///< likewise of the edge's
+    double edgeShare = 0.0;    ///< same of the edge's
     std::uint32_t starts = 0;  ///< as the last tick had them
     SpeedWatch speed;          ///< of the device
 };
@@ -45,7 +58,7 @@ struct GovernedForce {
 /// it is small (kSmallShare), the proxy near the device and the device slow; dead-man switch;
 /// watchdog on the age of the device's newest report; velocity trip, while the force acts. A fault,
 /// a released switch, a start and forces off take the force away in the same tick, and it comes on
-/// anew afterwards; a clutch does so to all but the force of the workspace's edge. In normal
+/// again afterwards; a clutch does so to all but the force of the workspace's edge. In normal
 /// running the wanted force passes unchanged: nothing is smoothed. A device that only senses gets
 /// its force as wanted, or none. Source: docs/haptics.md, Governor.
 [[nodiscard]] GovernedForce governForce(const TickInput& input, const ForceRequest& request,

@@ -1,9 +1,6 @@
 #include "core/haptics/mapping/WorkspaceMapping.h"
 
-#include "core/haptics/mapping/SoftLimit.h"
-
 #include <algorithm>
-#include <cmath>
 
 namespace asperity {
 

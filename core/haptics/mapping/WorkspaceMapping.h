@@ -1,20 +1,41 @@
 #pragma once
 
 #include "core/Vector.h"
-#include "core/scene/Workspace.h"
+#include "core/scene/Settings.h"
 
+#include <cmath>
 #include <optional>
 
 namespace asperity {
 
-/// What an operator may change while the loop runs; none of it moves anything by itself.
+/// Length of a vector, where Eigen's norm() would overflow, too.
+[[nodiscard]] inline double lengthOf(const Vector3& vector) noexcept {
+    return std::hypot(vector.x(), vector.y(), vector.z());
+}
+
+/// The force f / sqrt(1 + |f|^2 / limit^2): its direction is that of f, small forces pass nearly
+/// unchanged, none is above the limit. It is the gradient of a convex function of f, which is what
+/// keeps a spring with a damper passive when their sum is limited; docs/haptics.md.
+/// @param force finite [N]
+/// @param limit >= 0 [N]; 0: no force
+[[nodiscard]] inline Vector3 softLimited(const Vector3& force, double limit) noexcept {
+    const double size = lengthOf(force);
+    if (!(size > 0.0 && limit > 0.0)) {
+        return Vector3::Zero();
+    }
+    // Takes the form whose quotient is at most 1.
+    return size > limit ? Vector3((force / size) * (limit / std::hypot(1.0, limit / size)))
+                        : Vector3(force / std::hypot(1.0, size / limit));
+}
+
+/// Settings that an operator may change while the loop runs; none moves anything by itself.
 struct MappingSettings {
     double positionGain = 1.0;           ///< displacement at the tip per displacement of the device
     Matrix3 axes = Matrix3::Identity();  ///< rotation from the device's axes to the world's
     bool clutched = false;               ///< the device moves, what it commands stays
 };
 
-/// What one step hands to the next.
+/// State carried from step to step.
 struct MappingMemory {
     Vector3 device = Vector3::Zero();  ///< its last position, the device's axes [m]
     bool follows = false;  ///< the device commanded there, so that its next motion counts
@@ -26,7 +47,7 @@ enum class MappingStatus {
     Invalid,    ///< a value is not finite, a gain not above 0, or the axes are no rotation
 };
 
-/// What one step makes.
+/// Results of one step.
 struct MappingStep {
     MappingStatus status = MappingStatus::Invalid;
     Vector3 motion = Vector3::Zero();        ///< of the device, world axes, its own scale [m]
@@ -73,7 +94,7 @@ struct MappingStep {
 
 /// Force of the workspace's spring on the device, the device's axes [N]: zero up to the free share
 /// of the radius, from there k (r - r0) towards the center, which nears the force limit smoothly.
-/// It depends on the place alone: what it takes from a device it gives back. Zero for invalid
+/// It depends on the position alone: what it takes from a device it gives back. Zero for invalid
 /// values.
 [[nodiscard]] Vector3 edgeForce(const Workspace& workspace, const Vector3& device) noexcept;
 

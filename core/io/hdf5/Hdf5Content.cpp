@@ -21,7 +21,7 @@ public:
         if (!content_.startsWith(hdf5_content::kStart)) {
             fail();
         }
-        place_ = hdf5_content::kStart.size();
+        offset_ = hdf5_content::kStart.size();
         std::vector<Hdf5Item> items;
         for (char record = take<char>(); record != hdf5_content::kEnd; record = take<char>()) {
             if (items.size() == hdf5_content::kMaxItems) {
@@ -29,7 +29,7 @@ public:
             }
             items.push_back(item(record));
         }
-        if (take<std::uint64_t>() != items.size() || place_ != content_.size()) {
+        if (take<std::uint64_t>() != items.size() || offset_ != content_.size()) {
             fail();
         }
         return items;
@@ -40,8 +40,8 @@ private:
     Number take() {
         Number number{};
         requireThere(sizeof number);
-        content_.read(place_, {reinterpret_cast<char*>(&number), sizeof number});
-        place_ += sizeof number;
+        content_.read(offset_, {reinterpret_cast<char*>(&number), sizeof number});
+        offset_ += sizeof number;
         return number;
     }
 
@@ -53,8 +53,8 @@ private:
         }
         requireThere(size);
         std::string path(size, '\0');
-        content_.read(place_, path);
-        place_ += size;
+        content_.read(offset_, path);
+        offset_ += size;
         return path;
     }
 
@@ -87,8 +87,8 @@ private:
         if (take<std::uint8_t>() != 0) {
             const std::uint64_t size = product(item.count, item.bytes);
             requireThere(size);
-            item.place = place_;
-            place_ += size;
+            item.offset = offset_;
+            offset_ += size;
         }
     }
 
@@ -115,7 +115,7 @@ private:
     }
 
     void requireThere(std::uint64_t bytes) const {
-        if (bytes > content_.size() - place_) {
+        if (bytes > content_.size() - offset_) {
             fail();
         }
     }
@@ -127,14 +127,14 @@ private:
 
     const ByteSource& content_;
     const std::string& file_;
-    std::uint64_t place_ = 0;
+    std::uint64_t offset_ = 0;
     std::uint64_t pathBytes_ = 0;
 };
 
 template <class Number>
-void convert(const ByteSource& content, std::uint64_t place, std::span<double> numbers) {
+void convert(const ByteSource& content, std::uint64_t offset, std::span<double> numbers) {
     std::vector<Number> stored(numbers.size());
-    content.read(place, {reinterpret_cast<char*>(stored.data()), stored.size() * sizeof(Number)});
+    content.read(offset, {reinterpret_cast<char*>(stored.data()), stored.size() * sizeof(Number)});
     std::ranges::transform(stored, numbers.begin(),
                            [](Number number) { return static_cast<double>(number); });
 }
@@ -184,7 +184,7 @@ const Hdf5Item* Hdf5Content::find(Hdf5Item::Kind kind, std::string_view path) co
 
 void Hdf5Content::requireValues(const Hdf5Item& item, std::uint64_t first,
                                 std::uint64_t count) const {
-    if (!item.place || first > item.count || count > item.count - first) {
+    if (!item.offset || first > item.count || count > item.count - first) {
         fail(item.path, "expected " + std::to_string(count) + " values from number " +
                             std::to_string(first) + " on");
     }
@@ -196,7 +196,7 @@ void Hdf5Content::read(const Hdf5Item& item, std::uint64_t first, std::span<doub
         fail(item.path, "expected numbers");
     }
     requireValues(item, first, numbers.size());
-    converter(*content_, *item.place + first * item.bytes, numbers);
+    converter(*content_, *item.offset + first * item.bytes, numbers);
 }
 
 void Hdf5Content::read(const Hdf5Item& item, std::uint64_t first, std::span<char> texts) const {
@@ -204,12 +204,12 @@ void Hdf5Content::read(const Hdf5Item& item, std::uint64_t first, std::span<char
         fail(item.path, "expected a text");
     }
     requireValues(item, first, texts.size() / item.bytes);
-    content_->read(*item.place + first * item.bytes, texts);
+    content_->read(*item.offset + first * item.bytes, texts);
 }
 
 std::string Hdf5Content::text(Hdf5Item::Kind kind, std::string_view path) const {
     const Hdf5Item* const item = find(kind, path);
-    if (item == nullptr || item->type != Hdf5Type::Text || !item->place || item->count != 1) {
+    if (item == nullptr || item->type != Hdf5Type::Text || !item->offset || item->count != 1) {
         return {};
     }
     std::string text(item->bytes, '\0');
@@ -218,8 +218,8 @@ std::string Hdf5Content::text(Hdf5Item::Kind kind, std::string_view path) const 
     return text;
 }
 
-void Hdf5Content::fail(const std::string& place, const std::string& what) const {
-    throw InputError(file_, place, what);
+void Hdf5Content::fail(const std::string& location, const std::string& what) const {
+    throw InputError(file_, location, what);
 }
 
 }  // namespace asperity

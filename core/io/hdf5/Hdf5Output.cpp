@@ -1,7 +1,7 @@
 #include "core/io/hdf5/Hdf5Output.h"
 
 #include "core/Error.h"
-#include "core/io/hdf5/Hdf5Seal.h"
+#include "core/io/hdf5/Hdf5Program.h"
 
 #include <algorithm>
 
@@ -9,11 +9,11 @@ namespace asperity {
 
 namespace {
 
-/// The library says of itself what went wrong, on the terminal, for each thread that does not ask
+/// The library prints by itself what went wrong, on the terminal, for each thread that does not ask
 /// it to be silent.
 void beSilent() { H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr); }
 
-/// How files are opened: the lock of a TemporaryFile is ours, and some file systems have none.
+/// Opens without locks: that of a TemporaryFile is ours, and some file systems have none.
 Hdf5Object access() {
     beSilent();
     Hdf5Object properties(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
@@ -21,7 +21,7 @@ Hdf5Object access() {
     return properties;
 }
 
-/// As HDF5 1.10 has it: before, an empty column took two kilobytes.
+/// Creates a file of HDF5 1.10: before, an empty column took two kilobytes.
 Hdf5Object created(const std::filesystem::path& path) {
     const Hdf5Object properties = access();
     H5Pset_libver_bounds(properties.id(), H5F_LIBVER_V110, H5F_LIBVER_V110);

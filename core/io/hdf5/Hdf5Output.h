@@ -1,14 +1,44 @@
 #pragma once
 
-#include "core/io/hdf5/Hdf5Object.h"
-
 #include <cstdint>
 #include <filesystem>
+#include <hdf5.h>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace asperity {
+
+/// An open object of the HDF5 library, closed with its owner.
+class Hdf5Object {
+public:
+    using Close = herr_t (*)(hid_t);
+
+    /// @param id negative: there is none
+    Hdf5Object(hid_t id, Close close) noexcept : id_(id), close_(close) {}
+    ~Hdf5Object() {
+        if (id_ >= 0) {
+            close_(id_);
+        }
+    }
+    Hdf5Object(Hdf5Object&& other) noexcept
+        : id_(std::exchange(other.id_, -1)), close_(other.close_) {}
+    Hdf5Object& operator=(Hdf5Object&& other) noexcept {
+        std::swap(id_, other.id_);
+        std::swap(close_, other.close_);
+        return *this;
+    }
+    Hdf5Object(const Hdf5Object&) = delete;
+    Hdf5Object& operator=(const Hdf5Object&) = delete;
+
+    [[nodiscard]] bool isOpen() const noexcept { return id_ >= 0; }
+    [[nodiscard]] hid_t id() const noexcept { return id_; }
+
+private:
+    hid_t id_;
+    Close close_;
+};
 
 /// A file in the HDF5 format that is written.
 class Hdf5Output {
@@ -30,7 +60,7 @@ private:
     Hdf5Object file_;
 };
 
-/// The type of a text of so many bytes: UTF-8, filled up with zeros.
+/// The type of a text of this many bytes: UTF-8, filled up with zeros.
 [[nodiscard]] Hdf5Object textType(std::size_t bytes);
 /// Adds an attribute of text. @return false: it could not be written
 bool setText(hid_t object, const char* attribute, const std::string& text);

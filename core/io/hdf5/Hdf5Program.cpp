@@ -1,15 +1,18 @@
 #include "core/io/hdf5/Hdf5Program.h"
 
 #include "core/Error.h"
+#include "core/FormattedText.h"
 #include "core/PrintableText.h"
-#include "core/PrivateFolder.h"
 #include "core/ProgramRun.h"
+#include "core/TemporaryFile.h"
 #include "core/io/FileBytes.h"
 #include "core/io/TextValue.h"
 
 #include <algorithm>
+#include <boost/crc.hpp>
 #include <chrono>
 #include <cstdlib>
+#include <fstream>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -24,9 +27,11 @@ constexpr const char* kProgram = "asperity_hdf5_reader";
 constexpr int kRefused = 3;  // that it exits with, having said why
 constexpr std::uint64_t kMiB = std::uint64_t{1} << 20U;
 /// A chunk of 256 MiB, what it is decompressed from, and the libraries.
-constexpr std::uint64_t kMostMemory = 1024 * kMiB;
-constexpr std::uint64_t kLeastContent = 64 * kMiB;  // paths and shapes
-constexpr std::uint64_t kSlowest = kMiB;            // of a file that it reads in a second
+constexpr std::uint64_t kMaxMemory = 1024 * kMiB;
+constexpr std::uint64_t kMinContent = 64 * kMiB;  // paths and shapes
+constexpr std::uint64_t kSlowest = kMiB;          // of a file that it reads in a second
+/// The program gets at least this share of a processor, whatever else the machine does.
+constexpr int kMinShare = 10;
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 constexpr bool kIsSanitized = true;
@@ -47,9 +52,9 @@ std::string environmentValue(const char* name) {
 }
 
 std::optional<std::filesystem::path> programIn(const std::filesystem::path& folder) {
-    for (const std::filesystem::path& place : {folder, folder.parent_path() / "libexec/asperity"}) {
-        if (isProgram(place / kProgram)) {
-            return place / kProgram;
+    for (const std::filesystem::path& root : {folder, folder.parent_path() / "libexec/asperity"}) {
+        if (isProgram(root / kProgram)) {
+            return root / kProgram;
         }
     }
     return std::nullopt;
@@ -72,14 +77,15 @@ public:
         const ProgramOutcome outcome = run();
         if (outcome.end == ProgramEnd::TimedOut) {
             fail("the program that reads HDF5 did not end within " + std::to_string(time_.count()) +
-                 " s");
+                 " s of processor time, or " + std::to_string(kMinShare * time_.count()) +
+                 " s in all");
         }
         if (outcome.end == ProgramEnd::Exited && outcome.exitCode == kRefused) {
             fail(std::string(trimmed(outcome.output)));
         }
         if (outcome.end != ProgramEnd::Exited || outcome.exitCode != 0) {
             fail("the program that reads HDF5 crashed on it, or needed more than " +
-                 std::to_string(kMostMemory / kMiB) + " MiB of memory");
+                 std::to_string(kMaxMemory / kMiB) + " MiB of memory");
         }
         return {std::make_shared<FileBytes>(arguments_[1], file_.name()), file_.name()};
     }
@@ -104,16 +110,17 @@ private:
     [[nodiscard]] ProgramOutcome run() const {
         // A sanitizer needs addresses for all memory that there might be, and has a limit itself.
         const std::string limit =
-            ":hard_rss_limit_mb=" + std::to_string(kMostMemory / kMiB) + ":detect_leaks=0";
+            ":hard_rss_limit_mb=" + std::to_string(kMaxMemory / kMiB) + ":detect_leaks=0";
         return runProgram(
             {.program = program_,
              .arguments = arguments_,
              .environment = {"LC_ALL=C.UTF-8", "HDF5_USE_FILE_LOCKING=FALSE",
                              "ASAN_OPTIONS=" + limit, "TSAN_OPTIONS=" + limit},
              .folder = folder_.path(),
-             .deadline = std::chrono::steady_clock::now() + time_,
-             .maxFile = kLeastContent + file_.size() * kMaxHdf5Expansion,
-             .maxMemory = kIsSanitized ? std::numeric_limits<std::uint64_t>::max() : kMostMemory});
+             .deadline = std::chrono::steady_clock::now() + kMinShare * time_,
+             .maxProcessorTime = time_,
+             .maxFile = kMinContent + file_.size() * kMaxHdf5Expansion,
+             .maxMemory = kIsSanitized ? std::numeric_limits<std::uint64_t>::max() : kMaxMemory});
     }
 
     [[noreturn]] void fail(const std::string& why) const {
@@ -126,6 +133,26 @@ private:
     PrivateFolder folder_;
     std::vector<std::string> arguments_;
 };
+
+constexpr std::string_view kMark = "Asperity, HDF5 behind this block";
+constexpr std::string_view kHdf5 = "\x89HDF";          // how a file without a block begins
+constexpr std::size_t kPiece = std::size_t{1} << 18U;  // [byte]
+
+std::string sealOf(const ByteSource& file) {
+    boost::crc_32_type crc;
+    std::vector<char> piece;
+    for (std::uint64_t offset = kSealBytes; offset < file.size(); offset += piece.size()) {
+        piece.resize(
+            static_cast<std::size_t>(std::min<std::uint64_t>(kPiece, file.size() - offset)));
+        file.read(offset, piece);
+        crc.process_bytes(piece.data(), piece.size());
+    }
+    std::string seal = std::string(kMark) + formatted(": %llu bytes, CRC-32 %08x\n",
+                                                      static_cast<unsigned long long>(file.size()),
+                                                      crc.checksum());
+    seal.resize(kSealBytes, '\0');
+    return seal;
+}
 
 }  // namespace
 
@@ -161,6 +188,30 @@ Hdf5Content readHdf5(const ByteSource& file, const std::vector<std::string>& pat
         throw;
     } catch (const Error& error) {  // of the folder, the copy or the program, not of the file
         throw InputError(file.name(), "", std::string("it cannot be read: ") + error.what());
+    }
+}
+
+void sealHdf5(const std::filesystem::path& path) {
+    const std::string seal = sealOf(FileBytes(path));
+    std::fstream file(path, std::ios::in | std::ios::out | std::ios::binary);
+    file.write(seal.data(), static_cast<std::streamsize>(seal.size()));
+    file.close();
+    if (!file) {
+        throw Error(path.string() + ": not all of it could be written");
+    }
+}
+
+void requireSeal(const ByteSource& file) {
+    if (!file.startsWith(kMark)) {
+        throw InputError(file.name(), "",
+                         file.startsWith(kHdf5)
+                             ? "expected a recording in the HDF5 format: this file is another "
+                               "program's, it has no check sum of Asperity's"
+                             : "expected a file in the HDF5 format");
+    }
+    if (!file.startsWith(sealOf(file))) {
+        throw InputError(file.name(), "",
+                         "it is damaged, or another program has changed it: its check sum differs");
     }
 }
 

@@ -2,7 +2,6 @@
 
 #include "core/Error.h"
 
-#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstdio>
@@ -17,9 +16,9 @@ constexpr double kMaxWidth = 1e3;    // of an image [m]
 constexpr double kMinPixel = 1e-15;  // [m]
 constexpr double kMinFloat = std::numeric_limits<float>::min();
 
-/// What the bits of a row's values say, without a comparison that raises a flag, and without a
+/// Facts from the bits of a row's values, without a comparison that raises a flag, and without a
 /// branch: the order of the bits is that of the magnitudes, and what is larger than a limit carries
-/// into the sign's place.
+/// into the sign.
 struct RowBits {
     bool allWithin = false;  ///< all are numbers up to the limit
     bool hasSize = false;    ///< one is at least kMin; only where all are within
@@ -42,7 +41,7 @@ RowBits scale(double* values, int count, double factor, double limit) {
     return {.allWithin = beyond <= kMagnitude, .hasSize = sized > kMagnitude};
 }
 
-/// Whether a value is a number or infinite, and larger than its limit.
+/// Returns whether a value is a number or infinite, and larger than its limit.
 bool isBeyond(double value, double limit) {
     constexpr std::uint64_t kMagnitude = 0x7fffffffffffffffU;
     constexpr auto kInfinite =
@@ -63,7 +62,7 @@ std::string text(double value) {
     return digits;
 }
 
-/// What is wrong where a value is beyond what it can be.
+/// The reason where a value is beyond what it can be.
 constexpr const char* kCause = ". The file is damaged, or its unit or scale is wrong";
 
 }  // namespace
@@ -78,9 +77,9 @@ ChannelRows::ChannelRows(const StoredChannel& stored, const ByteSource& bytes)
 
 void ChannelRows::requireScale() const {
     const ScanChannel& channel = stored_.channel;
-    const std::string place = "channel '" + channel.name + "'";
+    const std::string location = "channel '" + channel.name + "'";
     if (!std::isfinite(stored_.factor)) {
-        throw InputError(bytes_.name(), place, "the scale of its values is no finite number");
+        throw InputError(bytes_.name(), location, "the scale of its values is no finite number");
     }
     if (!channel.hasSize()) {
         return;
@@ -88,7 +87,7 @@ void ChannelRows::requireScale() const {
     const double widest = std::max(channel.map.sizeX(), channel.map.sizeY());
     const double narrowest = std::min(channel.map.pitchX, channel.map.pitchY);
     if (!(widest <= kMaxWidth && narrowest >= kMinPixel)) {
-        throw InputError(bytes_.name(), place,
+        throw InputError(bytes_.name(), location,
                          "a scan of " + text(channel.map.sizeX()) + " m x " +
                              text(channel.map.sizeY()) +
                              " m; pixels of 1 fm or more and at most 1 km in all are expected");

@@ -27,11 +27,11 @@ public:
     /// @throw InputError naming the pixel when a value is beyond its limit
     bool read(int row, RowRoom& room, double* values);
 
-    /// Whether a pixel that was read may hold no data.
+    /// Returns whether a pixel that was read may hold no data.
     [[nodiscard]] bool mayHaveHoles() const { return mayHaveHoles_; }
     /// To be called when all rows are read.
-    /// @throw InputError when no height can be told from zero in single precision though the file
-    ///        says that some are none, or the content has changed meanwhile
+    /// @throw InputError when no height differs from zero in single precision though the file
+    ///        says that some are none, or the content has changed
     void finish() const;
 
 private:
@@ -44,7 +44,7 @@ private:
     const ByteSource& bytes_;
     double limit_;  ///< of a value's magnitude, in the channel's unit
     std::atomic<bool> mayHaveHoles_ = false;
-    std::atomic<bool> hasSize_ = false;  ///< a value that single precision tells from zero was read
+    std::atomic<bool> hasSize_ = false;  ///< a value that is not 0 in single precision was read
 };
 
 /// Calls visit(row, values) with each row of an image, from the top, and finishes.

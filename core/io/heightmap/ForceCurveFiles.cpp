@@ -77,18 +77,18 @@ bool holdsNtMdtCurvesAlone(const ByteSource& bytes) {
         return false;
     }
     const auto frames = numberIn<std::uint16_t>(bytes, {kLastFrame, sizeof(std::uint16_t)});
-    std::uint64_t place = kFirstFrame;
+    std::uint64_t offset = kFirstFrame;
     for (int frame = 0; frame <= frames; ++frame) {
-        if (place + kFrameStart > bytes.size()) {
+        if (offset + kFrameStart > bytes.size()) {
             return false;
         }
-        const std::string start = bytesOf(bytes, {place, kFrameStart});
+        const std::string start = bytesOf(bytes, {offset, kFrameStart});
         const auto length = littleEndian<std::uint32_t>(start.data());
         const auto type = littleEndian<std::uint16_t>(start.data() + sizeof(length));
         if (length < kFrameStart || std::ranges::count(kCurves, type) == 0) {
             return false;
         }
-        place += length;
+        offset += length;
     }
     return true;
 }

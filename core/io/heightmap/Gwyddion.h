@@ -15,7 +15,7 @@ struct Gwyddion {
 /// The first program `gwyddion` in these folders.
 /// @param folders separated by colons, as in PATH
 [[nodiscard]] Gwyddion gwyddionIn(std::string_view folders);
-/// That of PATH.
+/// Returns the program found by PATH.
 [[nodiscard]] Gwyddion installedGwyddion();
 
 }  // namespace asperity

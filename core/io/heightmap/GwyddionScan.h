@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/io/ByteSource.h"
+#include "core/io/ByteReader.h"
 #include "core/io/heightmap/Gwyddion.h"
 #include "core/io/heightmap/HeightMapFormat.h"
 
@@ -8,7 +8,7 @@
 
 namespace asperity {
 
-/// What Gwyddion made of a content.
+/// Content as Gwyddion converts it.
 struct GwyddionScan {
     std::string format;  ///< for people: "Nearly raw raster data (NRRD) files (.nrrd), through
                          ///< Gwyddion 2.62"
@@ -19,7 +19,7 @@ struct GwyddionScan {
 /// gets a copy in a folder of its own under the system's temporary one, which is removed before
 /// this returns.
 /// @param gwyddion its program is not empty
-/// @param unknown what a refusal begins with when Gwyddion does not recognize the content, either
+/// @param unknown start of a refusal when Gwyddion does not recognize the content, either
 /// @throw InputError then, and when Gwyddion only guesses (a score below 50), takes it for a
 ///        picture, fails, writes too much or does not end in time; Error when there is no room for
 ///        the copy or the program cannot be started

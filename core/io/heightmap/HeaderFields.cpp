@@ -15,6 +15,58 @@ constexpr std::uint64_t kMaxHeader = std::uint64_t{1} << 18U;
 
 }  // namespace
 
+TextQuota TextQuota::ofEach(std::size_t images) {
+    constexpr TextQuota kOne;
+    const std::size_t shares = std::max(images, kFullShares);
+    return {.count = kOne.count * kFullShares / shares, .bytes = kOne.bytes * kFullShares / shares};
+}
+
+void BoundedTexts::add(std::string name, std::string text) {
+    if (texts_.contains(name)) {
+        return;
+    }
+    const std::size_t bytes = name.size() + text.size();
+    if (texts_.size() == quota_.count || bytes > quota_.bytes - bytes_) {
+        isCut_ = true;
+        return;
+    }
+    bytes_ += bytes;
+    texts_.emplace(std::move(name), std::move(text));
+}
+
+void BoundedTexts::set(std::string name, std::string text) {
+    const auto old = texts_.find(name);
+    if (old == texts_.end()) {
+        add(std::move(name), std::move(text));
+        return;
+    }
+    const std::size_t others = bytes_ - old->second.size();
+    if (text.size() > quota_.bytes - others) {
+        isCut_ = true;
+        return;
+    }
+    bytes_ = others + text.size();
+    old->second = std::move(text);
+}
+
+void BoundedTexts::remove(const std::string& name) {
+    if (const auto text = texts_.find(name); text != texts_.end()) {
+        bytes_ -= text->first.size() + text->second.size();
+        texts_.erase(text);
+    }
+}
+
+void BoundedTexts::add(const std::map<std::string, std::string>& texts) {
+    for (const auto& [name, text] : texts) {
+        add(name, text);
+    }
+}
+
+void BoundedTexts::add(const BoundedTexts& texts) {
+    add(texts.all());
+    isCut_ = isCut_ || texts.isCut_;
+}
+
 HeaderText headerText(const ByteSource& bytes, std::string_view mark) {
     std::string start = bytes.startUntil(
         [mark](std::string_view text) { return text.find(mark) != std::string_view::npos; },
@@ -40,8 +92,8 @@ std::vector<std::string_view> linesOf(std::string_view text) {
     return lines;
 }
 
-HeaderFields::HeaderFields(std::string file, std::string place)
-    : file_(std::move(file)), place_(std::move(place)) {}
+HeaderFields::HeaderFields(std::string file, std::string location)
+    : file_(std::move(file)), location_(std::move(location)) {}
 
 void HeaderFields::add(std::string_view key, std::string_view value) {
     fields_.add(toUtf8(trimmed(key)), toUtf8(trimmed(value)));
@@ -60,7 +112,8 @@ std::string HeaderFields::text(const std::string& key) const {
 const std::string& HeaderFields::required(const std::string& key) const& {
     const std::string* const value = find(key);
     if (value == nullptr) {
-        throw InputError(file_, place_.empty() ? "header" : place_, "it has no '" + key + "'");
+        throw InputError(file_, location_.empty() ? "header" : location_,
+                         "it has no '" + key + "'");
     }
     return *value;
 }
@@ -88,7 +141,7 @@ double HeaderFields::requiredNumber(const std::string& key) const {
 }
 
 void HeaderFields::fail(const std::string& key, const std::string& what) const {
-    throw InputError(file_, place_.empty() ? key : place_ + " " + key, what);
+    throw InputError(file_, location_.empty() ? key : location_ + " " + key, what);
 }
 
 HeaderSections sectionsOf(std::string_view text, char separator, const std::string& file) {

@@ -1,16 +1,14 @@
 #include "core/io/heightmap/HeightMapFile.h"
 
 #include "core/Error.h"
-#include "core/Utf8.h"
-#include "core/io/BufferedFile.h"
+#include "core/PrintableText.h"
+#include "core/io/FileBytes.h"
 #include "core/io/TextValue.h"
-#include "core/io/heightmap/ApplyScale.h"
-#include "core/io/heightmap/DefaultChannel.h"
 #include "core/io/heightmap/GwyddionScan.h"
 #include "core/io/heightmap/HeightMapFormat.h"
-#include "core/io/heightmap/MaskValues.h"
-#include "core/io/heightmap/MissingScale.h"
-#include "core/io/heightmap/StoredRows.h"
+#include "core/io/heightmap/ImageScale.h"
+#include "core/io/heightmap/SampleRows.h"
+#include "core/io/heightmap/ScanFile.h"
 #include "core/io/heightmap/UnreadFormats.h"
 
 #include <algorithm>
@@ -47,7 +45,7 @@ std::string channelNames(const HeightMapFile& file) {
     return joined(names);
 }
 
-/// The first channel of this name; of several, one that is a height goes first.
+/// Returns the first channel of this name; of several, one that is a height is preferred.
 /// @param given in the encoding of a terminal or of the file
 const ScanChannel* findChannel(const HeightMapFile& file, const std::string& given) {
     const std::string name = toUtf8(given);
@@ -74,7 +72,7 @@ const ScanChannel& defaultHeight(const HeightMapFile& file, const std::string& p
     return channel;
 }
 
-/// What a refusal of an unknown content begins with: the place of the marks that are missed, too.
+/// Start of a refusal of an unknown content: the location of the missing marks, too.
 /// @throw InputError when it is a picture, which no other program makes heights of
 std::string unknownContent(const ByteSource& bytes) {
     const std::optional<UnreadFormat> format = unreadFormat(bytes);
@@ -87,7 +85,7 @@ std::string unknownContent(const ByteSource& bytes) {
     return "byte 0: this is " + std::string(format->name) + ", which is not read natively";
 }
 
-/// Where Gwyddion may read the content, that it does; of a format that it does not read, nothing.
+/// Names Gwyddion where it may read the content; of a format that it does not read, nothing.
 std::string gwyddionHint(const ByteSource& bytes) {
     const std::optional<UnreadFormat> format = unreadFormat(bytes);
     if (!format) {
@@ -96,7 +94,7 @@ std::string gwyddionHint(const ByteSource& bytes) {
     return format->byGwyddion ? "; with the Debian package gwyddion it is read" : "";
 }
 
-/// What reading its values needs.
+/// Returns what is needed to read its values.
 ScanChannel essentialsOf(const ScanChannel& channel) {
     return {.name = channel.name,
             .unit = channel.unit,
@@ -107,7 +105,7 @@ ScanChannel essentialsOf(const ScanChannel& channel) {
             .originY = channel.originY};
 }
 
-/// What is given of a scale does not change which channel is taken.
+/// Returns the default channel, whatever scale is given.
 std::size_t defaultOf(const StoredScan& scan) {
     std::vector<ScanChannel> channels;
     for (const StoredChannel& stored : scan.channels) {
@@ -127,11 +125,11 @@ std::size_t defaultOf(const StoredScan& scan) {
                : static_cast<std::size_t>(marked - channels.begin());
 }
 
-/// Cuts what no instrument writes: many channels may take their name from one place in the file.
+/// Cuts what no instrument writes: many channels may be named by one location.
 void cut(std::string& words) {
-    constexpr std::size_t kMost = 4096;
-    if (words.size() > kMost) {
-        words = std::string(utf8Start(words, kMost));  // the long one is freed
+    constexpr std::size_t kMax = 4096;
+    if (words.size() > kMax) {
+        words = std::string(utf8Start(words, kMax));  // the long one is freed
     }
 }
 

@@ -19,16 +19,16 @@ struct ScanChannel {
     std::string direction;    ///< "forward", "backward", or empty when the file does not say
     HeightMap map;  ///< values in `unit` (meters only when unit is "m"); pitch 0: not given
     bool isSurface = false;  ///< it shows the heights of the sample, whatever it is called
-    bool isMask = false;   ///< the values mark a part of the scan (core/io/heightmap/MaskValues.h)
+    bool isMask = false;   ///< the values mark a part of the scan (core/io/heightmap/SampleRows.h)
     double originX = 0.0;  ///< lower left corner of the image in the instrument's frame [m];
-                           ///< core/io/heightmap/ScanOrigin.h
+                           ///< core/io/heightmap/ScanImage.h
     double originY = 0.0;  ///< [m]
     std::map<std::string, std::string> metadata;
-    std::vector<std::string> notes;  ///< what the reader had to decide about it, a sentence each
+    std::vector<std::string> notes;      ///< decisions of the reader about it, a sentence each
     std::vector<Provenance> provenance;  ///< scale factors, orientation, ...
 
     [[nodiscard]] bool isHeight() const { return unit == "m"; }
-    /// Whether the file says how large the scan is, in meters.
+    /// Returns whether the file states the size of the scan in meters.
     [[nodiscard]] bool hasSize() const {
         return lateralUnit == "m" && map.pitchX > 0.0 && map.pitchY > 0.0;
     }
@@ -45,27 +45,27 @@ struct HeightMapFile {
 
 /// The notes on a channel, each with its name.
 [[nodiscard]] std::vector<std::string> ownNotes(const ScanChannel& channel);
-/// What a user of the channel should know: the notes on the file, and its own.
+/// Returns what a user of the channel should know: the notes on the file, and its own.
 [[nodiscard]] std::vector<std::string> notesOn(const HeightMapFile& file,
                                                const ScanChannel& channel);
 
-/// What the channel's numbers depend on: the entries of the file, and its own.
+/// Returns what the channel's numbers depend on: the entries of the file, and its own.
 [[nodiscard]] std::vector<Provenance> provenanceOf(const HeightMapFile& file,
                                                    const ScanChannel& channel);
 
 /// A type of files that can be read.
 struct ReadableFormat {
     std::string name;                     ///< for people
-    std::vector<std::string> extensions;  ///< usual ones: ".gwy"; `*` in them stands for any text
+    std::vector<std::string> extensions;  ///< usual ones: ".gwy"; `*` in them matches any text
 };
-/// Those whose files have usual extensions, as in the table of formats.
+/// Returns the formats with usual extensions, as in the table of formats.
 [[nodiscard]] std::vector<ReadableFormat> readableFormats();
 /// All of their extensions, each once.
 [[nodiscard]] std::vector<std::string> readableExtensions();
 
 /// Reads any supported file; the type is found by content, never by extension.
 /// @param gwyddion reads what no format here recognizes
-/// @throw InputError when the file cannot be read whole, changes meanwhile, is of an unknown type,
+/// @throw InputError when the file cannot be read whole, changes, is of an unknown type,
 ///        or holds a value that no instrument measures (a height beyond 1 km)
 [[nodiscard]] HeightMapFile readHeightMapFile(const std::filesystem::path& path,
                                               const Gwyddion& gwyddion = installedGwyddion());
@@ -75,7 +75,7 @@ struct ReadableFormat {
 [[nodiscard]] const ScanChannel&
 channelNamed(const HeightMapFile& file, const std::filesystem::path& path, const std::string& name);
 
-/// Names of the channels that heightChannel() takes, each once.
+/// Names of the channels that heightChannel() accepts, each once.
 [[nodiscard]] std::vector<std::string> heightChannels(const HeightMapFile& file);
 
 /// The named channel (empty: the default one) as a height map.

@@ -1,11 +1,11 @@
 #pragma once
 
-#include "core/io/ByteSource.h"
-#include "core/io/heightmap/BoundedTexts.h"
+#include "core/io/ByteReader.h"
 #include "core/io/heightmap/Gwyddion.h"
+#include "core/io/heightmap/HeaderFields.h"
 #include "core/io/heightmap/HeightMapFile.h"
 #include "core/surface/GivenScale.h"
-#include "core/surface/HeightRows.h"
+#include "core/surface/HeightMap.h"
 
 #include <array>
 #include <filesystem>
@@ -20,7 +20,7 @@
 namespace asperity {
 
 /// Memory for reading one row after another; each thread has its own. It keeps decoded samples
-/// alive: when the last room goes, so do they.
+/// alive until the last room is deleted.
 struct RowRoom {
     std::vector<char> bytes;  ///< of a row as it is stored, used again for the next one
     /// Decoded samples, by who decoded them.
@@ -35,36 +35,36 @@ struct StoredChannel {
     /// the source; any threads. @throw InputError when the bytes are not there any more
     std::function<void(int row, RowRoom& room, double* numbers)> readRow;
     int firstColumn = 0;  ///< of the file's image, of which this may be a part
-    int firstRow = 0;     ///< likewise
+    int firstRow = 0;     ///< the same
 };
 
 struct StoredScan {
     std::vector<StoredChannel> channels;
     std::vector<std::string> notes;
     std::vector<Provenance> provenance;  ///< of the whole file
-    /// Of equally good channels the one that the vendor's program shows first; empty: the one that
-    /// is stored first.
+    /// Direction that the vendor's program shows first, among equally good channels; empty: that of
+    /// the channel that is stored first.
     std::string usualDirection = {};
-    /// Of channels that may be a topography, the one that the file marks as its main one; empty: it
+    /// Channel that the file marks as its main one, among those that may be a topography; empty: it
     /// marks none.
     std::string markedChannel = {};
-    /// That all channels share, each of which has its own in its metadata; where both have one of
-    /// the same name, its own counts.
+    /// Texts that all channels share, each of which has its own in its metadata; where both have
+    /// one of the same name, its own counts.
     BoundedTexts texts = {};
     bool hasCutTexts = false;  ///< some of a channel's own texts were left out
 };
 
-/// What a written file says about a height map besides its heights.
+/// Information in a written file about a height map, besides its heights.
 struct HeightMapMeta {
     std::string title = "Height";  ///< UTF-8
     double originX = 0.0;          ///< lower left corner in the instrument's frame [m]
     double originY = 0.0;          ///< [m]
     std::string unit = "m";        ///< of the values; empty: they are numbers, no heights
-    /// What is known besides, by its name; UTF-8.
+    /// Further information by its name; UTF-8.
     std::map<std::string, std::string> metadata = {};
 };
 
-/// One of the images that go into a file together.
+/// One of the images that a file gets together.
 struct WrittenImage {
     HeightRows rows;  ///< values in the unit of `meta`; a pitch of 0: the size is not known
     HeightMapMeta meta;
@@ -75,11 +75,11 @@ struct WrittenImage {
 /// such a constant, and its lines at the end of this table.
 struct HeightMapFormat {
     std::string_view name;  ///< for people
-    /// That its files usually have, in lower case with their dot; `*` stands for any text. Writing
-    /// goes by them, reading does not.
+    /// Extensions that its files usually have, in lower case with their dot; `*` matches any
+    /// text. Writing uses them, reading does not.
     std::span<const std::string_view> extensions;
-    /// Whether the content is of this type, damaged or not; null: it is not read. It looks at few
-    /// bytes.
+    /// Returns whether the content is of this type, damaged or not, by a look at few bytes; null:
+    /// it is not read.
     bool (*recognizes)(const ByteSource& bytes);
     /// Checks the whole content, but leaves the values where they are; texts are read whole.
     /// @param bytes must outlive the result
@@ -89,7 +89,7 @@ struct HeightMapFormat {
     /// it is not written. Heights are NaN where there are no data. @throw Error; Canceled
     void (*write)(const std::filesystem::path& target, const HeightRows& map,
                   const HeightMapMeta& meta, Progress* progress);
-    /// As `write`, of several images in the order given; null: its files hold one each.
+    /// The same as `write`, of several images in the order given; null: its files hold one each.
     void (*writeAll)(const std::filesystem::path& target, std::span<const WrittenImage> images,
                      Progress* progress) = nullptr;
     /// Its files are recognized only to be refused in words: they hold nothing that can be read.
@@ -113,7 +113,7 @@ extern const HeightMapFormat kDigitalSurfFormat;
 extern const HeightMapFormat kSdfFormat;
 extern const HeightMapFormat kBcrFormat;
 extern const HeightMapFormat kIgorFormat;
-/// Of programs whose images no reader takes.
+/// Format of force curves, which no reader of images accepts.
 extern const HeightMapFormat kForceCurveFormat;
 extern const HeightMapFormat kExrFormat;   ///< float32
 extern const HeightMapFormat kTiffFormat;  ///< float32
@@ -131,8 +131,8 @@ extern const HeightMapFormat kNexusFormat;
 extern const HeightMapFormat kXyzFormat;
 extern const HeightMapFormat kTextFormat;  ///< doubles
 
-/// The most telling beginnings first. Images of instruments that are TIFFs or zips go before those
-/// of any kind, force curves before pictures and texts.
+/// The most specific beginnings first. Images of instruments that are TIFFs or zips come before
+/// those of any kind, force curves before pictures and texts.
 inline constexpr std::array kHeightMapFormats{
     &kGwyFormat,      &kNanoscopeFormat,     &kGsfFormat,      &kParkFormat,
     &kJpkFormat,      &kNanonisFormat,       &kNanosurfFormat, &kWsxmFormat,
@@ -143,10 +143,10 @@ inline constexpr std::array kHeightMapFormats{
 
 using HeightMapFormats = std::span<const HeightMapFormat* const>;
 
-/// What a content holds, without the heights.
+/// Content of a file without the heights.
 struct HeightMapContents {
     HeightMapFile file;
-    /// As many as the file has channels, whose notes and metadata they lack.
+    /// One for each channel of the file, without its notes and metadata.
     std::vector<StoredChannel> stored;
 };
 

@@ -1,11 +1,11 @@
 #include "core/io/heightmap/ImageScale.h"
 
-#include "core/Error.h"
+#include "core/SiFormat.h"
 #include "core/io/TextValue.h"
-#include "core/io/heightmap/HeightCounts.h"
+#include "core/io/heightmap/HeightStatistics.h"
 #include "core/io/heightmap/PhysicalUnit.h"
-#include "core/io/heightmap/ScanOrigin.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -121,6 +121,54 @@ ReadRow linear(ReadRow rows, int columns, double factor, double offset) {
         };
 }
 
+constexpr const char* kGiven = "given by the user";
+
+std::string sizeText(double x, double y) { return formatSi(x, "m") + " x " + formatSi(y, "m"); }
+
+void applySize(ScanChannel& channel, const GivenScale& given) {
+    HeightMap& map = channel.map;
+    std::string note = "size " + sizeText(given.sizeX, given.sizeY) + " as given";
+    if (channel.hasSize()) {
+        note +=
+            "; that of the file is " + sizeText(map.pitchX * map.columns, map.pitchY * map.rows);
+    }
+    std::erase(channel.notes, kNoSizeNote);
+    map.pitchX = pixelPitch(given.sizeX, map.columns);
+    map.pitchY = pixelPitch(given.sizeY, map.rows);
+    channel.lateralUnit = "m";
+    channel.notes.push_back(note);
+    if (std::abs(map.pitchX - map.pitchY) > 1e-3 * map.pitchX) {
+        channel.notes.push_back("its pixels are not square: " + sizeText(map.pitchX, map.pitchY));
+    }
+    std::erase_if(channel.provenance,
+                  [](const Provenance& entry) { return entry.what == "lateral size"; });
+    channel.provenance.push_back(
+        {"lateral size", exactText(given.sizeX) + " x " + exactText(given.sizeY) + " m", kGiven});
+}
+
+void applyHeight(StoredChannel& stored, const GivenScale& given) {
+    ScanChannel& channel = stored.channel;
+    const std::string factor = exactText(given.heightPerValue);
+    channel.notes.push_back("numbers taken as heights of " + factor + " m each as given");
+    channel.provenance.push_back(scaleProvenance(given.heightPerValue, "m", kGiven));
+    channel.unit = "m";
+    stored.factor *= given.heightPerValue;
+}
+
+/// With the options and the keys of a scene that say it.
+std::string missingText(const ScaleGap& gap) {
+    const std::string size = "the size of the scan (set it by --size, or size_x_m and size_y_m in "
+                             "a scene)";
+    const std::string height = "the unit of its values (set it by --z-unit and --z-scale, or "
+                               "z_scale_m in a scene)";
+    const std::string isMask =
+        gap.mask ? "this is a mask, not heights (use it as material_mask of a scene); " : "";
+    if (gap.size && gap.height) {
+        return isMask + "the file holds neither " + size + " nor " + height;
+    }
+    return isMask + "the file does not hold " + (gap.size ? size : height);
+}
+
 }  // namespace
 
 ImageScale gwyScale(const ImageTexts& texts, SampleType type, const std::string& file,
@@ -204,6 +252,41 @@ void setScale(StoredChannel& stored, double factor, double offset, const std::st
     }
     stored.factor = 1.0;
     stored.readRow = linear(std::move(stored.readRow), stored.channel.map.columns, factor, offset);
+}
+
+void applyScale(StoredScan& scan, const GivenScale& given, const std::string& file) {
+    const bool hasNumbers = std::ranges::any_of(
+        scan.channels, [](const StoredChannel& each) { return each.channel.unit.empty(); });
+    if (given.hasHeight() && !hasNumbers) {
+        throw InputError(file, "",
+                         "its values have units; --z-unit, --z-scale and z_scale_m are for values "
+                         "without one");
+    }
+    for (StoredChannel& stored : scan.channels) {
+        if (given.hasSize()) {
+            applySize(stored.channel, given);
+        }
+        if (given.hasHeight() && stored.channel.unit.empty()) {
+            applyHeight(stored, given);
+        }
+    }
+}
+
+MissingScale::MissingScale(const std::filesystem::path& path, const ScaleGap& gap)
+    : InputError(path.string(), "channel '" + gap.channel + "'", missingText(gap))
+    , path_(path)
+    , gap_(gap) {}
+
+void requireScale(const ScanChannel& channel, const std::filesystem::path& path) {
+    const ScaleGap gap{.channel = channel.name,
+                       .columns = channel.map.columns,
+                       .rows = channel.map.rows,
+                       .size = !channel.hasSize(),
+                       .height = channel.unit.empty(),
+                       .mask = channel.unit.empty() && channel.isMask};
+    if (gap.size || gap.height) {
+        throw MissingScale(path, gap);
+    }
 }
 
 }  // namespace asperity

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
-#include <limits>
 #include <optional>
 #include <string>
 
@@ -16,7 +15,7 @@ namespace {
 constexpr double kRowNoData = std::numeric_limits<double>::quiet_NaN();
 constexpr std::string_view kBlanks = " \t";
 
-/// In lower case. What std::from_chars takes ("nan", "inf") is none of them.
+/// In lower case. Those of std::from_chars ("nan", "inf") are none of them.
 constexpr std::array<std::string_view, 10> kMissingWords = {
     "bad", "n/a", "na", "null", "1.#qnan", "-1.#qnan", "1.#ind", "-1.#ind", "1.#inf", "-1.#inf"};
 
@@ -138,6 +137,22 @@ bool isMissingWord(std::string_view cell) {
     const bool dashes = cell.size() > 1 && consistsOf(cell, '-');
     return dashes || consistsOf(cell, '*') ||
            std::ranges::count(kMissingWords, lowerCase(cell)) > 0;
+}
+
+NumberRange numberRangeOf(const ReadRow& rows, ImageSize size) {
+    NumberRange range;
+    RowRoom room;
+    std::vector<double> numbers(static_cast<std::size_t>(size.columns));
+    for (int row = 0; row < size.rows; ++row) {
+        rows(row, room, numbers.data());
+        for (const double number : numbers) {
+            if (isFiniteHeight(number)) {
+                range.lowest = std::min(range.lowest, number);
+                range.highest = std::max(range.highest, number);
+            }
+        }
+    }
+    return range;
 }
 
 }  // namespace asperity

@@ -73,7 +73,7 @@ bool isListed(const auto& list, std::string_view text) {
     return std::find(list.begin(), list.end(), text) != list.end();
 }
 
-/// A unit whose name stands in full, such as "Volts" or "nanometer".
+/// A unit whose name is written in full, such as "Volts" or "nanometer".
 std::optional<PhysicalUnit> namedUnit(std::string_view text) {
     const std::string name = lowerCase(text);
     for (const Prefix& prefix : kPrefixNames) {

@@ -12,7 +12,7 @@ struct PhysicalUnit {
 };
 
 /// Reads a unit with an SI prefix. Micro may be written u, µ (both code points) or Bruker's ~;
-/// ångström as Å, "Ang" or "Angstrom"; degrees as °, º or "deg"; names may stand in full ("Volts",
+/// ångström as Å, "Ang" or "Angstrom"; degrees as °, º or "deg"; names may be in full ("Volts",
 /// "nanometer"). A unit that is not known is kept as it is written, with the factor 1.
 /// @param text UTF-8
 [[nodiscard]] PhysicalUnit parseUnit(std::string_view text);

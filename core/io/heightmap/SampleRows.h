@@ -1,6 +1,7 @@
 #pragma once
 
-#include "core/io/ByteSource.h"
+#include "core/Progress.h"
+#include "core/io/ByteReader.h"
 #include "core/io/heightmap/HeightMapFormat.h"
 #include "core/io/heightmap/ScanImage.h"
 
@@ -32,12 +33,12 @@ enum class SampleType : std::uint8_t {
 
 enum class ByteOrder : std::uint8_t { Little, Big };
 
-/// How the samples of an image lie in a file: row after row without gaps.
+/// Layout of the samples of an image in a file: row after row without gaps.
 struct SampleLayout {
     ImageSize size;
     SampleType type = SampleType::Float32;
     ByteOrder order = ByteOrder::Little;
-    std::uint64_t place = 0;   ///< of the first sample [bytes]
+    std::uint64_t offset = 0;  ///< of the first sample [bytes]
     bool bottomFirst = false;  ///< the first stored row is the lowest of the image
     bool rightFirst = false;   ///< the first stored sample of a row is its rightmost
 
@@ -49,9 +50,9 @@ struct SampleLayout {
     }
 };
 
-/// @param place for the message: what the samples belong to
+/// @param owner for the message: what the samples belong to
 /// @throw InputError when the file does not hold all of them
-void requireSamples(const ByteSource& bytes, const SampleLayout& layout, const std::string& place);
+void requireSamples(const ByteSource& bytes, const SampleLayout& layout, const std::string& owner);
 
 using ReadRow = decltype(StoredChannel::readRow);
 
@@ -90,7 +91,7 @@ private:
 /// @param decode gives the samples of the layout, which begins at its byte 0 or later; it is called
 ///        again where it threw, or when no room has its samples any more
 /// @param file for messages
-/// @throw InputError when they and the heights take more memory than an input may
+/// @throw InputError when they and the heights need more memory than an input may
 [[nodiscard]] ReadRow rowsOfDecoded(std::function<std::string()> decode, const SampleLayout& layout,
                                     const std::string& file);
 /// The same of samples that several images may share.
@@ -100,7 +101,7 @@ private:
 /// Reads rows of numbers that are in memory, one row after the other from the top.
 [[nodiscard]] ReadRow rowsOfNumbers(std::deque<double> numbers, int columns);
 
-/// Whether a mask's value says that its pixel holds no data.
+/// Returns whether a mask's value says that its pixel holds no data.
 [[nodiscard]] constexpr bool isMarked(double value) { return value > 0.0; }
 /// The same rows without the numbers that a mask of the same size marks.
 [[nodiscard]] ReadRow masked(ReadRow rows, int columns, ReadRow mask);
@@ -118,5 +119,21 @@ template <class Replace>
 
 /// The same rows, which keep alive what they are read from.
 [[nodiscard]] ReadRow keeping(ReadRow rows, std::shared_ptr<const ByteSource> bytes);
+
+/// Finds whether a channel is a mask, and notes it there. Values of a mask have no unit; they are
+/// shares from 0 to 1, at least half of them 0 or 1, or all of them 0 or the highest number of 8 or
+/// 16 bits. Of heights without unit, few are exactly the lowest or the highest one.
+void noteMask(StoredChannel& stored);
+
+/// All rows of an image.
+/// @param bytes where the image lies
+/// @throw InputError as ChannelRows; Canceled
+[[nodiscard]] HeightMap readHeightMap(const StoredChannel& stored, const ByteSource& bytes,
+                                      Progress* progress = nullptr);
+
+/// All rows of an image in single precision, about its first height.
+/// @throw as readHeightMap()
+[[nodiscard]] ScanMap readScanMap(const StoredChannel& stored, const ByteSource& bytes,
+                                  Progress* progress = nullptr);
 
 }  // namespace asperity

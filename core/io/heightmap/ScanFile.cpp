@@ -1,13 +1,66 @@
 #include "core/io/heightmap/ScanFile.h"
 
-#include "core/io/FileHash.h"
+#include "core/Error.h"
+#include "core/io/FileBytes.h"
+#include "core/io/TextValue.h"
 #include "core/io/heightmap/ChannelRows.h"
-#include "core/io/heightmap/CroppedChannel.h"
-#include "core/io/heightmap/StoredRows.h"
+#include "core/io/heightmap/SampleRows.h"
 
+#include <algorithm>
+#include <initializer_list>
 #include <memory>
+#include <utility>
 
 namespace asperity {
+
+namespace {
+
+std::string pixels(int columns, int rows) {
+    return std::to_string(columns) + " x " + std::to_string(rows) + " pixels";
+}
+
+bool containsAny(std::string_view text, std::initializer_list<std::string_view> words) {
+    return std::any_of(words.begin(), words.end(), [text](std::string_view word) {
+        return text.find(word) != std::string_view::npos;
+    });
+}
+
+/// Some instruments and programs give these as lengths, too. The feedback of an STM may keep a
+/// current constant while it measures a topography.
+bool namesOtherThanHeight(const ScanChannel& channel) {
+    if (channel.isSurface) {
+        return false;
+    }
+    const std::string name = lowerCase(channel.name);
+    const bool isCurrent =
+        containsAny(name, {"current"}) && !containsAny(name, {"height", "topograph"});
+    return isCurrent || containsAny(name, {"deflection", "amplitude", "phase", "error", "friction",
+                                           "deformation", "indentation"});
+}
+
+/// Smaller is better.
+int rankOfName(const ScanChannel& channel) {
+    const std::string name = lowerCase(channel.name);
+    if (channel.isSurface || containsAny(name, {"sensor", "measured"})) {
+        return 0;
+    }
+    const bool piezo =
+        containsAny(name, {"height", "topograph"}) || name == "z" || name.starts_with("z ");
+    return piezo ? 1 : 2;
+}
+
+int rank(const ScanChannel& channel) {
+    constexpr int kNames = 3;
+    if (isTopography(channel)) {
+        return rankOfName(channel);
+    }
+    if (!mayBeTopography(channel)) {
+        return 3 * kNames;
+    }
+    return (channel.isMask ? 2 : 1) * kNames + rankOfName(channel);
+}
+
+}  // namespace
 
 ScanFile::ScanFile(const std::filesystem::path& path, const GivenScale& given,
                    const Gwyddion& gwyddion)
@@ -108,6 +161,58 @@ SceneScan readSceneScan(const std::filesystem::path& path, const std::string& na
 HeightChannel readHeightChannel(const std::filesystem::path& path, const std::string& name,
                                 Progress* progress) {
     return ScanFile(path).readHeightChannel(name, progress);
+}
+
+std::string cropRefusal(const ScanChannel& channel, const PixelRectangle& part) {
+    const HeightMap& whole = channel.map;
+    return part.liesIn(whole.columns, whole.rows)
+               ? std::string()
+               : "a crop of " + pixels(part.columns, part.rows) + " from column " +
+                     std::to_string(part.column) + ", row " + std::to_string(part.row) +
+                     " is not within its " + pixels(whole.columns, whole.rows);
+}
+
+StoredChannel croppedChannel(const StoredChannel& stored, const PixelRectangle& part,
+                             const std::string& file) {
+    if (const std::string refusal = cropRefusal(stored.channel, part); !refusal.empty()) {
+        throw InputError(file, "channel '" + stored.channel.name + "'", refusal);
+    }
+    StoredChannel cropped{.channel = stored.channel,
+                          .factor = stored.factor,
+                          .readRow = {},
+                          .firstColumn = stored.firstColumn + part.column,
+                          .firstRow = stored.firstRow + part.row};
+    const HeightMap& all = stored.channel.map;
+    cropped.channel.originX += part.column * all.pitchX;
+    cropped.channel.originY += (all.rows - part.row - part.rows) * all.pitchY;
+    cropped.channel.map.columns = part.columns;
+    cropped.channel.map.rows = part.rows;
+    cropped.readRow = [&stored, part](int row, RowRoom& room, double* numbers) {
+        std::vector<double> whole(static_cast<std::size_t>(stored.channel.map.columns));
+        stored.readRow(part.row + row, room, whole.data());
+        std::copy_n(whole.begin() + part.column, part.columns, numbers);
+    };
+    return cropped;
+}
+
+bool isTopography(const ScanChannel& channel) {
+    return channel.isHeight() && !namesOtherThanHeight(channel);
+}
+
+bool mayBeTopography(const ScanChannel& channel) {
+    return channel.unit.empty() && !namesOtherThanHeight(channel);
+}
+
+std::size_t suggestDefaultChannel(const std::vector<ScanChannel>& channels,
+                                  std::string_view usualDirection) {
+    const auto order = [usualDirection](const ScanChannel& channel) {
+        return std::pair{rank(channel),
+                         !usualDirection.empty() && channel.direction != usualDirection};
+    };
+    const auto best = std::min_element(
+        channels.begin(), channels.end(),
+        [&](const ScanChannel& a, const ScanChannel& b) { return order(a) < order(b); });
+    return best == channels.end() ? 0 : static_cast<std::size_t>(best - channels.begin());
 }
 
 }  // namespace asperity

@@ -1,11 +1,11 @@
 #pragma once
 
 #include "core/Progress.h"
-#include "core/io/BufferedFile.h"
+#include "core/io/FileBytes.h"
 #include "core/io/heightmap/Gwyddion.h"
 #include "core/io/heightmap/HeightMapFile.h"
 #include "core/io/heightmap/HeightMapFormat.h"
-#include "core/surface/PixelRectangle.h"
+#include "core/surface/HeightMap.h"
 
 #include <cstddef>
 #include <filesystem>
@@ -13,12 +13,13 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
 namespace asperity {
 
-/// One height channel of a file on its way into a scene.
+/// One height channel of a file for a scene.
 template <class Map>
 struct BasicHeightScan {
     std::string format;   ///< for people
@@ -45,7 +46,7 @@ struct HeightChannel {
 
 /// A height-map file that stays open: what it holds is known, and its heights are read when they
 /// are asked for, a few rows at a time, all from the same content. A file that becomes shorter or
-/// is written to meanwhile is refused; one that is put in its place changes nothing.
+/// is written to while this lives is refused; one that is put in its place changes nothing.
 class ScanFile {
 public:
     /// @param given in place of what the file says or does not say
@@ -60,7 +61,7 @@ public:
     /// @throw InputError as readHeightMapFile() and heightChannel(); Canceled
     [[nodiscard]] HeightScan readHeightScan(const std::string& name,
                                             Progress* progress = nullptr) const;
-    /// As readHeightScan(), in the precision that a scene of it is built in.
+    /// The same as readHeightScan(), in the precision that a scene of it is built in.
     [[nodiscard]] SceneScan readSceneScan(const std::string& name,
                                           Progress* progress = nullptr) const;
     /// The same of a part of the channel, or of all of it. The origin is that of the part.
@@ -68,7 +69,7 @@ public:
     [[nodiscard]] SceneScan readSceneScan(const std::string& name,
                                           const std::optional<PixelRectangle>& part,
                                           Progress* progress = nullptr) const;
-    /// As readHeightScan(), in double precision.
+    /// The same as readHeightScan(), in double precision.
     [[nodiscard]] HeightChannel readHeightChannel(const std::string& name,
                                                   Progress* progress = nullptr) const;
     /// Calls visit(row, values) with each row of a channel of contents(), from the top, in the
@@ -81,7 +82,7 @@ public:
     /// thread; its pitch is 0 where the size is not known. Needs this.
     /// @throw InputError as readHeightMapFile()
     [[nodiscard]] HeightRows rowsOf(const ScanChannel& channel) const;
-    /// Of the content that the heights come from, 64 hexadecimal digits.
+    /// Returns the hash of the content that the heights come from, 64 hexadecimal digits.
     /// @throw InputError as readHeightMapFile(); Canceled
     [[nodiscard]] std::string sha256(Progress* progress = nullptr) const;
 
@@ -108,5 +109,30 @@ private:
 [[nodiscard]] HeightChannel readHeightChannel(const std::filesystem::path& path,
                                               const std::string& name,
                                               Progress* progress = nullptr);
+
+/// Returns why a channel has no such part; empty: it has.
+[[nodiscard]] std::string cropRefusal(const ScanChannel& channel, const PixelRectangle& part);
+
+/// A part of an image that still lies in its source: as if the file held no more than that.
+/// @param stored outlives the result
+/// @param file   for messages
+/// @throw InputError when the part is not wholly in the image
+[[nodiscard]] StoredChannel croppedChannel(const StoredChannel& stored, const PixelRectangle& part,
+                                           const std::string& file);
+
+/// Returns whether the channel shows the height of the sample: a length, and not a deflection, an
+/// amplitude or a phase, which some instruments store as lengths too.
+[[nodiscard]] bool isTopography(const ScanChannel& channel);
+
+/// Returns whether it may show that: its values are numbers without unit, and its name does not say
+/// that they are something else.
+[[nodiscard]] bool mayBeTopography(const ScanChannel& channel);
+
+/// Index of the channel that a lab user expects: the height sensor, else the piezo height, else the
+/// first other length, else, by the same names, one that may be a height, masks last; of equals,
+/// the vendor's first. 0 when there is none of them.
+/// @param usualDirection of equals, those of this direction first; empty: there is none
+[[nodiscard]] std::size_t suggestDefaultChannel(const std::vector<ScanChannel>& channels,
+                                                std::string_view usualDirection = {});
 
 }  // namespace asperity

@@ -18,11 +18,11 @@ constexpr long long kImageMaxSide = 65536;
 }  // namespace
 
 ImageSize checkedImageSize(long long columns, long long rows, const std::string& file,
-                           const std::string& place) {
+                           const std::string& location) {
     const bool good =
         columns >= 1 && rows >= 1 && columns <= kImageMaxSide && rows <= kImageMaxSide;
     if (!good) {
-        throw InputError(file, place,
+        throw InputError(file, location,
                          "found " + std::to_string(columns) + " x " + std::to_string(rows) +
                              " pixels; 1 to " + std::to_string(kImageMaxSide) +
                              " a side are expected");
@@ -35,9 +35,9 @@ double pixelPitch(double size, int pixels) {
     return std::isfinite(pitch) && pitch > 0.0 ? pitch : 0.0;
 }
 
-void requireImages(std::size_t count, const std::string& file, const std::string& place) {
+void requireImages(std::size_t count, const std::string& file, const std::string& location) {
     if (count > kMaxImages) {
-        throw InputError(file, place,
+        throw InputError(file, location,
                          "at most " + std::to_string(kMaxImages) + " images are expected, found " +
                              std::to_string(count));
     }
@@ -117,6 +117,31 @@ std::string directionFromName(std::string_view name) {
         return "forward";
     }
     return {};
+}
+
+void setOrigin(ScanChannel& channel, double x, double y, GivenPoint point) {
+    const HeightMap& map = channel.map;
+    const bool hasSize = map.pitchX > 0.0 && map.pitchY > 0.0;
+    if (point != GivenPoint::Corner && !hasSize) {
+        return;
+    }
+    const double columns = point == GivenPoint::Center ? map.columns : 1;
+    const double rows = point == GivenPoint::Center ? map.rows : 1;
+    const bool isCorner = point == GivenPoint::Corner;
+    channel.originX = finiteOrZero(x) - (isCorner ? 0.0 : 0.5 * columns * map.pitchX);
+    channel.originY = finiteOrZero(y) - (isCorner ? 0.0 : 0.5 * rows * map.pitchY);
+}
+
+void noteRotation(std::vector<std::string>& notes, double degrees) {
+    if (std::remainder(finiteOrZero(degrees), 360.0) == 0.0) {
+        return;
+    }
+    const std::string note = "the scan was rotated by " + exactText(degrees) +
+                             " degrees at the instrument; the image is as it was scanned, and its "
+                             "origin is that without the rotation";
+    if (std::ranges::count(notes, note) == 0) {
+        notes.push_back(note);
+    }
 }
 
 }  // namespace asperity

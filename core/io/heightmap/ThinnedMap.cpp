@@ -22,8 +22,8 @@ int stepFor(const PixelRectangle& part, std::size_t most) {
     return step;
 }
 
-/// The pixel that stands for those of a step, in the middle of them.
-int placeOf(int index, int step, int pixels) {
+/// Returns the pixel that represents those of a step, in the middle of them.
+int pixelOf(int index, int step, int pixels) {
     return std::min((index * step) + (step / 2), pixels - 1);
 }
 
@@ -59,10 +59,10 @@ ThinnedMap thinnedMap(const ScanFile& file, const ScanChannel& channel, const Pi
         if (row % (map.rows / kReports + 1) == 0) {
             reportTo(progress, static_cast<double>(row) / map.rows);
         }
-        rows.readRow(part.row + placeOf(row, step, part.rows), values.data());
+        rows.readRow(part.row + pixelOf(row, step, part.rows), values.data());
         for (int column = 0; column < map.columns; ++column) {
             map.heights.push_back(values[static_cast<std::size_t>(
-                part.column + placeOf(column, step, part.columns))]);
+                part.column + pixelOf(column, step, part.columns))]);
         }
     }
     reportTo(progress, 1.0);

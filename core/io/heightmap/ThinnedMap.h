@@ -3,16 +3,16 @@
 #include "core/Progress.h"
 #include "core/io/heightmap/HeightStatistics.h"
 #include "core/io/heightmap/ScanFile.h"
-#include "core/surface/PixelRectangle.h"
+#include "core/surface/HeightMap.h"
 
 #include <cstddef>
 
 namespace asperity {
 
-/// A part of a channel with every so many pixels only, so that a large one is there soon.
+/// A part of a channel with one pixel of each step only, so that a large one is there soon.
 struct ThinnedMap {
     HeightMap map;  ///< its pitch is that of the pixels that are left; 0: not known
-    int step = 1;   ///< of so many pixels along each axis, one is left
+    int step = 1;   ///< of this many pixels along each axis, one is left
 };
 
 /// Pixels of a thinned map, at most.

@@ -1,11 +1,12 @@
 #include "core/io/heightmap/UnreadFormats.h"
 
-#include "core/io/heightmap/Hdf5Names.h"
+#include "core/io/ByteReader.h"
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 
-// Formats that no real file at hand proves a reader of, docs/formats.md 20, and pictures.
+// Formats for which we have no real file to prove a reader, docs/formats.md 20, and pictures.
 
 namespace asperity {
 
@@ -51,6 +52,22 @@ std::optional<UnreadFormat> unreadFormat(const ByteSource& bytes) {
 std::string pictureRefusal(std::string_view name) {
     return "this is a picture (" + std::string(name) +
            "), whose values are no heights; save the scan as data, not as an image";
+}
+
+using namespace std::string_view_literals;
+
+bool isHdf5(const ByteSource& bytes) { return bytes.startsWith("\x89HDF\r\n\x1A\n"sv); }
+
+bool holdsName(const ByteSource& bytes, std::string_view name) {
+    constexpr std::uint64_t kChunk = std::uint64_t{1} << 20U;
+    constexpr std::uint64_t kOverlap = 64;
+    for (std::uint64_t offset = 0; offset < bytes.size(); offset += kChunk - kOverlap) {
+        const std::string chunk = bytesOf(bytes, {offset, std::min(kChunk, bytes.size() - offset)});
+        if (chunk.find(name) != std::string::npos) {
+            return true;
+        }
+    }
+    return false;
 }
 
 }  // namespace asperity

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/io/ByteSource.h"
+#include "core/io/ByteReader.h"
 
 #include <optional>
 #include <string>
@@ -19,7 +19,14 @@ struct UnreadFormat {
 /// Empty: the content is of none of these.
 [[nodiscard]] std::optional<UnreadFormat> unreadFormat(const ByteSource& bytes);
 
-/// Why a picture of this format is refused.
+/// Returns why a picture of this format is refused.
 [[nodiscard]] std::string pictureRefusal(std::string_view name);
+
+/// Returns whether a file begins as HDF5 files do.
+[[nodiscard]] bool isHdf5(const ByteSource& bytes);
+
+/// Returns whether the bytes of a file contain the name of an attribute, group or dataset, of at
+/// most 64 characters. It does not ask the HDF5 library, which damaged files can crash.
+[[nodiscard]] bool holdsName(const ByteSource& bytes, std::string_view name);
 
 }  // namespace asperity

@@ -3,9 +3,9 @@
 namespace asperity {
 
 bool WholeImages::holds(const ByteSource& bytes, const SampleLayout& layout,
-                        const std::string& place, const std::string& name) {
+                        const std::string& owner, const std::string& name) {
     try {
-        requireSamples(bytes, layout, place);
+        requireSamples(bytes, layout, owner);
         return true;
     } catch (const InputError& error) {
         leaveOut(name, error);

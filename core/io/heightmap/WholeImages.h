@@ -14,10 +14,11 @@ namespace asperity {
 /// read, and a note names the others.
 class WholeImages {
 public:
-    /// Whether the file holds all samples of an image. @param place as that of requireSamples()
+    /// Returns whether the file holds all samples of an image.
+    /// @param owner as that of requireSamples()
     /// @param name of its channel
     [[nodiscard]] bool holds(const ByteSource& bytes, const SampleLayout& layout,
-                             const std::string& place, const std::string& name);
+                             const std::string& owner, const std::string& name);
     /// Leaves an image out. @param why the refusal of a file that holds no other one
     void leaveOut(const std::string& name, const InputError& why);
     [[nodiscard]] bool areAll() const { return !refusal_; }

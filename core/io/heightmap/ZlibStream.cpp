@@ -3,7 +3,6 @@
 #include "core/Error.h"
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <limits>
 #include <span>
@@ -13,7 +12,7 @@ namespace asperity {
 
 namespace {
 
-/// Of zlib's own description of its worst and best cases.
+/// From zlib's own description of its worst and best cases.
 constexpr std::uint64_t kBestRatio = 1032;
 constexpr std::uint64_t kSmallest = 64;  // [bytes]; below, a stream's ends count
 
@@ -55,10 +54,10 @@ bool mayUnpackTo(std::uint64_t packedBytes, std::uint64_t bytes) {
 }
 
 void appendUnpacked(std::string& text, const ByteSource& source, const ByteSpan& packed,
-                    std::uint64_t size, const std::string& place) {
+                    std::uint64_t size, const std::string& owner) {
     constexpr std::uint64_t kBlock = std::uint64_t{1} << 16U;
     const auto fail = [&](const std::string& what) {
-        throw InputError(source.name(), place, what + "; the file is damaged");
+        throw InputError(source.name(), owner, what + "; the file is damaged");
     };
     if (!mayUnpackTo(packed.count, size)) {
         fail("a zlib stream of " + std::to_string(packed.count) + " bytes cannot hold " +
@@ -75,7 +74,7 @@ void appendUnpacked(std::string& text, const ByteSource& source, const ByteSpan&
     int code = Z_OK;
     for (std::uint64_t done = 0; code == Z_OK && done < packed.count;) {
         block.resize(static_cast<std::size_t>(std::min(kBlock, packed.count - done)));
-        source.read(packed.place + done, block);
+        source.read(packed.offset + done, block);
         code = inflation.step(block, free);
         done += block.size() - inflation.unused();
         if (code == Z_OK && free.empty() && inflation.unused() == block.size()) {

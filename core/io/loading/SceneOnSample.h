@@ -19,7 +19,7 @@ struct SceneOnSample {
     std::unique_ptr<const ScanFile> file;  ///< of the heights, still open; null: they are a shape's
     std::string format;                    ///< of the file, for people; "shape" without one
     std::vector<std::string> notes;        ///< of the readers of all files, a sentence each
-    std::vector<Provenance> provenance;    ///< what scale and orientation of the heights come from
+    std::vector<Provenance> provenance;    ///< sources of scale and orientation of the heights
     std::size_t filledPixels = 0;          ///< of the map as read that held no data
     double originX = 0.0;  ///< lower left corner of the scan in the instrument's frame [m]
     double originY = 0.0;  ///< its y [m]
@@ -27,7 +27,7 @@ struct SceneOnSample {
 
 /// Reads the sample of a description, with the maps of its materials, and builds the scene. Its
 /// description has the file as an absolute path, the channel that was taken, and no part where all
-/// of the channel was; of the maps of its materials likewise.
+/// of the channel was; of the maps of its materials, too.
 /// @throw InputError when a file cannot be read or does not fit; Error as buildScene(); Canceled
 [[nodiscard]] SceneOnSample sceneOnSample(SceneDescription description,
                                           Progress* progress = nullptr);

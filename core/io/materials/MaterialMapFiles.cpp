@@ -5,18 +5,15 @@
 #include "core/io/heightmap/PhysicalUnit.h"
 #include "core/io/heightmap/ScanFile.h"
 #include "core/scene/SceneFields.h"
-#include "core/surface/InvalidPixels.h"
+#include "core/surface/HeightMap.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <iterator>
-#include <limits>
 #include <memory>
 #include <span>
-#include <string>
 #include <utility>
-#include <vector>
 
 namespace asperity {
 
@@ -25,12 +22,12 @@ namespace {
 constexpr double kSameSize =
     0.01;  // relative difference of lateral sizes that instruments round to
 
-/// What the values of a map may be.
+/// Possible values of a map.
 struct MapQuantityRange {
     const char* name;                ///< for people
     std::vector<std::string> units;  ///< base units; empty: any
     Limits limits;                   ///< in the first unit
-    std::ptrdiff_t alsoNamed = 0;    ///< how many of the last units need the channel's name
+    std::ptrdiff_t alsoNamed = 0;    ///< number of the last units that need the channel's name
 };
 
 /// Returns the limits of the same quantity where it is the same everywhere.
@@ -51,7 +48,7 @@ MapQuantityRange frictionRange() {
 }
 MapQuantityRange maskRange() { return {"a mask", {}, {0.0, 1e300, "be 0 or more"}}; }
 
-/// What the reading of a map reports to; either may be null.
+/// Receivers of the reports on the reading of a map; either may be null.
 struct MapReading {
     Progress* progress;
     std::vector<std::string>* notes;
@@ -148,7 +145,7 @@ void settleHash(const ScanFile& file, MapSource& source, Progress* progress) {
 /// A map over the loaded part of the scan.
 struct MapOfPart {
     HeightMap values;      ///< in SI base units, or as the file has them where any unit will do
-    double highest = 0.0;  ///< in the whole file, likewise
+    double highest = 0.0;  ///< in the whole file, too
     bool hasUnit = false;
 };
 
@@ -210,7 +207,7 @@ std::shared_ptr<const PixelField> readField(std::optional<MapSource>& source,
     return source ? fieldOf(readMap(*source, quantity, area, reading).values, unit) : nullptr;
 }
 
-/// Shares of the second material; a mask that has a unit, or goes beyond 1, counts in shares of its
+/// Shares of the second material; a mask that has a unit, or exceeds 1, counts in shares of its
 /// largest value.
 HeightMap readShares(MapSource& source, const MapArea& area, MapReading reading) {
     MapOfPart mask = readMap(source, maskRange(), area, reading);

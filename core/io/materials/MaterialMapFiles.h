@@ -2,7 +2,7 @@
 
 #include "core/Progress.h"
 #include "core/scene/Scene.h"
-#include "core/surface/PixelRectangle.h"
+#include "core/surface/HeightMap.h"
 
 #include <optional>
 #include <string>

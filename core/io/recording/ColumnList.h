@@ -12,9 +12,9 @@
 
 namespace asperity {
 
-/// What a cell holds that is read back.
+/// Values that a cell may hold when it is read back.
 enum class Holds {
-    Stored,       ///< what stands for a value of its type
+    Stored,       ///< the code of a value of its type
     Endless,      ///< the same, or infinity
     Finite,       ///< a finite number
     Positive,     ///< a finite number above 0
@@ -61,5 +61,8 @@ void addCells(CsvWriter& csv, const List& list) {
         }
     });
 }
+
+/// The SI unit that a column's name ends in: "N/m" of "guide_stiffness_n_m"; empty: it has none.
+[[nodiscard]] std::string unitOfColumn(std::string_view name);
 
 }  // namespace asperity

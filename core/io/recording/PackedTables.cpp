@@ -3,12 +3,12 @@
 #include "core/Error.h"
 #include "core/TemporaryFile.h"
 #include "core/Version.h"
+#include "core/io/FormerKeys.h"
 #include "core/io/TextValue.h"
-#include "core/io/hdf5/Hdf5Rows.h"
 #include "core/io/hdf5/Hdf5TableWriter.h"
-#include "core/io/recording/ColumnUnit.h"
+#include "core/io/recording/ColumnList.h"
 #include "core/io/recording/RowChecks.h"
-#include "core/io/tables/CsvRows.h"
+#include "core/io/tables/CsvTable.h"
 #include "core/io/tables/CsvWriter.h"
 
 #include <algorithm>
@@ -30,7 +30,7 @@ constexpr const char* kFormat = "asperity recording";
 constexpr const char* kFormatVersion = "1";
 constexpr const char* kTime = "time_s";
 
-/// What a table as text is made of.
+/// Returns the shape of a table as text.
 Hdf5Table shapeOf(const std::filesystem::path& text) {
     CsvRows rows(text);
     Hdf5Table table{.columns = {}, .comments = rows.comments()};
@@ -160,9 +160,9 @@ void unpackTable(const Hdf5Input& file, const char* name, std::ostream& text) {
     for (const Hdf5Column& column : rows.columns()) {
         names.push_back(column.name);
     }
-    CsvWriter csv(text, rows.comments(), names);
+    CsvWriter csv(text, rows.comments(), currentKeys(std::move(names)));
     while (rows.next()) {
-        for (std::size_t c = 0; c < names.size(); ++c) {
+        for (std::size_t c = 0; c < rows.columns().size(); ++c) {
             addCell(csv, rows, c);
         }
         csv.endRow();

@@ -17,7 +17,7 @@ struct TextTables {
 
 /// Writes the tables of a recording into one HDF5 file of about a tenth of their size: the groups
 /// tick_input, force_log and energy_log, a dataset a column with its unit as an attribute. Inputs
-/// and energies keep all their digits; of the log, which the inputs make anew, times and what is
+/// and energies keep all their digits; of the log, which replays from the inputs, times and what is
 /// also an input do, and the rest is in single precision, with checks of all of its digits.
 /// docs/recordings.md
 /// @throw Error when it cannot be written; InputError as CsvRows

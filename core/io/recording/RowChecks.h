@@ -8,8 +8,8 @@
 
 namespace asperity {
 
-/// Checks of a table's rows as text: a CRC-32 of each so many rows, which tells whether a row that
-/// was made anew is the same to the last digit, where the table itself keeps fewer digits.
+/// Checks of a table's rows as text: a CRC-32 of each block of rows, which shows whether a row that
+/// was computed again is the same to the last digit, where the table itself keeps fewer digits.
 class RowChecks {
 public:
     /// Rows of a check.
@@ -18,7 +18,7 @@ public:
     /// The next cell of the row.
     void add(std::string_view cell);
     void endRow();
-    /// Of all whole rows so far; the last one may be of fewer.
+    /// Returns the checks of all whole rows so far; the last one may be of fewer.
     [[nodiscard]] std::vector<std::uint32_t> checks() const;
 
 private:

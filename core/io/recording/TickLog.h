@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/haptics/HapticTick.h"
 #include "core/haptics/VirtualRun.h"
 #include "core/haptics/cycle/CurveBranch.h"
 #include "core/io/tables/CsvTable.h"
@@ -59,5 +60,12 @@ public:
 [[nodiscard]] std::vector<TickSample> readTickInputs(const std::filesystem::path& path);
 /// The same of a table that is read already. @throw InputError
 [[nodiscard]] std::vector<TickSample> readTickInputs(const CsvTable& table);
+
+/// Writes what the first tick of a recording starts from, so that it replays to the same bits.
+/// @throw Error when it cannot be written
+void writeTickMemory(const std::filesystem::path& path, const TickMemory& memory);
+
+/// @throw InputError
+[[nodiscard]] TickMemory readTickMemory(const std::filesystem::path& path);
 
 }  // namespace asperity

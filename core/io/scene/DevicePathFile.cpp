@@ -9,7 +9,7 @@ namespace asperity {
 
 namespace {
 
-/// @param prefix of the columns of the place: "" or "base_"
+/// @param prefix of the columns of the position: "" or "base_"
 DevicePath readPath(const CsvTable& table, const std::string& prefix) {
     const std::string& path = table.file();
     if (table.rows() == 0) {
@@ -20,12 +20,12 @@ DevicePath readPath(const CsvTable& table, const std::string& prefix) {
         points[row] = {table.number(row, "time_s"),
                        {table.number(row, prefix + "x_m"), table.number(row, prefix + "y_m"),
                         table.number(row, prefix + "z_m")}};
-        const std::string place = "line " + std::to_string(table.line(row));
+        const std::string location = "line " + std::to_string(table.line(row));
         if (!points[row].position.allFinite() || !std::isfinite(points[row].time)) {
-            throw InputError(path, place, "time and place must be finite numbers");
+            throw InputError(path, location, "time and position must be finite numbers");
         }
         if (row > 0 ? points[row].time <= points[row - 1].time : points[row].time < 0.0) {
-            throw InputError(path, place, "time_s must start at 0 or later and rise");
+            throw InputError(path, location, "time_s must start at 0 or later and rise");
         }
     }
     return points;

@@ -11,7 +11,7 @@ namespace asperity {
 /// @throw InputError when a value is missing or not finite, or time does not rise
 [[nodiscard]] DevicePath readDevicePath(const std::filesystem::path& path);
 
-/// The way of the base in a recorded force log. @throw InputError as readDevicePath()
+/// The path of the base in a recorded force log. @throw InputError as readDevicePath()
 [[nodiscard]] DevicePath readRecordedPath(const CsvTable& forceLog);
 
 }  // namespace asperity

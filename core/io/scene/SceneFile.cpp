@@ -1,11 +1,8 @@
 #include "core/io/scene/SceneFile.h"
 
 #include "core/Error.h"
-#include "core/io/scene/HapticsKeys.h"
-#include "core/io/scene/MarkerKeys.h"
-#include "core/io/scene/MaterialMapKeys.h"
+#include "core/TemporaryFile.h"
 #include "core/io/scene/ProbeFile.h"
-#include "core/io/scene/SampleKeys.h"
 #include "core/io/scene/SceneKeys.h"
 #include "core/io/scene/TomlFile.h"
 #include "core/scene/ModelTerm.h"
@@ -80,7 +77,7 @@ void readProbeSection(TomlSection section, SceneDescription& scene) {
     }
     readProbeKeys(section, scene);
     readKey(section, sceneField(SceneGroup::Probe, kSignalNoise), scene);
-    // Of earlier files: the estimator had a number of its own.
+    // In earlier files the estimator had a number of its own.
     double& deviation = scene.uncertainty.surfaceNormal;
     deviation = section.number("normal_deviation_rad", deviation);
     section.refuseUnknownKeys();
@@ -123,7 +120,7 @@ void refuseUnknownSections(const toml::table& table, const std::filesystem::path
     root.refuseUnknownKeys();
 }
 
-/// Whether a file of another extension is a scene: a line of it opens the section [sample].
+/// Returns whether a file of another extension is a scene: a line of it opens the section [sample].
 bool hasSampleSection(const std::filesystem::path& path) {
     constexpr std::streamsize kSearched = 1 << 16;
     if (!std::filesystem::is_regular_file(path)) {
@@ -161,6 +158,15 @@ SceneDescription readSceneOver(SceneDescription scene, const std::filesystem::pa
         throw InputError(path.string(), "", error.what());
     }
     return scene;
+}
+
+/// Returns whether a path from one to the other need not pass the root of the file system.
+bool haveFolderInCommon(const std::filesystem::path& a, const std::filesystem::path& b) {
+    const auto first = [](const std::filesystem::path& path) {
+        const std::filesystem::path below = path.relative_path();
+        return below.empty() ? std::filesystem::path() : *below.begin();
+    };
+    return a.root_path() == b.root_path() && first(a) == first(b) && !first(a).empty();
 }
 
 }  // namespace
@@ -219,6 +225,21 @@ SampleMaterial readMaterialFile(const std::filesystem::path& path) {
     readMaterialKeys(root, SceneGroup::Material, scene);
     root.refuseUnknownKeys();
     return scene.sample.material;
+}
+
+void saveScene(const SceneDescription& scene, const std::filesystem::path& file,
+               const std::string& window) {
+    const std::filesystem::path folder = std::filesystem::absolute(file).parent_path();
+    SceneDescription saved = withoutHashes(scene);
+    forEachFile(saved, [&folder](std::string& name) {
+        const std::filesystem::path read = name;
+        if (read.is_absolute() && haveFolderInCommon(read.parent_path(), folder)) {
+            name = read.lexically_relative(folder.lexically_normal()).string();
+        }
+    });
+    OutputFile output(file);
+    output.stream() << sceneText(saved) << window;
+    output.commitToDisk();
 }
 
 }  // namespace asperity

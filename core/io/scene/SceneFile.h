@@ -15,17 +15,25 @@ namespace asperity {
 /// none, which is 0. @throw InputError as readScene()
 [[nodiscard]] SceneDescription readRecordedScene(const std::filesystem::path& path);
 
-/// A scene from either a scene file (by content or extension) or a height map, which stands for a
+/// A scene from either a scene file (by content or extension) or a height map, which means a
 /// scene with defaults.
 [[nodiscard]] SceneDescription sceneFromInput(const std::filesystem::path& path);
 
 /// The whole description as TOML text, every value spelled out: reading it back gives the same.
 [[nodiscard]] std::string sceneText(const SceneDescription& scene);
 
-/// A material file. @param notes that stand above it as comments, a line each
+/// A material file. @param notes above it as comments, a line each
 [[nodiscard]] std::string materialText(const SampleMaterial& material, const std::string& notes);
 
 /// A sample from a material file. @throw InputError
 [[nodiscard]] SampleMaterial readMaterialFile(const std::filesystem::path& path);
+
+/// Writes a scene that readScene() reads as the same. The scan is named by its path from the
+/// scene's folder where they have one in common, so that both can move together. An older file
+/// stays whole until the new one is.
+/// @param window the section [window], which no command reads: how the window showed the scene
+/// @throw FileError, Error
+void saveScene(const SceneDescription& scene, const std::filesystem::path& file,
+               const std::string& window = {});
 
 }  // namespace asperity

@@ -1,8 +1,9 @@
 #include "core/io/scene/TomlFile.h"
 
 #include "core/Error.h"
-#include "core/PathText.h"
+#include "core/PrintableText.h"
 #include "core/io/FileBytes.h"
+#include "core/io/FormerKeys.h"
 #include "core/io/NestedText.h"
 
 #include <fstream>
@@ -24,6 +25,22 @@ std::string textOf(const std::filesystem::path& path) {
     return std::filesystem::is_empty(path, unknown) ? std::string() : readFileBytes(path);
 }
 
+/// Gives renamed keys their current names, in the sections too; the lines of the file stay with the
+/// values. A key that has both names is left as it is, to be refused as an unknown one.
+void renameFormerKeys(toml::table& table) {
+    for (const FormerKey& key : kFormerKeys) {
+        toml::node* const node = table.get(key.former);
+        if (node != nullptr && table.insert(key.current, std::move(*node)).second) {
+            table.erase(key.former);
+        }
+    }
+    for (auto&& [key, node] : table) {
+        if (toml::table* const section = node.as_table()) {
+            renameFormerKeys(*section);
+        }
+    }
+}
+
 }  // namespace
 
 toml::table readToml(const std::filesystem::path& path) {
@@ -33,7 +50,9 @@ toml::table readToml(const std::filesystem::path& path) {
     const std::string text = textOf(path);
     requireParsable(text, NestedSyntax::Toml, path.string());
     try {
-        return toml::parse(text, path.string());
+        toml::table table = toml::parse(text, path.string());
+        renameFormerKeys(table);
+        return table;
     } catch (const toml::parse_error& error) {
         throw InputError(path.string(), lineOf(error.source()), std::string(error.description()));
     }
@@ -149,25 +168,25 @@ std::optional<std::vector<std::string>> TomlSection::texts(const std::string& ke
     return texts;
 }
 
-std::vector<Vector2> TomlSection::places(const std::string& key) {
+std::vector<Vector2> TomlSection::positions(const std::string& key) {
     const toml::node* node = find(key);
     if (node == nullptr) {
         return {};
     }
-    const std::string expected = "a list of places, each written [x, y]";
+    const std::string expected = "a list of points, each written [x, y]";
     if (!node->is_array()) {
         refuse(key, expected);
     }
-    std::vector<Vector2> places;
+    std::vector<Vector2> positions;
     for (const toml::node& one : *node->as_array()) {
         const toml::array* const pair = one.as_array();
         if (pair == nullptr || pair->size() != 2 || !pair->get(0)->is_number() ||
             !pair->get(1)->is_number()) {
             refuse(key, expected);
         }
-        places.emplace_back(*pair->get(0)->value<double>(), *pair->get(1)->value<double>());
+        positions.emplace_back(*pair->get(0)->value<double>(), *pair->get(1)->value<double>());
     }
-    return places;
+    return positions;
 }
 
 std::vector<std::int64_t> TomlSection::integers(const std::string& key) {
@@ -229,7 +248,7 @@ void TomlSection::refuse(const std::string& key, const std::string& expected) co
 }
 
 void TomlSection::complain(const std::string& key, const std::string& wrong) const {
-    throw InputError(file_.string(), place(key), wrong);
+    throw InputError(file_.string(), location(key), wrong);
 }
 
 const toml::node* TomlSection::find(const std::string& key) {
@@ -237,7 +256,7 @@ const toml::node* TomlSection::find(const std::string& key) {
     return table_ == nullptr ? nullptr : table_->get(key);
 }
 
-std::string TomlSection::place(const std::string& key) const {
+std::string TomlSection::location(const std::string& key) const {
     const std::string name = (name_.empty() ? "" : "[" + name_ + "] ") + key;
     const toml::node* node = table_ == nullptr ? nullptr : table_->get(key);
     return node == nullptr ? name : lineOf(node->source()) + ", " + name;

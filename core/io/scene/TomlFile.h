@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/EnumTable.h"
 #include "core/Vector.h"
 
 #include <cstdint>
@@ -12,7 +13,8 @@
 
 namespace asperity {
 
-/// Parses a TOML file. @throw InputError with the line of the first mistake
+/// Parses a TOML file; renamed keys get their current names, see kFormerKeys.
+/// @throw InputError with the line of the first mistake
 [[nodiscard]] toml::table readToml(const std::filesystem::path& path);
 
 /// A table as text, below notes as comments, a line each.
@@ -35,8 +37,8 @@ public:
     [[nodiscard]] std::string text(const std::string& key, const std::string& otherwise);
     /// A text or a list of texts; none where the key is absent.
     [[nodiscard]] std::optional<std::vector<std::string>> texts(const std::string& key);
-    /// Places [[x, y], ...]; empty where the key is absent.
-    [[nodiscard]] std::vector<Vector2> places(const std::string& key);
+    /// Positions [[x, y], ...]; empty where the key is absent.
+    [[nodiscard]] std::vector<Vector2> positions(const std::string& key);
     /// Whole numbers, written [1, 2, 3]; empty where there are none.
     [[nodiscard]] std::vector<std::int64_t> integers(const std::string& key);
     /// A table within the section, read as a section of its own, named [section.key] in messages;
@@ -45,7 +47,7 @@ public:
     /// A path as pathText() writes it, resolved against the folder of the file.
     [[nodiscard]] std::filesystem::path path(const std::string& key);
 
-    /// Lets a key stand that somebody else reads.
+    /// Leaves a key that somebody else reads.
     void allow(const std::string& key) { known_.insert(key); }
     /// @throw InputError naming the first key that nobody asked for
     void refuseUnknownKeys() const;
@@ -56,12 +58,28 @@ public:
 
 private:
     const toml::node* find(const std::string& key);
-    [[nodiscard]] std::string place(const std::string& key) const;
+    [[nodiscard]] std::string location(const std::string& key) const;
 
     const toml::table* table_ = nullptr;
     std::filesystem::path file_;
     std::string name_;
     std::set<std::string> known_;
 };
+
+/// @throw InputError naming what is known
+[[noreturn]] inline void refuseChoice(TomlSection& section, const std::string& key,
+                                      const std::string& known) {
+    section.refuse(key, "one of " + known + ", not '" + section.text(key, "") + "'");
+}
+
+/// @throw InputError when the section names another value than those of its table
+template <class Value>
+Value choice(TomlSection& section, const std::string& key, Value otherwise) {
+    const auto value = fromKey<Value>(section.text(key, keyOf(otherwise)));
+    if (!value) {
+        refuseChoice(section, key, keyList<Value>());
+    }
+    return *value;
+}
 
 }  // namespace asperity

@@ -11,7 +11,7 @@
 
 namespace asperity {
 
-/// What is added to a table of cases.
+/// Columns and cells that are added to a table of cases.
 struct CaseAnswers {
     std::vector<std::string> comments;  ///< above the table, one line each, without the `#`
     std::vector<std::string> columns;

@@ -1,10 +1,11 @@
 #include "core/io/zip/ZipArchive.h"
 
 #include "core/Error.h"
+#include "core/io/ByteReader.h"
 #include "core/io/MemoryLimit.h"
-#include "core/io/zip/ZipDirectory.h"
 
 #include <algorithm>
+#include <array>
 #include <exception>
 #include <mutex>
 #include <utility>
@@ -24,12 +25,12 @@ bool isStored(const zip_stat_t& status) {
            status.comp_size == status.size && status.size > 0;
 }
 
-/// Each takes some 350 bytes of memory. An archive of curves has more of them only where it is
+/// Each needs some 350 bytes of memory. An archive of curves has more of them only where it is
 /// large: the entries of a map hold hundreds of bytes each.
 constexpr std::uint64_t kAlwaysAllowedEntries = 600'000;
 constexpr std::uint64_t kMinBytesOfEntry = 160;
 
-/// Refuses an archive whose list of entries takes far more memory than the file.
+/// Refuses an archive whose list of entries needs far more memory than the file.
 const ByteSource& withFewEntries(const ByteSource& bytes) {
     const std::uint64_t most = std::max(kAlwaysAllowedEntries, bytes.size() / kMinBytesOfEntry);
     if (zipListsMoreThan(most, bytes)) {
@@ -44,28 +45,28 @@ std::string entryName(const std::string& file, const std::string& entry) {
     return file + ": " + entry;
 }
 
-/// What libzip reads from. It knows no exceptions: one waits here until libzip has returned.
+/// The source of libzip. It knows no exceptions: one waits here until libzip has returned.
 struct Input {
     const ByteSource* bytes = nullptr;
-    std::uint64_t place = 0;
+    std::uint64_t offset = 0;
     std::exception_ptr failure;
     zip_error_t error{};
 
     zip_int64_t read(void* data, zip_uint64_t length) {
-        const std::uint64_t left = bytes->size() - std::min(place, bytes->size());
+        const std::uint64_t left = bytes->size() - std::min(offset, bytes->size());
         const std::uint64_t count = std::min<std::uint64_t>(length, left);
-        bytes->read(place, {static_cast<char*>(data), static_cast<std::size_t>(count)});
-        place += count;
+        bytes->read(offset, {static_cast<char*>(data), static_cast<std::size_t>(count)});
+        offset += count;
         return static_cast<zip_int64_t>(count);
     }
 
     zip_int64_t seek(void* data, zip_uint64_t length) {
         const zip_int64_t to =
-            zip_source_seek_compute_offset(place, bytes->size(), data, length, &error);
+            zip_source_seek_compute_offset(offset, bytes->size(), data, length, &error);
         if (to < 0) {
             return -1;
         }
-        place = static_cast<std::uint64_t>(to);
+        offset = static_cast<std::uint64_t>(to);
         return 0;
     }
 
@@ -80,14 +81,14 @@ struct Input {
     zip_int64_t answer(void* data, zip_uint64_t length, zip_source_cmd_t command) {
         switch (command) {
         case ZIP_SOURCE_OPEN:
-            place = 0;
+            offset = 0;
             return 0;
         case ZIP_SOURCE_READ:
             return read(data, length);
         case ZIP_SOURCE_SEEK:
             return seek(data, length);
         case ZIP_SOURCE_TELL:
-            return static_cast<zip_int64_t>(place);
+            return static_cast<zip_int64_t>(offset);
         case ZIP_SOURCE_STAT:
             return describe(data);
         case ZIP_SOURCE_ERROR:
@@ -127,6 +128,98 @@ std::string textOf(zip_error_t& error) {
     std::string text = zip_error_strerror(&error);
     zip_error_fini(&error);
     return text;
+}
+
+constexpr std::string_view kLocalMark = "PK\3\4";
+constexpr std::string_view kEntryMark = "PK\1\2";
+constexpr std::string_view kEndMark = "PK\5\6";
+constexpr std::string_view kLocatorMark = "PK\6\7";
+constexpr std::string_view kEnd64Mark = "PK\6\6";
+constexpr std::uint64_t kEndBytes = 22;
+constexpr std::uint64_t kLocatorBytes = 20;
+constexpr std::uint64_t kEnd64Bytes = 56;
+constexpr std::uint64_t kMaxComment = 65536;  // of which libzip takes one byte more than can be
+/// A million entries.
+constexpr std::uint64_t kMaxDirectory = std::uint64_t{1} << 27U;
+
+bool lies(const ByteSpan& span, const ByteSource& bytes) {
+    return span.offset <= bytes.size() && span.count <= bytes.size() - span.offset;
+}
+
+/// The record of `count` bytes with this mark; empty when it is not there.
+std::string recordAt(const ByteSource& bytes, const ByteSpan& span, std::string_view mark) {
+    std::string record = lies(span, bytes) ? bytesOf(bytes, span) : std::string();
+    return record.starts_with(mark) ? record : std::string();
+}
+
+/// Returns the directory's span by the end record at `end`. Where a locator is before it,
+/// the 64-bit record alone counts, whatever the 32-bit fields say: that is how libzip reads them.
+std::optional<ByteSpan> spanOf(const ByteSource& bytes, std::uint64_t end,
+                               std::string_view endRecord) {
+    const std::string locator =
+        end < kLocatorBytes ? std::string()
+                            : recordAt(bytes, {end - kLocatorBytes, kLocatorBytes}, kLocatorMark);
+    if (locator.empty()) {
+        return ByteSpan{littleEndian<std::uint32_t>(endRecord.data() + 16),
+                        littleEndian<std::uint32_t>(endRecord.data() + 12)};
+    }
+    const std::string record =
+        recordAt(bytes, {littleEndian<std::uint64_t>(locator.data() + 8), kEnd64Bytes}, kEnd64Mark);
+    if (record.empty()) {
+        return std::nullopt;
+    }
+    return ByteSpan{littleEndian<std::uint64_t>(record.data() + 48),
+                    littleEndian<std::uint64_t>(record.data() + 40)};
+}
+
+bool isDirectory(const ByteSource& bytes, const ByteSpan& span) {
+    return lies(span, bytes) &&
+           (span.count == 0 ||
+            !recordAt(bytes, {span.offset, kEntryMark.size()}, kEntryMark).empty());
+}
+
+/// The directories that the file may have, from its front on: a comment or a stored entry can hold
+/// another end record, and libzip reads what each of them lists.
+std::vector<ByteSpan> directorySpans(const ByteSource& bytes) {
+    const std::uint64_t searched = std::min(bytes.size(), kEndBytes + kMaxComment);
+    const std::uint64_t start = bytes.size() - searched;
+    const std::string tail = bytesOf(bytes, {start, searched});
+    std::vector<ByteSpan> spans;
+    for (std::size_t mark = tail.find(kEndMark);
+         mark != std::string::npos && tail.size() - mark >= kEndBytes;
+         mark = tail.find(kEndMark, mark + 1)) {
+        const std::optional<ByteSpan> span =
+            spanOf(bytes, start + mark, std::string_view(tail).substr(mark, kEndBytes));
+        if (span && isDirectory(bytes, *span)) {
+            spans.push_back(*span);
+        }
+    }
+    return spans;
+}
+
+/// Counts the entries of a directory up to the first that is damaged; more than `most` are not
+/// counted.
+std::uint64_t entriesIn(const ByteSource& bytes, const ByteSpan& span, std::uint64_t most) {
+    constexpr std::size_t kNameLength = 28;
+    constexpr std::size_t kExtraLength = 30;
+    constexpr std::size_t kCommentLength = 32;
+    ByteReader reader(bytes, span);
+    std::array<char, 46> entry{};
+    for (std::uint64_t count = 0;; ++count) {
+        if (count > most || reader.remaining() < entry.size()) {
+            return count;
+        }
+        reader.copy(entry, "an entry");
+        std::uint64_t rest = 0;
+        for (const std::size_t length : {kNameLength, kExtraLength, kCommentLength}) {
+            rest += littleEndian<std::uint16_t>(entry.data() + length);
+        }
+        if (std::string_view(entry.data(), kEntryMark.size()) != kEntryMark ||
+            rest > reader.remaining()) {
+            return count;
+        }
+        (void)reader.take(rest, "an entry");
+    }
 }
 
 }  // namespace
@@ -187,7 +280,7 @@ public:
         return file;
     }
 
-    /// As many of the next bytes as there are. @throw InputError when they cannot be decoded
+    /// Reads as many of the next bytes as there are. @throw InputError when they cannot be decoded
     [[nodiscard]] std::size_t read(zip_file_t& from, std::span<char> bytes,
                                    const ZipEntry& entry) const {
         std::size_t done = 0;
@@ -281,13 +374,13 @@ public:
     }
 
     [[nodiscard]] std::uint64_t size() const override { return entry_.size; }
-    void read(std::uint64_t place, std::span<char> bytes) const override {
+    void read(std::uint64_t offset, std::span<char> bytes) const override {
         const std::scoped_lock lock(archive_->mutex());
-        const bool there = place <= entry_.size && bytes.size() <= entry_.size - place &&
-                           zip_fseek(file_.get(), static_cast<zip_int64_t>(place), SEEK_SET) == 0;
+        const bool there = offset <= entry_.size && bytes.size() <= entry_.size - offset &&
+                           zip_fseek(file_.get(), static_cast<zip_int64_t>(offset), SEEK_SET) == 0;
         if (!there || archive_->read(*file_, bytes, entry_) != bytes.size()) {
             archive_->fail(entry_.name,
-                           "it ends before byte " + std::to_string(place + bytes.size()));
+                           "it ends before byte " + std::to_string(offset + bytes.size()));
         }
     }
     void requireUnchanged() const override { archive_->bytes().requireUnchanged(); }
@@ -306,6 +399,29 @@ std::shared_ptr<const ByteSource> ZipArchive::source(const ZipEntry& entry,
     }
     return std::make_shared<OwnedBytes>(decoded(entry, most),
                                         entryName(opened_->file(), entry.name));
+}
+
+bool isZip(const ByteSource& bytes) {
+    return bytes.startsWith(kLocalMark) || bytes.startsWith(kEndMark);
+}
+
+std::optional<std::string> zipDirectory(const ByteSource& bytes) {
+    const std::vector<ByteSpan> spans = directorySpans(bytes);
+    if (spans.empty() || spans.back().count > kMaxDirectory) {
+        return std::nullopt;
+    }
+    return bytesOf(bytes, spans.back());
+}
+
+bool zipListsMoreThan(std::uint64_t most, const ByteSource& bytes) {
+    std::uint64_t count = 0;
+    for (const ByteSpan& span : directorySpans(bytes)) {
+        count += entriesIn(bytes, span, most - count);
+        if (count > most) {
+            return true;
+        }
+    }
+    return false;
 }
 
 }  // namespace asperity

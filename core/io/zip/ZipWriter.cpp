@@ -6,14 +6,13 @@
 #include <algorithm>
 #include <cerrno>
 #include <fstream>
-#include <string>
 #include <zip.h>
 
 namespace asperity {
 
 namespace {
 
-/// What libzip writes to, in place of a file whose temporary name it would choose itself.
+/// The target of libzip, in place of a file whose temporary name it would choose itself.
 class Output {
 public:
     explicit Output(const std::filesystem::path& path)
@@ -29,7 +28,7 @@ public:
         case ZIP_SOURCE_SEEK_WRITE:
             return seek(data, length);
         case ZIP_SOURCE_TELL_WRITE:
-            return place_;
+            return offset_;
         case ZIP_SOURCE_COMMIT_WRITE:
             stream_.close();
             return requireGood();
@@ -64,26 +63,26 @@ private:
 
     zip_int64_t write(const char* bytes, zip_uint64_t count) {
         stream_.write(bytes, static_cast<std::streamsize>(count));
-        place_ += static_cast<zip_int64_t>(count);
-        size_ = std::max(size_, place_);
+        offset_ += static_cast<zip_int64_t>(count);
+        size_ = std::max(size_, offset_);
         return requireGood() == 0 ? static_cast<zip_int64_t>(count) : -1;
     }
 
     zip_int64_t seek(void* data, zip_uint64_t length) {
         const zip_int64_t to =
-            zip_source_seek_compute_offset(static_cast<zip_uint64_t>(place_),
+            zip_source_seek_compute_offset(static_cast<zip_uint64_t>(offset_),
                                            static_cast<zip_uint64_t>(size_), data, length, &error_);
         if (to < 0) {
             return -1;
         }
-        place_ = to;
-        stream_.seekp(place_);
+        offset_ = to;
+        stream_.seekp(offset_);
         return requireGood();
     }
 
     TemporaryFile file_;
     std::ofstream stream_;
-    zip_int64_t place_ = 0;
+    zip_int64_t offset_ = 0;
     zip_int64_t size_ = 0;
     zip_error_t error_{};
 };
@@ -141,8 +140,8 @@ public:
         zip_register_cancel_callback_with_state(
             archive_,
             [](zip_t* /*archive*/, void* self) -> int {
-                const Progress* const told = static_cast<Archive*>(self)->progress_;
-                return told != nullptr && told->isCanceled() ? 1 : 0;
+                const Progress* const observer = static_cast<Archive*>(self)->progress_;
+                return observer != nullptr && observer->isCanceled() ? 1 : 0;
             },
             nullptr, this);
         if (zip_close(archive_) != 0) {

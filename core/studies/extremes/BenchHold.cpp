@@ -1,8 +1,8 @@
 #include "core/studies/extremes/BenchHold.h"
 
 #include "core/haptics/HapticTick.h"
+#include "core/scene/BelievedModel.h"
 #include "core/scene/Scene.h"
-#include "core/scene/SceneTruth.h"
 
 #include <algorithm>
 #include <array>
@@ -22,7 +22,7 @@ ArmImpedance armOf(Grip grip) {
     return grip == Grip::Normal ? kNormalGrip : kLightGrip;  // before a device opens it is light
 }
 
-/// How far the handle goes to and fro along any axis: the lesser of its largest rise and its
+/// Amplitude of the handle's oscillation along any axis: the lesser of its largest rise and its
 /// largest fall. A handle that creeps one way does not swing.
 class Swing {
 public:

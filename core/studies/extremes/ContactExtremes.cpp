@@ -1,20 +1,23 @@
 #include "core/studies/extremes/ContactExtremes.h"
 
+#include "core/Error.h"
+#include "core/FormattedText.h"
+#include "core/contact/laws/HertzLaw.h"
 #include "core/contact/maugis/MaugisTable.h"
-#include "core/scene/ContactValidity.h"
-#include "core/studies/extremes/ContactDefect.h"
-#include "core/studies/extremes/ContactErrors.h"
-#include "core/studies/extremes/ContactSetting.h"
-#include "core/studies/extremes/ContactStops.h"
+#include "core/scene/TipValidity.h"
+#include "core/studies/extremes/ExtremesGrid.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <map>
-#include <optional>
 #include <utility>
 
 namespace asperity {
 
 namespace {
+
+bool hasTable(ContactLaw law) { return traitsOf(law).table; }
 
 const char* sampleName(const ContactSetting& setting) {
     if (setting.filmThickness > 0.0) {
@@ -27,8 +30,8 @@ ContactLaw referenceLaw(const ContactSetting& setting) {
     return setting.filmThickness > 0.0 ? ContactLaw::HertzFilm : ContactLaw::SphereMaugis;
 }
 
-/// Whether a split law's tail makes a state, or its place, that the reference has no like of: where
-/// not both touch.
+/// Returns whether a split law's tail makes a state, or its position, that the reference has no
+/// like of: where not both touch.
 bool isOfTail(const ContactModel& model, const ContactState& state, const ContactState& reference) {
     const bool bothTouch = state.contactRadius > 0.0 && reference.contactRadius > 0.0;
     return hasTail(model.law()) && model.lambda() > 0.0 && !bothTouch;
@@ -96,7 +99,7 @@ private:
         ExtremesRegion region;
     };
 
-    /// What the state of a contender is held against at each stop.
+    /// Reference for a contender's state at each stop.
     struct Yardstick {
         const std::vector<ContactStop>& stops;
         const ContactCourse& exact;      ///< of the same law, solved afresh
@@ -139,7 +142,7 @@ private:
     void compareAll(std::vector<Contender>& contenders, const ContactSetting& setting) {
         const std::size_t reference = indexOf(contenders, referenceLaw(setting));
         const ContactModel& referenceModel = contenders[reference].model;
-        const std::vector<ContactStop> stops = contactStops(referenceModel, setting, grid_.places);
+        const std::vector<ContactStop> stops = contactStops(referenceModel, setting, grid_.stops);
         findings_.states += static_cast<long>(stops.size());
         std::vector<ContactCourse> courses;
         for (const Contender& contender : contenders) {
@@ -200,7 +203,115 @@ private:
     ExtremesFindings findings_;
 };
 
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+constexpr ContactPair kGood{.tipRadius = 15e-9, .reducedModulus = 2e9, .workOfAdhesion = 0.05};
+
+struct Request {
+    ContactSetting setting;
+    double approach = 0.0;  ///< [m]
+};
+
+std::vector<Request> requestsOf(ContactLaw law) {
+    const double film = isFilm(law) ? 1e-6 : 0.0;  // a good one
+    std::vector<Request> requests{{{.pair = kGood, .filmThickness = 10.0}},
+                                  {{.pair = kGood, .filmThickness = film, .cohesiveStress = 1e20}}};
+    if (isFilm(law)) {
+        requests.push_back({{.pair = kGood}});
+    }
+    for (const double radius : {1e-13, 10.0, kNan}) {
+        requests.push_back({{{radius, kGood.reducedModulus, kGood.workOfAdhesion}, film}});
+    }
+    for (const double modulus : {1e-3, 1e17, kNan}) {
+        requests.push_back({{{kGood.tipRadius, modulus, kGood.workOfAdhesion}, film}});
+    }
+    for (const double work : {-0.05, 1e5, kNan}) {
+        requests.push_back({{{kGood.tipRadius, kGood.reducedModulus, work}, film}});
+    }
+    for (const double stiffness : {1e-7, -1.0, kNan}) {
+        requests.push_back({{kGood, film, stiffness}});
+    }
+    for (const double approach : {1e4, kNan}) {
+        requests.push_back({{kGood, film}, approach});
+    }
+    return requests;
+}
+
 }  // namespace
+
+std::vector<LawOption> lawOptions() {
+    std::vector<LawOption> all;
+    for (const ContactLaw law : kValues<ContactLaw>) {
+        all.push_back({law, SolverSetting::Exact});
+        if (hasTable(law)) {
+            all.push_back({law, SolverSetting::Newton});
+            all.push_back({law, SolverSetting::Table});
+        }
+    }
+    return all;
+}
+
+const char* solverName(const LawOption& lawOption) noexcept {
+    return hasTable(lawOption.law) ? keyOf(lawOption.solver) : "-";
+}
+
+std::string describe(const LawOption& lawOption, const ContactSetting& setting, double approach) {
+    return formatted(
+        "%s (%s), tip radius %.17g m, E* %.17g Pa, w %.17g J/m^2, film %.17g m (Poisson "
+        "ratio %.17g), lever %.17g N/m, approach %.17g m",
+        keyOf(lawOption.law), solverName(lawOption), setting.pair.tipRadius,
+        setting.pair.reducedModulus, setting.pair.workOfAdhesion, setting.filmThickness,
+        setting.filmPoissonRatio, setting.leverStiffness, approach);
+}
+
+ContactCandidate candidate(const LawOption& lawOption, const ContactSetting& setting) {
+    try {
+        const ContactOptions options{.cohesiveStress = setting.cohesiveStress,
+                                     .filmThickness = setting.filmThickness,
+                                     .film = {.poissonRatio = setting.filmPoissonRatio},
+                                     .solver = lawOption.solver};
+        return {lawOption, ContactModel(lawOption.law, setting.pair, options), ""};
+    } catch (const Error& error) {
+        return {lawOption, std::nullopt, error.what()};
+    }
+}
+
+std::string refusalOf(ContactStatus status) { return std::string("contact: ") + nameOf(status); }
+
+std::vector<ContactStop> contactStops(const ContactModel& reference, const ContactSetting& setting,
+                                      int positions) {
+    constexpr double kMinDepth = 1e-4;  // of the tip radius
+    constexpr double kMaxDepth = 3.0;   // of the tip radius
+    constexpr double kMinGap = 1e-3;    // of the farthest gap
+    const double radius = setting.pair.tipRadius;
+    const double compliance = setting.compliance();
+    const double farthest = -1.5 * std::max({-reference.pullOffApproach(compliance),
+                                             -reference.jumpInApproach(compliance), 0.05 * radius});
+    std::vector<ContactStop> stops;
+    for (const double gap : logSpaced(farthest, kMinGap * farthest, positions / 2)) {
+        stops.push_back({gap, false});
+    }
+    const HertzLaw hertz(setting.pair);
+    for (const double depth :
+         logSpaced(kMinDepth * radius, kMaxDepth * radius, positions - (positions / 2))) {
+        stops.push_back({depth + (compliance * hertz.atIndentation(depth).force), false});
+    }
+    for (std::size_t i = stops.size(); i-- > 0;) {
+        stops.push_back({stops[i].approach, true});
+    }
+    return stops;
+}
+
+ContactCourse contactCourse(const ContactModel& model, const std::vector<ContactStop>& stops,
+                            double compliance) {
+    ContactCourse course{.jumpIn = model.jumpInApproach(compliance),
+                         .pullOff = model.pullOffApproach(compliance)};
+    ContactMemory memory;
+    for (const ContactStop& stop : stops) {
+        course.states.push_back(model.equilibrium(stop.approach, compliance, memory));
+        memory = course.states.back().memory();
+    }
+    return course;
+}
 
 std::vector<FlatSample> samplesOf(const ContactGrid& grid) {
     std::vector<FlatSample> samples;
@@ -221,6 +332,72 @@ ExtremesFindings contactExtremes(const ContactGrid& grid, const FlatSample& samp
         .run({.pair = {.reducedModulus = sample.modulus, .workOfAdhesion = sample.adhesion},
               .filmThickness = sample.film.thickness,
               .filmPoissonRatio = sample.film.poissonRatio});
+}
+
+const char* defectOf(const ContactState& state, const ContactSetting& setting,
+                     double approach) noexcept {
+    constexpr double kRounding = 1e-9;
+    for (const double value : {state.force, state.indentation, state.contactRadius,
+                               state.cohesiveRadius, state.stiffness, state.energyLost}) {
+        if (!std::isfinite(value)) {
+            return "a value is not finite";
+        }
+    }
+    if (state.contactRadius < 0.0 || state.energyLost < 0.0 ||
+        state.cohesiveRadius < state.contactRadius * (1.0 - kRounding)) {
+        return "a radius or an energy is impossible";
+    }
+    // Indentation and force are Hertz' less what adhesion takes: that is how large rounding sees
+    // them.
+    const LawPoint hertz = HertzLaw(setting.pair).atContactRadius(state.contactRadius);
+    const double compliance = setting.compliance();
+    const double bent = compliance * state.force;
+    const double size = std::abs(state.indentation) + std::abs(bent) + std::abs(approach) +
+                        hertz.indentation + (compliance * hertz.force);
+    const bool balanced = std::abs(state.indentation + bent - approach) <= kRounding * size;
+    return balanced ? nullptr : "lever and sample are not in balance";
+}
+
+StateErrors stateErrors(const ContactState& state, const ContactState& reference,
+                        const MaugisUnits& units) noexcept {
+    return {.force = relativeError(state.force, reference.force, units.force),
+            .contactRadius =
+                relativeError(state.contactRadius, reference.contactRadius, units.radius)};
+}
+
+StateErrors contactErrors(const ContactCourse& course, const ContactCourse& other,
+                          const std::vector<ContactStop>& stops, std::size_t index,
+                          const MaugisUnits& units) noexcept {
+    const ContactState& state = course.states[index];
+    const ContactState& reference = other.states[index];
+    if (state.branch == reference.branch) {
+        return stateErrors(state, reference, units);
+    }
+    return {.jump = stops[index].retract ? relativeError(course.pullOff, other.pullOff, 0.0)
+                                         : relativeError(course.jumpIn, other.jumpIn, 0.0)};
+}
+
+ExtremesFindings refusedContacts() {
+    ExtremesFindings findings;
+    for (const ContactLaw law : kValues<ContactLaw>) {
+        const LawOption lawOption{law, SolverSetting::Exact};  // no solver is asked
+        ExtremesRegion region({.model = keyOf(law), .setting = "-", .sample = "out of range"});
+        for (const auto& [setting, approach] : requestsOf(law)) {
+            const ContactCandidate asked = candidate(lawOption, setting);
+            const double compliance = setting.compliance();
+            if (!asked.model) {
+                region.refuse(asked.refusal);
+            } else if (const auto state = asked.model->equilibrium(approach, compliance, {});
+                       !state.solved()) {
+                region.refuse(refusalOf(state.status));
+            } else {
+                findings.addDefect(describe(lawOption, setting, approach) +
+                                   ": no instrument has this, and it was not refused");
+            }
+        }
+        findings.regions.push_back(std::move(region));
+    }
+    return findings;
 }
 
 }  // namespace asperity

@@ -1,11 +1,8 @@
 #include "core/studies/extremes/ExtremesGrid.h"
 
-#include "core/studies/extremes/CouplingExtremes.h"
-#include "core/studies/extremes/LogSpaced.h"
 #include "core/studies/extremes/TickExtremes.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 namespace asperity {
@@ -30,7 +27,7 @@ long strideFor(double part, long whole) {
     return 1 + 6 * std::lround(std::max(0.0, static_cast<double>(whole) / part - 1.0) / 6.0);
 }
 
-/// How many times a part goes into a number of states, at least `fewest`.
+/// Returns how many times a part goes into a number of states, at least `fewest`.
 int timesIn(double states, long part, int fewest) {
     return std::max(fewest, static_cast<int>(std::lround(states / static_cast<double>(part))));
 }
@@ -55,7 +52,7 @@ long CouplingGrid::settings() const noexcept {
 long CouplingGrid::holds() const noexcept { return 2 * ((settings() + stride - 1) / stride); }
 
 long ExtremesGrid::states() const noexcept {
-    return (contact.ways() * 2 * contact.places) + (tick.runs() * tick.ticks) + coupling.holds();
+    return (contact.ways() * 2 * contact.stops) + (tick.runs() * tick.ticks) + coupling.holds();
 }
 
 ExtremesGrid ExtremesGrid::ofAbout(double states) {
@@ -87,7 +84,7 @@ ExtremesGrid ExtremesGrid::ofAbout(double states) {
     grid.tick.ticks = timesIn(kTickShare * states, grid.tick.runs(), 5);
     const double left =
         states - static_cast<double>((grid.tick.runs() * grid.tick.ticks) + grid.coupling.holds());
-    grid.contact.places = timesIn(0.5 * left, grid.contact.ways(), 4);
+    grid.contact.stops = timesIn(0.5 * left, grid.contact.ways(), 4);
     return grid;
 }
 

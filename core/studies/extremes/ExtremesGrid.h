@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <vector>
 
 namespace asperity {
@@ -10,15 +11,15 @@ struct Film {
     double poissonRatio = 0.5;
 };
 
-/// States of the contact laws: all of these with each other, each at every place of the way in and
-/// out. All values within the laws' ranges, tip radii rising.
+/// States of the contact laws: all of these with each other, each at every position of the way in
+/// and out. All values within the laws' ranges, tip radii rising.
 struct ContactGrid {
     std::vector<double> tipRadii;          ///< [m]
     std::vector<double> moduli;            ///< E* [Pa]
     std::vector<double> adhesions;         ///< w on a half-space [J/m^2]; 0: none
     std::vector<Film> films;               ///< without adhesion
     std::vector<double> leverStiffnesses;  ///< [N/m]; infinite: displacement control
-    int places = 0;                        ///< of the tip, one way; >= 4
+    int stops = 0;                         ///< of the tip, one way; >= 4
 
     [[nodiscard]] long ways() const noexcept;  ///< in and out: how many there are
 };
@@ -61,5 +62,14 @@ struct ExtremesGrid {
 
     [[nodiscard]] long states() const noexcept;
 };
+
+/// `count` >= 2 values of one sign from first to last, each the same factor apart.
+[[nodiscard]] inline std::vector<double> logSpaced(double first, double last, int count) {
+    std::vector<double> values;
+    for (int i = 0; i < count; ++i) {
+        values.push_back(first * std::pow(last / first, static_cast<double>(i) / (count - 1)));
+    }
+    return values;
+}
 
 }  // namespace asperity

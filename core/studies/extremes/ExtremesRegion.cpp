@@ -1,9 +1,20 @@
 #include "core/studies/extremes/ExtremesRegion.h"
 
-#include <algorithm>
-#include <utility>
+#include <cmath>
 
 namespace asperity {
+
+Verdict verdictOnError(double error) noexcept {
+    if (error <= kExactWithin) {
+        return Verdict::Exact;
+    }
+    return error <= kValidWithin ? Verdict::Valid : Verdict::Off;
+}
+
+double relativeError(double value, double reference, double unit) noexcept {
+    const double size = std::max({std::abs(value), std::abs(reference), unit});
+    return size > 0.0 ? std::abs(value - reference) / size : 0.0;
+}
 
 void VerdictTally::add(const VerdictTally& other) {
     states += other.states;
@@ -73,11 +84,11 @@ std::string ExtremesRegion::mainReason() const {
 std::vector<ExtremesRegion> merged(std::vector<ExtremesRegion> regions) {
     std::stable_sort(regions.begin(), regions.end(),
                      [](const ExtremesRegion& one, const ExtremesRegion& other) {
-                         return one.place() < other.place();
+                         return one.key() < other.key();
                      });
     std::vector<ExtremesRegion> sums;
     for (ExtremesRegion& region : regions) {
-        if (sums.empty() || sums.back().place() != region.place()) {
+        if (sums.empty() || sums.back().key() != region.key()) {
             sums.push_back(std::move(region));
         } else {
             sums.back().add(region);
@@ -86,12 +97,12 @@ std::vector<ExtremesRegion> merged(std::vector<ExtremesRegion> regions) {
     return sums;
 }
 
-std::vector<ExtremesRegion> summedOverPlaces(const std::vector<ExtremesRegion>& regions) {
+std::vector<ExtremesRegion> summedBySample(const std::vector<ExtremesRegion>& regions) {
     std::vector<ExtremesRegion> sums;
     for (const ExtremesRegion& region : regions) {
-        const RegionPlace& place = region.place();
+        const RegionKey& key = region.key();
         ExtremesRegion& sum = sums.emplace_back(
-            RegionPlace{.model = place.model, .setting = place.setting, .sample = place.sample});
+            RegionKey{.model = key.model, .setting = key.setting, .sample = key.sample});
         sum.add(region);
     }
     return merged(std::move(sums));

@@ -1,12 +1,13 @@
 #pragma once
 
+#include "core/EnumTable.h"
 #include "core/scene/Validity.h"
-#include "core/studies/extremes/Verdict.h"
 
 #include <algorithm>
 #include <array>
 #include <compare>
 #include <cstddef>
+#include <cstdint>
 #include <map>
 #include <string>
 #include <utility>
@@ -14,8 +15,40 @@
 
 namespace asperity {
 
-/// Where a region lies in the map.
-struct RegionPlace {
+/// Verdict on a state, best first.
+enum class Verdict : std::uint8_t {
+    Exact,     ///< solved, not flagged, within kExactWithin of the reference
+    Valid,     ///< solved, not flagged, within kValidWithin of it
+    Off,       ///< solved, not flagged, farther off
+    Flagged,   ///< solved, and a validity flag says that it does not hold
+    Unproven,  ///< solved, not flagged, but the reference itself is not known to hold there
+    Refused,   ///< no answer, but a reason
+};
+
+template <>
+inline constexpr auto
+    kEnumTable<Verdict> = std::to_array<EnumRow<Verdict>>({{Verdict::Exact, "exact"},
+                                                           {Verdict::Valid, "valid"},
+                                                           {Verdict::Off, "off"},
+                                                           {Verdict::Flagged, "flagged"},
+                                                           {Verdict::Unproven, "unproven"},
+                                                           {Verdict::Refused, "refused"}});
+
+/// Less than any force calibration resolves [relative].
+inline constexpr double kExactWithin = 1e-3;
+/// As far as two adhesion laws of the same work and range differ [relative]: nothing finer has a
+/// physical meaning. Source: docs/theory.md 2.9.
+inline constexpr double kValidWithin = 0.05;
+
+/// The verdict on a solved state without flags whose reference holds. @param error relative to the
+/// reference
+[[nodiscard]] Verdict verdictOnError(double error) noexcept;
+
+/// Difference of two quantities relative to the largest of both and `unit` >= 0; 0 where all are 0.
+[[nodiscard]] double relativeError(double value, double reference, double unit) noexcept;
+
+/// Position of a region in the map.
+struct RegionKey {
     std::string model;  ///< key of a contact law; "tick"
     std::string
         setting;  ///< of its solver, "-" where all are the same; effort of the closest point search
@@ -24,15 +57,15 @@ struct RegionPlace {
     double modulus = 0.0;    ///< E* [Pa]; 0 for the tick
     double roughness = 0.0;  ///< rms height over tip radius; of the tick only
 
-    [[nodiscard]] auto operator<=>(const RegionPlace&) const = default;
+    [[nodiscard]] auto operator<=>(const RegionKey&) const = default;
 };
 
 /// Relative errors of one state.
 struct StateErrors {
     double force = 0.0;          ///< against the reference
-    double contactRadius = 0.0;  ///< likewise
-    double jump = 0.0;           ///< of the place of a jump that lies between state and reference
-    double solver = 0.0;         ///< the largest one against the same law solved afresh
+    double contactRadius = 0.0;  ///< same
+    double jump = 0.0;    ///< of the position of a jump that lies between state and reference
+    double solver = 0.0;  ///< the largest one against the same law solved afresh
 
     [[nodiscard]] double largest() const noexcept { return std::max({force, contactRadius, jump}); }
 };
@@ -79,11 +112,11 @@ struct VerdictTally {
     void add(const VerdictTally& other);
 };
 
-/// What became of all states of one model and setting in one part of the parameter space, added up
+/// Results of all states of one model and setting in one part of the parameter space, added up
 /// while they are evaluated.
 class ExtremesRegion {
 public:
-    explicit ExtremesRegion(RegionPlace place) : place_(std::move(place)) {}
+    explicit ExtremesRegion(RegionKey key) : key_(std::move(key)) {}
 
     /// A solved state.
     template <class Describe>
@@ -103,7 +136,7 @@ public:
     /// All states of another region.
     void add(const ExtremesRegion& other);
 
-    [[nodiscard]] const RegionPlace& place() const noexcept { return place_; }
+    [[nodiscard]] const RegionKey& key() const noexcept { return key_; }
     [[nodiscard]] const VerdictTally& tally(Verdict verdict) const noexcept {
         return tallies_[static_cast<std::size_t>(verdict)];
     }
@@ -119,18 +152,18 @@ public:
 private:
     void countFlags(ValidityFlags flags);
 
-    RegionPlace place_;
+    RegionKey key_;
     std::array<VerdictTally, kValues<Verdict>.size()> tallies_;
     std::array<long, kValidityFlagCount> flags_{};
     std::map<std::string, long> refusals_;
     WorstError solver_;
 };
 
-/// One region for each place, in the order of places.
+/// One region for each position, in the order of positions.
 [[nodiscard]] std::vector<ExtremesRegion> merged(std::vector<ExtremesRegion> regions);
 
 /// One region for each model, setting and sample, over all tips, moduli and roughnesses.
 [[nodiscard]] std::vector<ExtremesRegion>
-summedOverPlaces(const std::vector<ExtremesRegion>& regions);
+summedBySample(const std::vector<ExtremesRegion>& regions);
 
 }  // namespace asperity

@@ -2,8 +2,6 @@
 
 #include "core/ShareOut.h"
 #include "core/studies/extremes/ContactExtremes.h"
-#include "core/studies/extremes/CouplingExtremes.h"
-#include "core/studies/extremes/RefusedContacts.h"
 #include "core/studies/extremes/TickExtremes.h"
 
 #include <functional>
@@ -31,8 +29,8 @@ void addTicks(std::vector<Part>& parts, const TickGrid& grid) {
     for (const double radius : grid.tipRadii) {
         for (const double roughness : grid.roughnesses) {
             parts.emplace_back(
-                [&grid, place = RoughPlace{radius, roughness}](const CancelCheck& check) {
-                    return tickExtremes(grid, place, check);
+                [&grid, sample = RoughSample{radius, roughness}](const CancelCheck& check) {
+                    return tickExtremes(grid, sample, check);
                 });
         }
     }

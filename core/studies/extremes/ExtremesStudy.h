@@ -1,22 +1,22 @@
 #pragma once
 
 #include "core/Progress.h"
+#include "core/studies/extremes/BenchHold.h"
 #include "core/studies/extremes/ExtremesGrid.h"
 #include "core/studies/extremes/ExtremesRegion.h"
-#include "core/studies/extremes/HoldOutcome.h"
 
 #include <string>
 #include <vector>
 
 namespace asperity {
 
-/// What a part of the study found.
+/// Results of a part of the study.
 struct ExtremesFindings {
     std::vector<ExtremesRegion> regions;
     std::vector<HoldOutcome> holds;
     long states = 0;   ///< of the grid, each once however many models are asked
     long defects = 0;  ///< states that no answer may have: a value that is not finite, no balance
-    /// The first of them in each place of the grid, one sentence each, so that it can be repeated.
+    /// The first of them in each region, one sentence each, so that it can be repeated.
     std::vector<std::string> examples;
 
     /// Counts one more of them. @param sentence says what state it is and what is wrong

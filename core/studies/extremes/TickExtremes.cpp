@@ -2,11 +2,12 @@
 
 #include "core/FormattedText.h"
 #include "core/Units.h"
-#include "core/contact/maugis/MaugisUnits.h"
+#include "core/contact/maugis/MaugisDugdale.h"
 #include "core/haptics/HapticTick.h"
 #include "core/haptics/VirtualRun.h"
+#include "core/scene/BelievedModel.h"
 #include "core/scene/Scene.h"
-#include "core/scene/SceneTruth.h"
+#include "core/studies/extremes/BenchHold.h"
 #include "core/surface/synthetic/SyntheticSurface.h"
 
 #include <algorithm>
@@ -19,15 +20,15 @@ namespace {
 constexpr std::array kEfforts{SearchEffort::Certified, SearchEffort::Global, SearchEffort::Local};
 
 /// A scan some tips wide, whose waves are as long as the tip is wide and shorter.
-HeightMap roughMap(const RoughPlace& place) {
+HeightMap roughMap(const RoughSample& sample) {
     constexpr int kPixels = 96;
     constexpr double kSize = 8.0;  // in tip radii
-    const double size = kSize * place.tipRadius;
+    const double size = kSize * sample.tipRadius;
     const ScanSize scan{.columns = kPixels, .rows = kPixels, .sizeX = size, .sizeY = size};
-    if (place.roughness == 0.0) {
+    if (sample.roughness == 0.0) {
         return flatMap(scan);
     }
-    return selfAffineMap(scan, {.rms = place.roughness * place.tipRadius,
+    return selfAffineMap(scan, {.rms = sample.roughness * sample.tipRadius,
                                 .longestWave = 0.5 * size,
                                 .rollOffWave = 0.25 * size,
                                 .shortestWave = 0.05 * size});
@@ -40,7 +41,7 @@ struct TickSetting {
     double depth = 0.0;           ///< of the base below first touch, over the tip radius
 };
 
-SceneDescription sceneOf(const RoughPlace& place, const TickSetting& setting) {
+SceneDescription sceneOf(const RoughSample& sample, const TickSetting& setting) {
     SceneDescription scene = defaultScene();
     scene.sample.material = setting.material;
     scene.sample.smoothingPixels = 0.0;
@@ -48,16 +49,16 @@ SceneDescription sceneOf(const RoughPlace& place, const TickSetting& setting) {
     scene.truth.material = setting.material;
     scene.truth.stiffness = setting.leverStiffness;
     scene.probe.thickness = thicknessForStiffness(scene.probe, setting.leverStiffness);
-    scene.tip.radius = place.tipRadius;
+    scene.tip.radius = sample.tipRadius;
     return scene;
 }
 
-std::string describe(const RoughPlace& place, const TickSetting& setting, const char* effort,
+std::string describe(const RoughSample& sample, const TickSetting& setting, const char* effort,
                      std::size_t tick) {
     return formatted(
         "tick %zu (%s), tip radius %.17g m, roughness %.17g of it, %s, lever %.17g N/m, "
         "depth of the base %.17g tip radii",
-        tick, effort, place.tipRadius, place.roughness, setting.material.name.c_str(),
+        tick, effort, sample.tipRadius, sample.roughness, setting.material.name.c_str(),
         setting.leverStiffness, setting.depth);
 }
 
@@ -75,8 +76,8 @@ std::vector<TickOutput> ticksOf(const Scene& scene, double depth, int ticks) {
     return outputs;
 }
 
-/// What a state does not hold for. A jump that is announced takes nothing back of what is; that the
-/// reference has no proof either is the reference's doubt.
+/// Returns what a state does not hold for. A jump that is announced takes nothing back of what is;
+/// that the reference has no proof either is the reference's doubt.
 ValidityFlags doubts(ValidityFlags flags, bool referenceHolds) {
     ValidityFlags left;
     for (const ValidityTraits& one : kValidityTraits) {
@@ -104,16 +105,16 @@ const char* refusalOf(const TickOutput& output) {
     return nullptr;
 }
 
-class RoughPlaceStudy {
+class RoughSampleStudy {
 public:
-    RoughPlaceStudy(const TickGrid& grid, const RoughPlace& place, const CancelCheck& check)
-        : grid_(grid), place_(place), check_(check) {
+    RoughSampleStudy(const TickGrid& grid, const RoughSample& sample, const CancelCheck& check)
+        : grid_(grid), sample_(sample), check_(check) {
         for (const SearchEffort effort : kEfforts) {
-            findings_.regions.emplace_back(RegionPlace{.model = "tick",
-                                                       .setting = keyOf(effort),
-                                                       .sample = "rough",
-                                                       .tipRadius = place.tipRadius,
-                                                       .roughness = place.roughness});
+            findings_.regions.emplace_back(RegionKey{.model = "tick",
+                                                     .setting = keyOf(effort),
+                                                     .sample = "rough",
+                                                     .tipRadius = sample.tipRadius,
+                                                     .roughness = sample.roughness});
         }
     }
 
@@ -131,7 +132,7 @@ public:
             }
             for (std::size_t tick = 0; tick < outputs.size(); ++tick) {
                 const auto sayWhere = [&] {
-                    return describe(place_, setting, keyOf(kEfforts[i]), tick);
+                    return describe(sample_, setting, keyOf(kEfforts[i]), tick);
                 };
                 judge(findings_.regions[i], outputs[tick], reference[tick], pull, sayWhere);
             }
@@ -166,10 +167,136 @@ private:
     }
 
     const TickGrid& grid_;
-    RoughPlace place_;
+    RoughSample sample_;
     const CancelCheck& check_;
     ExtremesFindings findings_;
 };
+
+/// As docs/haptics.md has it.
+constexpr DeviceSpecification kDevice{.maxForce = kPhantomClass.maxForce,
+                                      .maxStiffness = kPhantomClass.maxStiffness,
+                                      .maxDamping = kPhantomClass.maxDamping,
+                                      .effectiveMass = kPhantomClass.mass};
+
+constexpr double kDetectorNoise = 1e-7;  // of a signal [rad]
+
+Scene sceneOf(const HoldBench& bench, double signalNoise) {
+    constexpr int kPixels = 32;
+    constexpr double kSize = 4e-6;  // wider than the softest lever takes the tip sideways
+    SceneDescription scene = defaultScene();
+    scene.sample.material = bench.material;
+    scene.sample.smoothingPixels = 0.0;
+    scene.sample.leveling = {};
+    scene.truth.material = bench.material;
+    scene.truth.signalNoise = signalNoise;
+    scene.truth.stiffness = bench.leverStiffness;
+    scene.probe.thickness = thicknessForStiffness(scene.probe, bench.leverStiffness);
+    scene.tickRate = bench.tickRate;
+    scene.choices.law = ContactLaw::Split;
+    return buildScene(
+        scene, flatMap({.columns = kPixels, .rows = kPixels, .sizeX = kSize, .sizeY = kSize}));
+}
+
+std::string describe(const HoldSetting& hold) {
+    return formatted("hold on %s (%.17g J/m^2), lever %.17g N/m, %.17g Hz, delay %.17g s, position "
+                     "gain %.17g, force gain %.17g, grip %s, %s",
+                     hold.material.c_str(), hold.workOfAdhesion, hold.leverStiffness, hold.tickRate,
+                     hold.delay, hold.scale.positionGain, hold.scale.forceGain, nameOf(hold.grip),
+                     hold.coupled ? "coupled" : "not coupled");
+}
+
+class BenchStudy {
+public:
+    BenchStudy(const HoldBench& bench, const CancelCheck& check)
+        : bench_(bench)
+        , check_(check)
+        , scene_(sceneOf(bench, kDetectorNoise))
+        , quiet_(sceneOf(bench, 0.0)) {}
+
+    void meet(HoldSetting hold) {
+        hold.material = bench_.material.name;
+        hold.workOfAdhesion = bench_.material.workOfAdhesion;
+        hold.leverStiffness = bench_.leverStiffness;
+        hold.tickRate = bench_.tickRate;
+        for (const bool coupled : {true, false}) {
+            hold.coupled = coupled;
+            ++findings_.states;
+            findings_.holds.push_back(coupled ? held(hold) : free(hold));
+        }
+    }
+
+    [[nodiscard]] ExtremesFindings take() { return std::move(findings_); }
+
+private:
+    HoldOutcome held(const HoldSetting& hold) {
+        HoldOutcome outcome{
+            .setting = hold,
+            .device = coupleDevice(scene_.belief,
+                                   {.device = kDevice,
+                                    .timing = {.timeStep = scene_.timeStep(), .delay = hold.delay},
+                                    .scale = hold.scale,
+                                    .own = {},
+                                    .maxForce = kDevice.maxForce})};
+        if (outcome.device.holds()) {
+            return tried(outcome);
+        }
+        outcome.verdict =
+            outcome.device.noCoupling.empty() ? HoldVerdict::ScaleTooHigh : HoldVerdict::NoCoupling;
+        return outcome;
+    }
+
+    HoldOutcome free(const HoldSetting& hold) {
+        const TipLoad tip = tipLoad(scene_.belief, kDevice.maxForce / hold.scale.forceGain);
+        const ScaleBounds bounds{.stiffness = kDevice.maxStiffness,
+                                 .force = kDevice.maxForce,
+                                 .timeStep = scene_.timeStep()};
+        HoldOutcome outcome{.setting = hold, .device = {}};
+        outcome.device.judgment = judgeScale(tip, hold.scale, std::nullopt, bounds);
+        return tried(outcome);
+    }
+
+    HoldOutcome tried(HoldOutcome outcome) {
+        const HoldSetting& setting = outcome.setting;
+        const BenchHold hold{.scale = setting.scale,
+                             .coupling = outcome.device.gains,
+                             .delay = setting.delay,
+                             .grip = setting.grip};
+        std::optional<double> swing = swingOnBench(scene_, hold, check_);
+        outcome.swing = swing.value_or(0.0);
+        if (outcome.swing >= kStillWithin) {
+            swing = swingOnBench(quiet_, hold, check_);
+            outcome.verdict =
+                swing.value_or(0.0) >= kStillWithin ? HoldVerdict::Oscillates : HoldVerdict::Noisy;
+        }
+        if (!swing) {
+            outcome.verdict = HoldVerdict::NotFinite;
+            findings_.addDefect(describe(setting) + ": a value is not finite");
+        }
+        return outcome;
+    }
+
+    HoldBench bench_;
+    const CancelCheck& check_;
+    Scene scene_;
+    Scene quiet_;  ///< the same with a detector without noise
+    ExtremesFindings findings_;
+};
+
+/// The settings of one bench.
+std::vector<HoldSetting> settingsOf(const CouplingGrid& grid) {
+    std::vector<HoldSetting> settings;
+    for (const double delay : grid.delays) {
+        for (const double positionGain : grid.positionGains) {
+            for (const double forceGain : grid.forceGains) {
+                for (const Grip grip : kValues<Grip>) {
+                    settings.push_back(
+                        {.delay = delay, .scale = {positionGain, forceGain}, .grip = grip});
+                }
+            }
+        }
+    }
+    return settings;
+}
 
 }  // namespace
 
@@ -187,16 +314,55 @@ std::vector<SampleMaterial> tickMaterials() {
              .hardness = 9.0_GPa}};
 }
 
-ExtremesFindings tickExtremes(const TickGrid& grid, const RoughPlace& place,
+ExtremesFindings tickExtremes(const TickGrid& grid, const RoughSample& sample,
                               const CancelCheck& check) {
-    RoughPlaceStudy study(grid, place, check);
-    const HeightMap map = roughMap(place);
+    RoughSampleStudy study(grid, sample, check);
+    const HeightMap map = roughMap(sample);
     for (const SampleMaterial& material : tickMaterials()) {
         for (const double stiffness : grid.leverStiffnesses) {
             for (const double depth : grid.depths) {
                 const TickSetting setting{material, stiffness, depth};
-                study.meet(buildScene(sceneOf(place, setting), map), setting);
+                study.meet(buildScene(sceneOf(sample, setting), map), setting);
             }
+        }
+    }
+    return study.take();
+}
+
+std::vector<SampleMaterial> holdMaterials() {
+    std::vector<SampleMaterial> materials;
+    for (SampleMaterial& material : tickMaterials()) {
+        materials.push_back(material);
+        material.workOfAdhesion = 0.0;
+        materials.push_back(material);
+    }
+    return materials;
+}
+
+std::vector<HoldBench> benchesOf(const CouplingGrid& grid) {
+    std::vector<HoldBench> benches;
+    const auto each = static_cast<long>(settingsOf(grid).size());
+    for (const SampleMaterial& material : holdMaterials()) {
+        for (const double lever : grid.leverStiffnesses) {
+            for (const double rate : grid.tickRates) {
+                const auto before = static_cast<long>(benches.size());
+                benches.push_back({material, lever, rate, before * each});
+            }
+        }
+    }
+    std::stable_sort(
+        benches.begin(), benches.end(),
+        [](const HoldBench& one, const HoldBench& other) { return one.tickRate > other.tickRate; });
+    return benches;
+}
+
+ExtremesFindings couplingExtremes(const CouplingGrid& grid, const HoldBench& bench,
+                                  const CancelCheck& check) {
+    BenchStudy study(bench, check);
+    long index = bench.first;
+    for (const HoldSetting& setting : settingsOf(grid)) {
+        if (index++ % grid.stride == 0) {
+            study.meet(setting);
         }
     }
     return study.take();

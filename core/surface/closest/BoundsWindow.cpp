@@ -14,7 +14,7 @@ namespace {
 
 /// Share by which single precision may miss a squared distance, with room to spare.
 constexpr float kRelativeRounding = 1e-5F;
-/// Single precision tells a difference of heights to this share of the larger one.
+/// Single precision resolves a difference of heights to this share of the larger one.
 constexpr double kHeightRounding = 4e-7;
 /// Said of a block that is not known to bend up at all.
 constexpr float kBendsDown = -1e6F;
@@ -57,7 +57,7 @@ struct AxisDistances {
     std::array<float, BoundsWindow::kMaxBlocks> y{};
 };
 
-/// Where the bounds of a window's blocks go.
+/// Storage of the bounds of a window's blocks.
 struct WindowRows {
     float* nearest = nullptr;
     float* bend = nullptr;

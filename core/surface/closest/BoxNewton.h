@@ -13,7 +13,7 @@ namespace asperity {
 
 using Matrix2 = Eigen::Matrix2d;
 
-/// A function of a place on the surface, expanded to second order. Its unit is the caller's.
+/// A function of a position on the surface, expanded to second order. Its unit is the caller's.
 struct LocalModel {
     HeightSample surface;  ///< the surface there
     double value = 0.0;
@@ -25,7 +25,7 @@ struct LocalModel {
 };
 
 struct BoxMinimum {
-    Vector2 place = Vector2::Zero();  ///< world [m]
+    Vector2 position = Vector2::Zero();  ///< world [m]
     LocalModel model;
     int iterations = 0;      ///< Newton steps
     int evaluations = 0;     ///< of the objective
@@ -33,9 +33,9 @@ struct BoxMinimum {
     bool pushedOut = false;  ///< the minimum lies on the box's edge and would lie beyond it
 };
 
-/// Local minimum of objective(place) -> LocalModel in a box: Newton's method with an active set for
-/// the box, a convex stand-in where the Hessian is indefinite, and backtracking, so that every step
-/// lowers the value (as far as rounding lets one tell). Leaves saddles and maxima along the
+/// Local minimum of objective(position) -> LocalModel in a box: Newton's method with an active set
+/// for the box, a convex stand-in where the Hessian is indefinite, and backtracking, so that every
+/// step lowers the value (as far as rounding lets one tell). Leaves saddles and maxima along the
 /// direction of negative curvature. Allocation-free, bounded.
 template <class Objective>
 class BoxNewton {
@@ -46,8 +46,8 @@ public:
 
     [[nodiscard]] BoxMinimum minimize(const Vector2& start) const noexcept {
         BoxMinimum state;
-        state.place = box_.nearest(start);
-        state.model = objective_(state.place);
+        state.position = box_.nearest(start);
+        state.model = objective_(state.position);
         state.evaluations = 1;
         while (state.evaluations < kMaxEvaluations) {
             const Free free = freeAxes(state);
@@ -77,14 +77,14 @@ private:
     /// A Hessian nearer to singular than this sends the step to nowhere useful.
     static constexpr double kSingular = 1e-10;
 
-    using Free = std::array<bool, 2>;  ///< the axes along which the place may move
+    using Free = std::array<bool, 2>;  ///< the axes along which the position may move
 
     [[nodiscard]] Free freeAxes(const BoxMinimum& state) const {
         Free free{};
         for (int axis = 0; axis < 2; ++axis) {
             const double slope = state.model.gradient[axis];
-            free[axis] = !(state.place[axis] <= box_.low[axis] && slope >= 0.0) &&
-                         !(state.place[axis] >= box_.high[axis] && slope <= 0.0);
+            free[axis] = !(state.position[axis] <= box_.low[axis] && slope >= 0.0) &&
+                         !(state.position[axis] >= box_.high[axis] && slope <= 0.0);
         }
         return free;
     }
@@ -99,7 +99,7 @@ private:
         return true;
     }
 
-    /// Whether an edge holds the place back.
+    /// Returns whether an edge holds the position back.
     static bool pushes(const BoxMinimum& state, const Free& free) {
         for (int axis = 0; axis < 2; ++axis) {
             if (!free[axis] && std::abs(state.model.gradient[axis]) >
@@ -122,27 +122,25 @@ private:
     }
 
     /// Step to the least value of the local quadratic along one axis, within the box.
-    [[nodiscard]] double stepAlong(int axis, const Vector2& place, double slope,
-                                   double bend) const {
-        return std::clamp(-slope / bend, box_.low[axis] - place[axis],
-                          box_.high[axis] - place[axis]);
+    [[nodiscard]] double stepAlong(int axis, const Vector2& from, double slope, double bend) const {
+        return std::clamp(-slope / bend, box_.low[axis] - from[axis], box_.high[axis] - from[axis]);
     }
 
     /// The least value of the quadratic lies outside the box: the step to the least one on a side
     /// that is in the way. Cutting the free step off there would not even lead downhill.
-    [[nodiscard]] Vector2 stepAlongSide(const Vector2& place, const Vector2& g, const Matrix2& h,
+    [[nodiscard]] Vector2 stepAlongSide(const Vector2& from, const Vector2& g, const Matrix2& h,
                                         const Vector2& freeStep) const {
         Vector2 best = Vector2::Zero();
         double lowest = std::numeric_limits<double>::max();
         for (int axis = 0; axis < 2; ++axis) {
             const int other = 1 - axis;
             Vector2 step;
-            step[axis] = std::clamp(freeStep[axis], box_.low[axis] - place[axis],
-                                    box_.high[axis] - place[axis]);
+            step[axis] = std::clamp(freeStep[axis], box_.low[axis] - from[axis],
+                                    box_.high[axis] - from[axis]);
             if (step[axis] == freeStep[axis]) {
                 continue;
             }
-            step[other] = stepAlong(other, place, g[other] + h(0, 1) * step[axis], h(other, other));
+            step[other] = stepAlong(other, from, g[other] + h(0, 1) * step[axis], h(other, other));
             const double value = g.dot(step) + 0.5 * step.dot(h * step);
             if (value < lowest) {
                 lowest = value;
@@ -162,11 +160,11 @@ private:
             const Vector2 step =
                 Vector2(h(0, 1) * g[1] - h(1, 1) * g[0], h(0, 1) * g[0] - h(0, 0) * g[1]) /
                 determinant;
-            const Vector2 place = state.place + step;
-            return place == box_.nearest(place) ? step : stepAlongSide(state.place, g, h, step);
+            const Vector2 end = state.position + step;
+            return end == box_.nearest(end) ? step : stepAlongSide(state.position, g, h, step);
         }
-        return {free[0] ? stepAlong(0, state.place, g[0], h(0, 0)) : 0.0,
-                free[1] ? stepAlong(1, state.place, g[1], h(1, 1)) : 0.0};
+        return {free[0] ? stepAlong(0, state.position, g[0], h(0, 0)) : 0.0,
+                free[1] ? stepAlong(1, state.position, g[1], h(1, 1)) : 0.0};
     }
 
     /// Steps down by Newton's method, halving the step until the value falls.
@@ -174,14 +172,14 @@ private:
         Vector2 move = newtonStep(state, free);
         for (int halving = 0; halving < kMaxHalvings && state.evaluations < kMaxEvaluations;
              ++halving) {
-            const Vector2 place = box_.nearest(state.place + move);
-            if (place == state.place) {
+            const Vector2 position = box_.nearest(state.position + move);
+            if (position == state.position) {
                 return false;
             }
-            LocalModel model = objective_(place);
+            LocalModel model = objective_(position);
             ++state.evaluations;
-            if (isLower(state, free, place, model)) {
-                state.place = place;
+            if (isLower(state, free, position, model)) {
+                state.position = position;
                 state.model = model;
                 return true;
             }
@@ -195,20 +193,20 @@ private:
                (free[1] ? std::abs(model.gradient[1]) : 0.0);
     }
 
-    static bool isLower(const BoxMinimum& state, const Free& free, const Vector2& place,
+    static bool isLower(const BoxMinimum& state, const Free& free, const Vector2& position,
                         const LocalModel& model) {
-        const double expected = state.model.gradient.dot(place - state.place);
+        const double expected = state.model.gradient.dot(position - state.position);
         if (model.value < state.model.value &&
             model.value <= state.model.value + kArmijo * expected) {
             return true;
         }
-        // Below the rounding of the value only the gradient still tells the way.
+        // Below the rounding of the value only the gradient still points down.
         const double noise = 4.0 * state.model.valueNoise;
         return std::abs(expected) <= noise && model.value <= state.model.value + noise &&
                freeSlope(model, free) < 0.5 * freeSlope(state.model, free);
     }
 
-    /// At rest: true only when this is no minimum and a lower place was found beside it.
+    /// At rest: true only when this is no minimum and a lower position was found beside it.
     bool escape(BoxMinimum& state, const Free& free) const {
         if (isConvex(state.model.hessian, free)) {
             return false;
@@ -220,11 +218,11 @@ private:
         bool moved = false;
         const BoxMinimum from = state;
         for (const double sign : {1.0, -1.0}) {
-            const Vector2 place = box_.nearest(from.place + sign * escapeStep_ * direction);
-            LocalModel model = objective_(place);
+            const Vector2 position = box_.nearest(from.position + sign * escapeStep_ * direction);
+            LocalModel model = objective_(position);
             ++state.evaluations;
             if (model.value < state.model.value - 4.0 * from.model.valueNoise) {
-                state.place = place;
+                state.position = position;
                 state.model = model;
                 moved = true;
             }
@@ -254,22 +252,23 @@ private:
     double escapeStep_;
 };
 
-/// How exactly double precision can tell places, heights and slopes of a surface.
+/// Rounding errors of positions, heights and slopes of a surface in double precision.
 struct SurfaceRounding {
-    double place = 0.0;   ///< [m]
-    double height = 0.0;  ///< [m]
+    double position = 0.0;  ///< [m]
+    double height = 0.0;    ///< [m]
     double slope = 0.0;
 };
 
 /// @param reach magnitude of the other coordinates that take part [m]
 inline SurfaceRounding roundingOf(const BSplineSurface& surface, const Vector3& reach) {
     constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
-    const double place =
+    const double across =
         std::abs(reach.x()) + std::abs(reach.y()) + surface.sizeX() + surface.sizeY();
     const double height = surface.heightScale() + std::abs(reach.z());
     const double pitch = std::min(surface.grid().pitchX, surface.grid().pitchY);
-    return {
-        .place = kEpsilon * place, .height = kEpsilon * height, .slope = kEpsilon * height / pitch};
+    return {.position = kEpsilon * across,
+            .height = kEpsilon * height,
+            .slope = kEpsilon * height / pitch};
 }
 
 /// The whole scan as a box.

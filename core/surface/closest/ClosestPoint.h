@@ -9,29 +9,29 @@
 
 namespace asperity {
 
-/// Where a search starts; kept from one query to the next.
+/// Start of a search; kept from one query to the next.
 struct SearchGuess {
     double x = 0.0;  ///< world [m]
     double y = 0.0;  ///< world [m]
     bool valid = false;
 };
 
-/// What proves that no other surface point is nearer, or why nothing does.
+/// Proof that no other surface point is nearer, or the reason why there is none.
 enum class SearchProof : std::uint8_t {
     NotSought,      ///< the closest point is a local minimum; nobody looked elsewhere
-    Likely,         ///< the likeliest other places were looked at; nothing is proven
-    Nearest,        ///< every other place is farther, to kSameDistance
+    Likely,         ///< the likeliest other positions were looked at; nothing is proven
+    Nearest,        ///< every other position is farther, to kSameDistance
     OutOfReach,     ///< nothing lies within reach; the closest point is a local minimum beyond it
-    TooManyPoints,  ///< too many places are as near: they could not all be told apart in bounded
+    TooManyPoints,  ///< too many positions are as near: they could not all be told apart in bounded
                     ///< time
     NotConverged    ///< the closest point itself is not found to rounding
 };
 
-/// How hard the closest point is looked for.
+/// Effort spent on the search for the closest point.
 enum class SearchEffort : std::uint8_t {
     Local,     ///< downhill from the last closest point alone, as the paper does
-    Global,    ///< at the likeliest other places, too: bounded, and rarely wrong
-    Certified  ///< until no other place can be nearer
+    Global,    ///< at the likeliest other positions, too: bounded, and rarely wrong
+    Certified  ///< until no other position can be nearer
 };
 
 template <>
@@ -40,7 +40,7 @@ inline constexpr auto kEnumTable<SearchProof> =
                                          {SearchProof::Likely, "likely"},
                                          {SearchProof::Nearest, "nearest"},
                                          {SearchProof::OutOfReach, "out_of_reach"},
-                                         {SearchProof::TooManyPoints, "many_feet"},
+                                         {SearchProof::TooManyPoints, "too_many_points"},
                                          {SearchProof::NotConverged, "not_converged"}});
 
 template <>
@@ -49,13 +49,13 @@ inline constexpr auto kEnumTable<SearchEffort> =
                                           {SearchEffort::Global, "global"},
                                           {SearchEffort::Certified, "certified"}});
 
-/// Whether a search left it open that there are other closest points than those it found.
+/// Returns whether a search left open that there are other closest points than those it found.
 [[nodiscard]] inline bool mayMissPoints(SearchProof proof) noexcept {
     return proof == SearchProof::NotSought || proof == SearchProof::Likely ||
            proof == SearchProof::TooManyPoints;
 }
 
-/// Places whose forces on a tip are summed. Where more bear, the search's proof says so.
+/// Positions whose forces on a tip are summed. Where more bear, the search's proof says so.
 inline constexpr std::size_t kMaxContactPoints = 4;
 
 /// Two distances nearer to each other than this are the same [relative].

@@ -22,17 +22,17 @@ void ClosestPointList::add(const ClosestPoint& closest, double sameWithin) noexc
     if (isKnown) {
         return;
     }
-    const auto place = std::ranges::find_if(
+    const auto found = std::ranges::find_if(
         points_, [&](const ClosestPoint& known) { return orderOf(closest) < orderOf(known); });
     if (points_.size() < kMaxMinima) {
-        points_.insert(place, closest);
+        points_.insert(found, closest);
         return;
     }
-    const ClosestPoint& leftOut = place == points_.end() ? closest : points_.back();
+    const ClosestPoint& leftOut = found == points_.end() ? closest : points_.back();
     leftOutFrom_ = std::min(leftOutFrom_, std::abs(leftOut.distance));
-    if (place != points_.end()) {
-        std::move_backward(place, points_.end() - 1, points_.end());
-        *place = closest;
+    if (found != points_.end()) {
+        std::move_backward(found, points_.end() - 1, points_.end());
+        *found = closest;
     }
 }
 

@@ -27,7 +27,7 @@ ClosestPointList bearing(const ClosestPointList& points, double same, double far
 /// Pixels within which a spline has no two bumps.
 constexpr double kOneBump = 0.5;
 
-/// Whether a closest point is left out of the list that a tip may touch beside those in it.
+/// Returns whether a closest point is left out of the list that a tip may touch beside those in it.
 /// @param bump width of one [m]
 bool joinsBumps(const ClosestPointList& minima, const ClosestPointList& apart, double bump,
                 double farthest) {

@@ -17,7 +17,7 @@ struct TipSphere {
     double radius = 0.0;               ///< [m]
 };
 
-/// Which closest points of a sphere are looked for, and how hard.
+/// Closest points of a sphere that are looked for, with the effort.
 struct ContactPointSearch {
     double reach = 0.0;  ///< how far from the sphere's surface they may lie [m]
     SearchEffort effort = SearchEffort::Certified;
@@ -29,7 +29,7 @@ struct ContactPoints {
     /// Nearest: these are all; TooManyPoints: there may be more, or are more than kMaxMinima;
     /// Likely, NotSought: there may be more, with less effort than Certified.
     SearchProof proof = SearchProof::NotSought;
-    /// Some of those within reach stand more than half a pixel from one that counts for them, too:
+    /// Some of those within reach are more than half a pixel from one that counts for them, too:
     /// a blunt tip may bear on both.
     bool joined = false;
 };

@@ -1,13 +1,10 @@
 #include "core/surface/closest/ExhaustiveSearch.h"
 
 #include "core/surface/BSplineSurface.h"
-#include "core/surface/closest/CellSweep.h"
-#include "core/surface/closest/ClosestPointList.h"
 #include "core/surface/closest/PartSearch.h"
 
-#include <algorithm>
-#include <boost/container/static_vector.hpp>
 #include <cmath>
+#include <limits>
 
 namespace asperity {
 
@@ -86,18 +83,18 @@ SearchProof lookInto(const BSplineSurface& surface, const Vector3& query, const 
     if (search.isComplete()) {
         return SearchProof::Nearest;
     }
-    search.settleForNearest(sweep.likeliestPlace());
+    search.settleForNearest(sweep.likeliestPosition());
     return SearchProof::TooManyPoints;
 }
 
-/// Whether few enough parts are left open for all queries in a ball. Apart, so that its window is
-/// gone before the open parts are looked into.
+/// Returns whether few enough parts are left open for all queries in a ball. Apart, so that its
+/// window is gone before the open parts are looked into.
 [[gnu::noinline]] bool proveBall(const BSplineSurface& surface, const QueryBall& queries,
                                  const SearchReach& reach, const ClosestPoint& nearest,
                                  ProvenBall& ball) {
     // A closest point follows its query, on most surfaces by little more than the query moves.
     constexpr double kWander = 1.0;
-    const Vector2 place = nearest.point.head<2>();
+    const Vector2 position = nearest.point.head<2>();
     const double wander = kWander * queries.radius;
     // The closest point of a query in the ball may lie one radius farther from it than that of the
     // center, and so may others that matter; from the center these lie one radius more.
@@ -106,7 +103,7 @@ SearchProof lookInto(const BSplineSurface& surface, const Vector3& query, const 
     CellSweep sweep(surface, queries.center, farthest, queries.radius);
     const BoundsWindow& window = sweep.window();
     CellsOfBall cells(window, farthest);
-    if (!sweep.settle(window.blocksAround(place.x(), place.y(), wander))) {
+    if (!sweep.settle(window.blocksAround(position.x(), position.y(), wander))) {
         if (window.level() > 0) {
             return false;
         }
@@ -114,8 +111,8 @@ SearchProof lookInto(const BSplineSurface& surface, const Vector3& query, const 
     }
     ball.queries = queries;
     ball.reach = farthest;
-    ball.anchor = {.low = place - Vector2::Constant(wander),
-                   .high = place + Vector2::Constant(wander)};
+    ball.anchor = {.low = position - Vector2::Constant(wander),
+                   .high = position + Vector2::Constant(wander)};
     return ball.open.keepCells(cells.all(), queries.center);
 }
 
@@ -161,6 +158,59 @@ SearchProof completePoints(const BSplineSurface& surface, const QueryBall& queri
         return completePoints(surface, queries.center, reach, points);
     }
     return completePoints(surface, queries.center, reach, ball, points);
+}
+
+bool CellSweep::settle(const WindowBlocks& blocks) noexcept {
+    int around = BoundsWindow::kMaxBlocks;
+    for (int row = blocks.rows.first; row < blocks.rows.end(); ++row) {
+        for (int column = blocks.columns.first; column < blocks.columns.end(); ++column) {
+            around = std::min(around, window_.settledAround(row, column));
+        }
+    }
+    settled_.push_back({blocks, around});
+    return around == BoundsWindow::kMaxBlocks;
+}
+
+bool CellSweep::isSettled(int row, int column) const noexcept {
+    const auto farthest = [](const BlockRun& run, int at) {
+        return std::max(std::abs(at - run.first), std::abs(at - (run.end() - 1)));
+    };
+    return std::ranges::any_of(settled_, [&](const Settled& settled) {
+        return std::max(farthest(settled.blocks.rows, row),
+                        farthest(settled.blocks.columns, column)) <= settled.around;
+    });
+}
+
+double CellSweep::squaredDistance(int level, const CellIndex& block) const noexcept {
+    const BoxBounds bounds = surface_.bounds().at(level, block.row, block.column);
+    const double away = std::max({query_.z() - bounds.highest, bounds.lowest - query_.z(), 0.0});
+    return blocksAlongX(surface_, level).squaredDistance(query_.x(), block.column) +
+           blocksAlongY(surface_, level).squaredDistance(query_.y(), block.row) + away * away;
+}
+
+Vector2 CellSweep::likeliestPosition() const noexcept {
+    constexpr int kFactor = CellBounds::kFactor;
+    CellIndex nearest;
+    for (int level = surface_.bounds().levels() - 2; level >= 0; --level) {
+        const CellBounds::Level& parts = surface_.bounds().level(level);
+        const CellIndex first{.row = nearest.row * kFactor, .column = nearest.column * kFactor};
+        const CellIndex end{.row = std::min(first.row + kFactor, parts.rows),
+                            .column = std::min(first.column + kFactor, parts.columns)};
+        double least = std::numeric_limits<double>::infinity();
+        for (CellIndex part = first; part.row < end.row; ++part.row) {
+            for (part.column = first.column; part.column < end.column; ++part.column) {
+                const double squared = squaredDistance(level, part);
+                if (squared < least) {
+                    least = squared;
+                    nearest = part;
+                }
+            }
+        }
+    }
+    const BlockAxis x = blocksAlongX(surface_, 0);
+    const BlockAxis y = blocksAlongY(surface_, 0);
+    return {0.5 * (x.low(nearest.column) + x.high(nearest.column)),
+            0.5 * (y.low(nearest.row) + y.high(nearest.row))};
 }
 
 }  // namespace asperity

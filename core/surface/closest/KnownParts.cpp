@@ -3,7 +3,6 @@
 #include "core/Simd.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <limits>
 
@@ -11,12 +10,12 @@ namespace asperity {
 
 namespace {
 
-/// What rounding can take from a distance.
+/// Loss of a distance by rounding.
 constexpr double kSurely = 1.0 - 1e-9;
-/// Of a plane that is not known.
+/// Distance of a plane that is not known.
 constexpr double kNowhere = -std::numeric_limits<double>::infinity();
 
-/// Whether the query may be moved so far from the one that was asked.
+/// Returns whether the query may be moved so far from the one that was asked.
 bool isWithin(const Vector3& query, const Vector3& asked, double distance) {
     return distance > 0.0 &&
            (query - asked).squaredNorm() <= kSurely * kSurely * distance * distance;
@@ -91,22 +90,22 @@ bool KnownParts::keepCells(CellSet cells, const Vector3& near) noexcept {
     return hasRoom;
 }
 
-ASPERITY_WITH_AVX2 void KnownParts::findNear(std::span<const Planes> planes, const Vector3& place,
+ASPERITY_WITH_AVX2 void KnownParts::findNear(std::span<const Planes> planes, const Vector3& point,
                                              double distance, Lanes& near) noexcept {
     for (std::size_t i = 0; i < planes.size(); ++i) {
         const Planes& four = planes[i];
         const Double4 nearest = loaded<Double4>(four.offset.data()) -
-                                loaded<Double4>(four.wayX.data()) * place.x() -
-                                loaded<Double4>(four.wayY.data()) * place.y() -
-                                loaded<Double4>(four.wayZ.data()) * place.z();
+                                loaded<Double4>(four.wayX.data()) * point.x() -
+                                loaded<Double4>(four.wayY.data()) * point.y() -
+                                loaded<Double4>(four.wayZ.data()) * point.z();
         near[i] = static_cast<std::uint8_t>(bitsOf(kSurely * nearest < distance));
     }
 }
 
-KnownParts::Places KnownParts::due(const Vector3& query, double distance) const noexcept {
+KnownParts::Indices KnownParts::due(const Vector3& query, double distance) const noexcept {
     Lanes near;
     findNear({planes_.data(), planes_.size()}, query - origin_, distance, near);
-    Places due;
+    Indices due;
     for (std::size_t group = 0; group < planes_.size(); ++group) {
         for (unsigned left = near[group]; left != 0; left &= left - 1) {
             const std::size_t part =

@@ -38,7 +38,7 @@ ASPERITY_INLINE void moveSample(HeightSample& s, const Vector2& step) {
     s.dy += s.dxy * step.x() + s.dyy * step.y();
 }
 
-/// Whether Newton's method ended at a minimum. The place of `minimum` is the start.
+/// Returns whether Newton's method ended at a minimum. The position of `minimum` is the start.
 ASPERITY_WITH_AVX2 bool dash(const SplineSampling& surface, const Vector3& query,
                              BoxMinimum& minimum) {
     constexpr int kMaxSteps = 6;
@@ -49,8 +49,8 @@ ASPERITY_WITH_AVX2 bool dash(const SplineSampling& surface, const Vector3& query
     const BSplineSurface::Grid& grid = surface.grid;
     const double lastStep = kLastStep * std::min(grid.pitchX, grid.pitchY);
     const double longestStep = std::max(grid.pitchX, grid.pitchY);
-    double x = minimum.place.x();
-    double y = minimum.place.y();
+    double x = minimum.position.x();
+    double y = minimum.position.y();
     double last = std::numeric_limits<double>::max();
     for (minimum.iterations = 1; minimum.iterations <= kMaxSteps; ++minimum.iterations) {
         HeightSample s = sampledAt(surface, x, y);
@@ -77,7 +77,7 @@ ASPERITY_WITH_AVX2 bool dash(const SplineSampling& surface, const Vector3& query
         }
         if (step <= lastStep) {
             moveSample(s, {stepX, stepY});
-            minimum.place = Vector2(x, y);
+            minimum.position = Vector2(x, y);
             minimum.model.surface = s;
             minimum.converged = true;
             return true;
@@ -95,7 +95,7 @@ public:
         , newton_(objective_, scanBox(surface),
                   0.25 * std::min(surface.grid().pitchX, surface.grid().pitchY)) {}
 
-    /// Whether the closest point so far is a minimum.
+    /// Returns whether the closest point so far is a minimum.
     bool tryFrom(const Vector2& start) {
         const BoxMinimum found = newton_.minimize(start);
         iterations_ += found.iterations;
@@ -131,24 +131,24 @@ private:
 
 }  // namespace
 
-LocalModel HalfSquaredDistance::operator()(const Vector2& place) const noexcept {
+LocalModel HalfSquaredDistance::operator()(const Vector2& position) const noexcept {
     LocalModel model;
-    const HeightSample s = surface_.at(place.x(), place.y());
-    const Vector3 r(place.x() - query_.x(), place.y() - query_.y(), s.height - query_.z());
+    const HeightSample s = surface_.at(position.x(), position.y());
+    const Vector3 r(position.x() - query_.x(), position.y() - query_.y(), s.height - query_.z());
     model.surface = s;
     model.value = 0.5 * r.squaredNorm();
     model.gradient = Vector2(r.x() + r.z() * s.dx, r.y() + r.z() * s.dy);
     model.convex << 1.0 + s.dx * s.dx, s.dx * s.dy, s.dx * s.dy, 1.0 + s.dy * s.dy;
     model.hessian << model.convex(0, 0) + r.z() * s.dxx, model.convex(0, 1) + r.z() * s.dxy,
         model.convex(0, 1) + r.z() * s.dxy, model.convex(1, 1) + r.z() * s.dyy;
-    // Rounding of the place, of the height and of the slopes, as they enter value and gradient.
+    // Rounding of the position, of the height and of the slopes, as they enter value and gradient.
     const double steepness = model.convex(0, 0) + model.convex(1, 1);
     const double bend = std::abs(s.dxx) + std::abs(s.dxy) + std::abs(s.dyy);
-    const double common =
-        rounding_.place * steepness + std::abs(r.z()) * (rounding_.slope + bend * rounding_.place);
+    const double common = rounding_.position * steepness +
+                          std::abs(r.z()) * (rounding_.slope + bend * rounding_.position);
     model.gradientNoise = Vector2(common + rounding_.height * std::abs(s.dx),
                                   common + rounding_.height * std::abs(s.dy));
-    model.valueNoise = r.lpNorm<1>() * (rounding_.place * steepness + rounding_.height);
+    model.valueNoise = r.lpNorm<1>() * (rounding_.position * steepness + rounding_.height);
     return model;
 }
 
@@ -160,7 +160,8 @@ bool isUsableQuery(const Vector3& query) noexcept {
 
 ClosestPoint closestPointOf(const BoxMinimum& minimum, const Vector3& query) noexcept {
     ClosestPoint closest;
-    closest.point = Vector3(minimum.place.x(), minimum.place.y(), minimum.model.surface.height);
+    closest.point =
+        Vector3(minimum.position.x(), minimum.position.y(), minimum.model.surface.height);
     closest.normal = minimum.model.surface.normal();
     const Vector3 towardsQuery = query - closest.point;
     closest.distance = std::copysign(towardsQuery.norm(), towardsQuery.dot(closest.normal));
@@ -185,7 +186,7 @@ ClosestPoint localClosestPoint(const BSplineSurface& surface, const Vector3& que
     const bool isGuided = guess.valid && surface.contains(guess.x, guess.y);
     if (isGuided) {
         BoxMinimum minimum;
-        minimum.place = Vector2(guess.x, guess.y);
+        minimum.position = Vector2(guess.x, guess.y);
         if (findMinimumBeside(surface, query, minimum)) {
             return closestPointOf(minimum, query);
         }
@@ -194,7 +195,7 @@ ClosestPoint localClosestPoint(const BSplineSurface& surface, const Vector3& que
     const bool warm = isGuided && search.tryFrom(Vector2(guess.x, guess.y));
     if (!warm && !search.tryFrom(query.head<2>())) {
         // Two pixels away the spline is another polynomial.
-        search.tryAround(search.best().place,
+        search.tryAround(search.best().position,
                          Vector2(2.0 * surface.grid().pitchX, 2.0 * surface.grid().pitchY));
     }
     ClosestPoint closest = closestPointOf(search.best(), query);

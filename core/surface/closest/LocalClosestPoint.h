@@ -6,13 +6,13 @@
 
 namespace asperity {
 
-/// Half the squared distance from the query to the surface point above or below a place [m^2].
+/// Half the squared distance from the query to the surface point above or below a position [m^2].
 class HalfSquaredDistance {
 public:
     HalfSquaredDistance(const BSplineSurface& surface, const Vector3& query) noexcept
         : surface_(surface), query_(query), rounding_(roundingOf(surface, query)) {}
 
-    [[nodiscard]] LocalModel operator()(const Vector2& place) const noexcept;
+    [[nodiscard]] LocalModel operator()(const Vector2& position) const noexcept;
 
 private:
     const BSplineSurface& surface_;
@@ -20,15 +20,15 @@ private:
     SurfaceRounding rounding_;
 };
 
-/// Whether a query is a point that distances can be told from.
+/// Returns whether distances can be computed from a query.
 [[nodiscard]] bool isUsableQuery(const Vector3& query) noexcept;
 
-/// The closest point that a minimum of the distance stands for; its proof is still to be sought.
+/// The closest point at a minimum of the distance; its proof is still to be sought.
 [[nodiscard]] ClosestPoint closestPointOf(const BoxMinimum& minimum, const Vector3& query) noexcept;
 
 /// Newton's method from a start close to a minimum, without the care that BoxNewton takes: whether
 /// it soon ended at one.
-/// @param minimum at first the start, then place, surface and steps of the minimum
+/// @param minimum at first the start, then position, surface and steps of the minimum
 [[nodiscard]] bool findMinimumBeside(const BSplineSurface& surface, const Vector3& query,
                                      BoxMinimum& minimum) noexcept;
 

@@ -1,13 +1,50 @@
 #include "core/surface/closest/PartSearch.h"
 
-#include <algorithm>
+#include <array>
 #include <bit>
-#include <cmath>
 #include <limits>
 
 namespace asperity {
 
 namespace {
+
+/// Nearer than this to the scan's edge is at it [pixel].
+constexpr double kEdge = 1e-9;
+
+/// Behavior of the distance along one axis, anywhere in a part.
+enum class Course : std::uint8_t {
+    Unclear,
+    Falls,        ///< towards a side, and goes on falling behind it: no minimum in the part
+    FallsToEdge,  ///< towards a side that is the scan's edge: a minimum can only lie on it
+};
+using Courses = std::array<Course, 2>;
+
+Courses coursesIn(const Part& part, const Box& box, const Box& scan) {
+    Courses courses{};
+    for (int axis = 0; axis < 2; ++axis) {
+        const double slope = part.gradient[axis];
+        if (std::abs(slope) > part.spread[axis]) {
+            const bool atEdge =
+                slope > 0.0 ? box.low[axis] <= scan.low[axis] : box.high[axis] >= scan.high[axis];
+            courses[static_cast<std::size_t>(axis)] = atEdge ? Course::FallsToEdge : Course::Falls;
+        }
+    }
+    return courses;
+}
+
+/// Returns whether the scan's edge leaves a minimum one position in the part at most.
+bool isConvexAtEdge(const Part& part, const Courses& courses) {
+    const bool heldX = courses[0] == Course::FallsToEdge;
+    const bool heldY = courses[1] == Course::FallsToEdge;
+    return (heldX && (heldY || part.bend.y() > 0.0)) || (heldY && part.bend.x() > 0.0);
+}
+
+/// Returns whether a part lies off the scan's edge, so that a minimum in it needs a level gradient
+/// and a distance that bends up.
+bool isInside(const Box& box, const Box& scan) {
+    return box.low.x() > scan.low.x() && box.low.y() > scan.low.y() &&
+           box.high.x() < scan.high.x() && box.high.y() < scan.high.y();
+}
 
 /// Parts of cells that are looked into before a search gives up.
 constexpr int kMaxLooks = 2048;
@@ -21,6 +58,34 @@ constexpr double kEdgeNoise = 32.0;
 
 }  // namespace
 
+Box boxOf(const Part& part, const BSplineSurface& surface) noexcept {
+    const Box scan = scanBox(surface);
+    const Vector2 near(kEdge * surface.grid().pitchX, kEdge * surface.grid().pitchY);
+    Box box{.low = part.center - part.half, .high = part.center + part.half};
+    for (int axis = 0; axis < 2; ++axis) {
+        box.low[axis] =
+            box.low[axis] <= scan.low[axis] + near[axis] ? scan.low[axis] : box.low[axis];
+        box.high[axis] =
+            box.high[axis] >= scan.high[axis] - near[axis] ? scan.high[axis] : box.high[axis];
+    }
+    return box;
+}
+
+MinimaIn minimaIn(const Part& part, const Box& box, const BSplineSurface& surface) noexcept {
+    const Box scan = scanBox(surface);
+    if (isInside(box, scan)) {
+        if (part.withoutMinimum) {
+            return MinimaIn::None;
+        }
+        return part.convex ? MinimaIn::OneAtMost : MinimaIn::Unknown;
+    }
+    const Courses courses = coursesIn(part, box, scan);
+    if (std::ranges::count(courses, Course::Falls) > 0) {
+        return MinimaIn::None;
+    }
+    return part.convex || isConvexAtEdge(part, courses) ? MinimaIn::OneAtMost : MinimaIn::Unknown;
+}
+
 PartSearch::PartSearch(const BSplineSurface& surface, const Vector3& query,
                        const SearchReach& reach, ClosestPointList& points) noexcept
     : surface_(surface)
@@ -32,22 +97,22 @@ PartSearch::PartSearch(const BSplineSurface& surface, const Vector3& query,
     , rounding_(roundingOf(surface, query)) {}
 
 double PartSearch::nearest() const {
-    return std::min(std::abs(points_.all().front().distance), nearestPlace());
+    return std::min(std::abs(points_.all().front().distance), nearestDescent());
 }
 
-/// No closest point that is nearest lies farther [m]. It may lie as near as the place, to any
-/// rounding.
-double PartSearch::nearestPlace() const {
+/// No closest point that is nearest lies farther [m]. It may be as near as the best descent's
+/// end, to any rounding.
+double PartSearch::nearestDescent() const {
     constexpr double kRoom = 1.0 + 1e-6;
-    return nearestPlace_ ? kRoom * std::sqrt(2.0 * nearestPlace_->model.value)
-                         : std::numeric_limits<double>::infinity();
+    return nearestDescent_ ? kRoom * std::sqrt(2.0 * nearestDescent_->model.value)
+                           : std::numeric_limits<double>::infinity();
 }
 
 double PartSearch::limit() const noexcept { return reach_.limit(nearest()); }
 
 bool PartSearch::isComplete() const noexcept {
-    return complete_ && (std::abs(points_.all().front().distance) <= nearestPlace() ||
-                         nearestPlace() > reach_.farthest);
+    return complete_ && (std::abs(points_.all().front().distance) <= nearestDescent() ||
+                         nearestDescent() > reach_.farthest);
 }
 
 bool PartSearch::mayLook() noexcept {
@@ -78,11 +143,11 @@ void PartSearch::lookInto(const PartBatch& batch, unsigned lanes) noexcept {
 }
 
 void PartSearch::lookInto(KnownParts& parts) noexcept {
-    boost::container::static_vector<std::size_t, PartBatch::kLanes> places;
-    const auto lookIntoPlaces = [&] {
-        if (!places.empty()) {
-            lookInto({places.data(), places.size()}, parts);
-            places.clear();
+    boost::container::static_vector<std::size_t, PartBatch::kLanes> indices;
+    const auto flush = [&] {
+        if (!indices.empty()) {
+            lookInto({indices.data(), indices.size()}, parts);
+            indices.clear();
         }
     };
     // Those that are split off on the way are looked into with the part that they belong to.
@@ -91,16 +156,16 @@ void PartSearch::lookInto(KnownParts& parts) noexcept {
             return;
         }
         if (!holdsKnownPointAlone(parts, part)) {
-            places.push_back(part);
+            indices.push_back(part);
         }
-        if (places.size() == PartBatch::kLanes) {
-            lookIntoPlaces();
+        if (indices.size() == PartBatch::kLanes) {
+            flush();
         }
     }
-    lookIntoPlaces();
+    flush();
 }
 
-/// Whether a part has a known closest point, and has room for no other.
+/// Returns whether a part has a known closest point, and has room for no other.
 bool PartSearch::holdsKnownPointAlone(const KnownParts& parts, std::size_t part) const {
     return parts.isConvex(part, query_) &&
            std::ranges::any_of(points_.all(), [&](const ClosestPoint& closest) {
@@ -109,29 +174,29 @@ bool PartSearch::holdsKnownPointAlone(const KnownParts& parts, std::size_t part)
            });
 }
 
-void PartSearch::lookInto(std::span<const std::size_t> places, KnownParts& parts) {
+void PartSearch::lookInto(std::span<const std::size_t> indices, KnownParts& parts) {
     boost::container::static_vector<CellPart, PartBatch::kLanes> cellParts;
-    for (const std::size_t place : places) {
-        cellParts.push_back(parts.at(place));
+    for (const std::size_t index : indices) {
+        cellParts.push_back(parts.at(index));
     }
     PartBatch batch;
     loadParts(surface_.grid(), {cellParts.data(), cellParts.size()}, batch);
-    lookInto(batch, places, parts);
+    lookInto(batch, indices, parts);
 }
 
-/// @param places of the batch's parts among those known
-void PartSearch::lookInto(const PartBatch& batch, std::span<const std::size_t> places,
+/// @param indices of the batch's parts among those known
+void PartSearch::lookInto(const PartBatch& batch, std::span<const std::size_t> indices,
                           KnownParts& parts) {
     PartFacts facts;
-    const unsigned unclear = unclearIn(batch, (1U << places.size()) - 1U, facts);
-    for (std::size_t lane = 0; lane < places.size(); ++lane) {
-        parts.note(places[lane], query_, facts, static_cast<int>(lane));
+    const unsigned unclear = unclearIn(batch, (1U << indices.size()) - 1U, facts);
+    for (std::size_t lane = 0; lane < indices.size(); ++lane) {
+        parts.note(indices[lane], query_, facts, static_cast<int>(lane));
     }
     for (unsigned left = unclear; left != 0 && mayLook(); left &= left - 1) {
         const int lane = std::countr_zero(left);
         PartBatch quarters;
         quarter(batch, lane, quarters);
-        if (const auto split = parts.split(places[static_cast<std::size_t>(lane)])) {
+        if (const auto split = parts.split(indices[static_cast<std::size_t>(lane)])) {
             lookInto(quarters, *split, parts);
         } else {
             lookInto(quarters, PartBatch::kAllLanes);
@@ -170,8 +235,8 @@ unsigned PartSearch::unclearIn(const PartBatch& batch, unsigned lanes, PartFacts
     return unclear;
 }
 
-/// A place nearer than the closest point known leads to one that rules out more. It is not taken up
-/// here, so that what comes out does not depend on the order in which parts are looked at.
+/// A position nearer than the closest point known leads to one that rules out more. It is not taken
+/// up here, so that what comes out does not depend on the order in which parts are looked at.
 void PartSearch::lowerLimit(const Part& part) {
     constexpr double kWorthwhile = 0.999;
     if (part.value >= kWorthwhile * 0.5 * nearest() * nearest()) {
@@ -183,15 +248,15 @@ void PartSearch::lowerLimit(const Part& part) {
 /// Between walls a descent creeps until its steps run out; where it got to still rules out what is
 /// farther, and spares the descents from all other parts that would end no nearer.
 void PartSearch::take(const BoxMinimum& minimum) {
-    if (!nearestPlace_ || minimum.model.value < nearestPlace_->model.value) {
-        nearestPlace_ = minimum;
+    if (!nearestDescent_ || minimum.model.value < nearestDescent_->model.value) {
+        nearestDescent_ = minimum;
     }
 }
 
 void PartSearch::settleForNearest(const Vector2& start) noexcept {
     take(descend(scanBox(surface_), start, 0.25 * pitch_.minCoeff()));
-    if (nearestPlace() < std::abs(points_.all().front().distance)) {
-        points_.add(closestPointOf(*nearestPlace_, query_), 0.0);
+    if (nearestDescent() < std::abs(points_.all().front().distance)) {
+        points_.add(closestPointOf(*nearestDescent_, query_), 0.0);
     }
 }
 
@@ -218,41 +283,42 @@ void PartSearch::findIn(const Part& part, const Box& box) {
 
 bool PartSearch::isKnown(const BoxMinimum& minimum) const {
     return std::ranges::any_of(points_.all(), [&](const ClosestPoint& closest) {
-        return (closest.point.head<2>() - minimum.place).norm() <= sameMinimum(surface_);
+        return (closest.point.head<2>() - minimum.position).norm() <= sameMinimum(surface_);
     });
 }
 
-/// The same minimum, descended to from a place that depends on the minimum alone: which part it was
-/// found in, and from where, changes no bit of it.
+/// The same minimum, descended to from a position that depends on the minimum alone: which part it
+/// was found in, and from where, changes no bit of it.
 BoxMinimum PartSearch::fromItsSurroundings(const BoxMinimum& minimum) {
     // Between a minimum and a saddle close by, only a start as close leads back.
-    for (const double placesInPixel : {0x1p6, 0x1p10, 0x1p14, 0x1p20}) {
+    for (const double stepsInPixel : {0x1p6, 0x1p10, 0x1p14, 0x1p20}) {
         BoxMinimum again;
         for (int axis = 0; axis < 2; ++axis) {
-            const double grid = pitch_[axis] / placesInPixel;
-            again.place[axis] = std::round(minimum.place[axis] / grid) * grid;
+            const double grid = pitch_[axis] / stepsInPixel;
+            again.position[axis] = std::round(minimum.position[axis] / grid) * grid;
         }
-        const Vector2 start = again.place;
+        const Vector2 start = again.position;
         const bool isBeside = findMinimumBeside(surface_, query_, again);
         evaluations_ += again.iterations;
         if (!isBeside) {
             again = descend(scanBox(surface_), start, 0.0);
         }
-        if (again.converged && (again.place - minimum.place).norm() <= sameMinimum(surface_)) {
+        if (again.converged &&
+            (again.position - minimum.position).norm() <= sameMinimum(surface_)) {
             return again;
         }
     }
     return minimum;
 }
 
-/// Whether every side of `box` that holds the minimum back is a side of the scan.
+/// Returns whether every side of `box` that holds the minimum back is a side of the scan.
 bool PartSearch::isPushedOutOfScan(const BoxMinimum& minimum, const Box& box) const {
     const Box scan = scanBox(surface_);
     for (int axis = 0; axis < 2; ++axis) {
         const double slope = minimum.model.gradient[axis];
         const bool pushes = std::abs(slope) > kEdgeNoise * minimum.model.gradientNoise[axis];
-        const bool low = slope > 0.0 && minimum.place[axis] <= box.low[axis];
-        const bool high = slope < 0.0 && minimum.place[axis] >= box.high[axis];
+        const bool low = slope > 0.0 && minimum.position[axis] <= box.low[axis];
+        const bool high = slope < 0.0 && minimum.position[axis] >= box.high[axis];
         if (pushes && ((low && box.low[axis] > scan.low[axis]) ||
                        (high && box.high[axis] < scan.high[axis]))) {
             return false;

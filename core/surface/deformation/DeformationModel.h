@@ -6,7 +6,7 @@
 
 namespace asperity {
 
-/// How the surface around the contact is moved.
+/// Model of how the surface around the contact moves.
 enum class DeformationModel : std::uint8_t {
     FourPoint,      ///< the four control points around the closest point, by the indentation: cheap
     ContactRadius,  ///< control points within the contact radius onto the tip: the paper's choice
@@ -22,8 +22,8 @@ inline constexpr auto kEnumTable<DeformationModel> = std::to_array<EnumRow<Defor
      {DeformationModel::ClosedForm, "closed_form", "closed form"},
      {DeformationModel::HalfSpace, "half_space", "half-space"}});
 
-/// Whether the model shares the displacement between sample and tip; the others move the sample
-/// alone.
+/// Returns whether the model shares the displacement between sample and tip; the others move the
+/// sample alone.
 [[nodiscard]] constexpr bool sharesDisplacement(DeformationModel model) noexcept {
     return model == DeformationModel::ClosedForm || model == DeformationModel::HalfSpace;
 }

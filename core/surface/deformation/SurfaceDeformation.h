@@ -28,7 +28,7 @@ struct SurfacePatch {
     }
 };
 
-/// Where tip and surface meet; world frame.
+/// Contact between tip and surface; world frame.
 struct TipContact {
     Vector3 closest = Vector3::Zero();    ///< of the tip's center on the undeformed surface [m]
     Vector3 normal = Vector3::UnitZ();    ///< of the undeformed surface there, unit
@@ -44,10 +44,10 @@ struct TipContact {
 /// Displacement of the surface into the sample at a distance from the contact's axis [m -> m].
 using RadialDisplacement = std::function<double(double)>;
 
-/// By how much a point of the undeformed surface moves; world [m].
+/// Displacement of a point of the undeformed surface; world [m].
 using DisplacementField = std::function<Vector3(const Vector3&)>;
 
-/// Where a patch is sampled: a square around the closest point, cut off at the scan's edges.
+/// Samples of a patch: a square around the closest point, cut off at the scan's edges.
 struct PatchGrid {
     double halfWidth = 0.0;  ///< along x and y [m]
     int samples = 0;         ///< per side, at least 2

@@ -1,10 +1,12 @@
 #include "core/surface/fit/BSplineFit.h"
 
-#include "core/surface/InvalidPixels.h"
+#include "core/Error.h"
+#include "core/surface/HeightMap.h"
 #include "core/surface/fit/SeparableFit.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace asperity {
@@ -22,8 +24,8 @@ PixelMask bottomRowFirst(PixelMask mask, int columns) {
     return mask;
 }
 
-/// Whether control heights in single precision, each off by up to 2^-25 of the largest, would show
-/// in second derivatives: four such errors over a pitch squared.
+/// Returns whether control heights in single precision, each off by up to 2^-25 of the largest,
+/// would show in second derivatives: four such errors over a pitch squared.
 bool needsRests(const BSplineSurface::Grid& grid) {
     constexpr double kRounding = 0x1p-25;
     constexpr double kTolerated = 1e3;  // [1/m]: 1e-6 of the curvature of a tip of 1 nm
@@ -31,6 +33,26 @@ bool needsRests(const BSplineSurface::Grid& grid) {
     const double largest = std::max(std::abs(low), std::abs(high));
     const double pitch = std::min(grid.pitchX, grid.pitchY);
     return 4.0 * kRounding * largest > kTolerated * pitch * pitch;
+}
+
+/// Takes the surface from heights that are relative to a datum.
+template <class Heights>
+void subtract(BasicHeightMap<Heights>& map, double datum, const BSplineSurface& surface) {
+    using Height = typename Heights::value_type;
+    requireUsable(map);
+    if (surface.grid().columns != map.columns || surface.grid().rows != map.rows) {
+        throw Error("the surface was not fitted to this map: it has another size");
+    }
+    for (int row = 0; row < map.rows; ++row) {
+        const double y = (map.rows - row - 0.5) * map.pitchY;
+        for (int column = 0; column < map.columns; ++column) {
+            const double x = (column + 0.5) * map.pitchX;
+            const double residual = map.at(row, column) + datum - surface.at(x, y).height;
+            map.heights[map.index(row, column)] = map.isValid(row, column)
+                                                      ? static_cast<Height>(residual)
+                                                      : std::numeric_limits<Height>::quiet_NaN();
+        }
+    }
 }
 
 }  // namespace
@@ -83,6 +105,38 @@ BSplineSurface fitSurface(HeightMap map, const Smoothing& smoothing, Progress* p
     }
     ProgressPart bounding(progress, 0.5, 1.0);
     return BSplineSurface(std::move(grid), &bounding);
+}
+
+BSplineSurface coarserSurface(const BSplineSurface& surface, int mostPixels) {
+    const BSplineSurface::Grid& grid = surface.grid();
+    if (std::max(grid.columns, grid.rows) <= mostPixels) {
+        return surface;
+    }
+    HeightMap map;
+    map.columns = std::min(grid.columns, mostPixels);
+    map.rows = std::min(grid.rows, mostPixels);
+    map.pitchX = surface.sizeX() / map.columns;
+    map.pitchY = surface.sizeY() / map.rows;
+    for (int row = 0; row < map.rows; ++row) {
+        const double y = (map.rows - row - 0.5) * map.pitchY;
+        for (int column = 0; column < map.columns; ++column) {
+            const double x = (column + 0.5) * map.pitchX;
+            map.heights.push_back(surface.at(x, y).height);
+            map.invalid.push_back(!surface.isMeasured(x, y));
+        }
+    }
+    return fitSurface(std::move(map));
+}
+
+HeightMap residualOf(HeightMap map, const BSplineSurface& surface) {
+    subtract(map, 0.0, surface);
+    return map;
+}
+
+ScanMap residualOf(ScanMap map, const BSplineSurface& surface) {
+    subtract(map, map.datum, surface);
+    map.datum = 0.0;
+    return map;
 }
 
 }  // namespace asperity

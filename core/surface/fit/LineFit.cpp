@@ -116,7 +116,7 @@ std::vector<double> kernelOf(const std::vector<double>& weights, int samples, do
     return kernel;
 }
 
-/// How far the weights of a control height are from those that the kernel gives.
+/// Returns how far the weights of a control height are from those that the kernel gives.
 double deviation(const double* row, int samples, int control, const std::vector<double>& kernel) {
     double sum = 0.0;
     for (int j = 0; j < samples; ++j) {

@@ -6,8 +6,9 @@
 
 namespace asperity {
 
-/// From the samples of one line of pixels to the control heights of its spline, by definition, one
-/// row of weights a control height: (samples + 2) x samples, the padding first and last.
+/// Returns the weights from the samples of a line of pixels to the control heights of its spline,
+/// by definition, one row of weights a control height: (samples + 2) x samples, the padding first
+/// and last.
 ///
 /// First a Gaussian low-pass with a standard deviation of `sigma` (halfGaussian(), and
 /// reflectedSample() beyond the ends): a straight line comes back unchanged. Then the cubic spline
@@ -40,10 +41,11 @@ public:
     [[nodiscard]] const std::vector<Height>& kernel() const { return kernel_; }
     [[nodiscard]] int reach() const { return static_cast<int>(kernel_.size()); }
 
-    /// How many control heights at the first end, the padding among them, do not follow the kernel.
-    /// As many do not at the last end, in mirror image, unless this is controls(): all of them.
+    /// Number of control heights at the first end, the padding among them, that do not follow the
+    /// kernel. As many do not at the last end, in mirror image, unless this is controls(): all of
+    /// them.
     [[nodiscard]] int border() const { return border_; }
-    /// How many samples from the end shape them.
+    /// Number of samples from the end that shape them.
     [[nodiscard]] int span() const { return span_; }
     /// Weights of sample 0..span()-1 for control height `index` < border(), counted from the end.
     [[nodiscard]] const double* borderWeights(int index) const {

@@ -120,17 +120,17 @@ ASPERITY_INLINE void convolveRow(const BasicLineFit<Height>& fit, const Height* 
     const std::vector<Height>& kernel = fit.kernel();
     for (std::ptrdiff_t control = begin; control < end; control += kStep) {
         // The last step starts early rather than end late.
-        const std::ptrdiff_t place =
+        const std::ptrdiff_t start =
             std::min(control, std::max<std::ptrdiff_t>(end - kStep, fit.border()));
-        const Height* center = samples + place - 1;
+        const Height* center = samples + start - 1;
         const Lanes<Height> lanes =
             convolved(kernel, [center](std::ptrdiff_t k) { return load(center + k); });
-        if (place >= begin && place + kStep <= end) {
-            store(out + (place - begin), lanes);
+        if (start >= begin && start + kStep <= end) {
+            store(out + (start - begin), lanes);
             continue;
         }
-        for (std::ptrdiff_t i = std::max(begin, place); i < std::min(end, place + kStep); ++i) {
-            out[i - begin] = lanes[i - place];
+        for (std::ptrdiff_t i = std::max(begin, start); i < std::min(end, start + kStep); ++i) {
+            out[i - begin] = lanes[i - start];
         }
     }
 }

@@ -2,7 +2,6 @@
 
 #include "core/Progress.h"
 #include "core/surface/HeightMap.h"
-#include "core/surface/imaging/TipFootprint.h"
 
 #include <array>
 #include <cstddef>
@@ -11,6 +10,76 @@
 #include <vector>
 
 namespace asperity {
+
+/// Pixels are taken together in square blocks of this side, so that most of a footprint can be
+/// passed over by the highest pixel of each block.
+inline constexpr int kFootprintBlock = 8;
+
+/// A spherical tip sampled on a pixel grid: how far its surface lies above its apex, `offset`
+/// pixels away from it. Infinite beyond the tip's radius.
+class TipFootprint {
+public:
+    struct Grid {
+        int columns = 0;
+        int rows = 0;
+        double pitchX = 0.0;  ///< [m]
+        double pitchY = 0.0;  ///< [m]
+    };
+
+    /// The part of the tip that can matter on a map of this size.
+    /// @throw Error when the radius is not a positive length
+    TipFootprint(const Grid& grid, double tipRadius);
+
+    /// Rises for the pixel offsets column, column + 1, ... up to kFootprintBlock of them [m]; row
+    /// within -reachY()..reachY(), column at most kFootprintBlock beyond a block that blockReachX()
+    /// admits.
+    [[nodiscard]] const double* risesFrom(int row, int column) const {
+        const int up = row < 0 ? -row : row;
+        return rises_.data() + static_cast<std::size_t>(up) * stride_ +
+               static_cast<std::size_t>(column + middle_);
+    }
+
+    /// Least rise between any two pixels of blocks that are this many blocks apart [m].
+    [[nodiscard]] double leastRise(int blockRows, int blockColumns) const {
+        return leastRises_[blockIndex(blockRows, blockColumns)];
+    }
+    /// Greatest rise between any two pixels of such blocks [m].
+    [[nodiscard]] double greatestRise(int blockRows, int blockColumns) const {
+        return greatestRises_[blockIndex(blockRows, blockColumns)];
+    }
+
+    [[nodiscard]] int reachY() const { return reachY_; }  ///< [pixel]
+    [[nodiscard]] int blockReachX() const { return blockReachX_; }
+    [[nodiscard]] int blockReachY() const { return blockReachY_; }
+    /// Returns whether the whole tip lies over the map when its apex is over this pixel.
+    [[nodiscard]] bool isWithin(const Grid& grid, int row, int column) const;
+
+private:
+    [[nodiscard]] double riseAt(int row, int column) const;
+    [[nodiscard]] std::size_t blockIndex(int rows, int columns) const {
+        const int up = rows < 0 ? -rows : rows;
+        const int across = columns < 0 ? -columns : columns;
+        return static_cast<std::size_t>(up) * static_cast<std::size_t>(blockReachX_ + 1) +
+               static_cast<std::size_t>(across);
+    }
+    void fillRises();
+    void fillBlockRises();
+
+    double pitchX_;       ///< [m]
+    double pitchY_;       ///< [m]
+    double radius_;       ///< [m]
+    double wholeReachX_;  ///< of the tip, on however large a map [pixel]
+    double wholeReachY_;  ///< [pixel]
+    int reachX_;          ///< on this map [pixel]
+    int reachY_;          ///< [pixel]
+    int blockReachX_;
+    int blockReachY_;
+    int middle_;                         ///< of a row of rises_
+    std::size_t stride_;                 ///< of rises_
+    std::vector<double> rises_;          ///< rows 0..reachY_, columns of either sign [m]
+    std::vector<double> leastRises_;     ///< [m]
+    std::vector<double> greatestRises_;  ///< [m]
+};
 
 /// Heights that are searched where they lie. Those that are masked or not finite take no part.
 template <class Heights>
@@ -23,7 +92,7 @@ struct SearchedHeights {
         return (invalid == nullptr || invalid->empty() || !(*invalid)[pixel]) &&
                isFiniteHeight(values[pixel]);
     }
-    /// Of a pixel that counts [m].
+    /// Height of a pixel that counts [m].
     [[nodiscard]] double at(std::size_t pixel) const {
         const auto value = static_cast<double>(values[pixel]);
         return isTurned ? -value : value;
@@ -74,13 +143,13 @@ private:
         double bound = 0.0;  ///< nothing in the block gives more [m]
         int row = 0;         ///< of its first pixel
         int column = 0;      ///< of its first pixel
-        /// Place of its heights in the tile; kUnread until they are looked at.
+        /// Index of its heights in the tile; kUnread until they are looked at.
         std::size_t heights = kUnread;
     };
     using Lanes = std::array<double, kFootprintBlock>;
     /// Minus infinity for what takes no part [m].
     using BlockHeights = std::array<Lanes, kFootprintBlock>;
-    /// A block of apex places, and the blocks that can matter to them, best first.
+    /// A block of apex positions, and the blocks that can matter to them, best first.
     struct Tile {
         int row = 0;
         int column = 0;

@@ -77,7 +77,7 @@ double roundingOf(const Heights& image, const Heights& surface, double tipRadius
     return kStore == kComputed ? computed : computed + stored;
 }
 
-/// What is certain of a surface that was eroded from an image.
+/// Certainty of a surface that was eroded from an image.
 template <class Heights>
 std::vector<std::uint8_t> touched(const Map<Heights>& image, const Heights& surface,
                                   double tipRadius, Progress* progress) {
@@ -113,6 +113,15 @@ std::vector<std::uint8_t> certainOf(const AnyMap& image, double tipRadius, Progr
     return touched(image, surface, tipRadius, &telling);
 }
 
+/// Returns the pixel of a line of `count` nearest to `position`; 0 for what is no number.
+int pixelAt(double position, double pitch, int count) {
+    const double pixel = position / pitch;
+    if (!std::isgreater(pixel, 0.0)) {
+        return 0;
+    }
+    return static_cast<int>(std::min(pixel, count - 1.0));
+}
+
 }  // namespace
 
 HeightMap dilated(HeightMap surface, double tipRadius) {
@@ -146,6 +155,20 @@ std::vector<std::uint8_t> certainPixels(const HeightMap& image, double tipRadius
 std::vector<std::uint8_t> certainPixels(const ScanMap& image, double tipRadius,
                                         Progress* progress) {
     return certainOf(image, tipRadius, progress);
+}
+
+bool CertaintyMap::isUncertain(double x, double y) const noexcept {
+    if (!isKnown()) {
+        return false;
+    }
+    const int row = rows_ - 1 - pixelAt(y, pitchY_, rows_);
+    return !certain_[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
+                     static_cast<std::size_t>(pixelAt(x, pitchX_, columns_))];
+}
+
+double CertaintyMap::certainShare() const noexcept {
+    const auto certain = std::ranges::count(certain_, true);
+    return isKnown() ? static_cast<double>(certain) / static_cast<double>(certain_.size()) : 0.0;
 }
 
 }  // namespace asperity

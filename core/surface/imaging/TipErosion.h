@@ -8,7 +8,7 @@
 
 namespace asperity {
 
-/// What a scan says about the surface under it, for a spherical tip of known radius.
+/// The surface under a scan, as far as the scan shows it, for a spherical tip of known radius.
 ///
 /// A scan is the surface dilated by the tip's shape: image(x) = max over d of surface(x + d) -
 /// rise(d), with rise(d) = R - sqrt(R^2 - d^2) for d <= R, the tip's surface above its apex. The
@@ -34,7 +34,7 @@ namespace asperity {
 /// @throw Error as dilated()
 [[nodiscard]] HeightMap eroded(HeightMap image, double tipRadius);
 
-/// Where a tip may have touched.
+/// Points at which a tip may have touched.
 enum class TouchedPoint : std::uint8_t {
     Pixel,          ///< at pixel centers alone: the erosion by its definition
     BetweenPixels,  ///< between them, too
@@ -49,7 +49,8 @@ struct BasicTipReconstruction {
     std::vector<std::uint8_t> certain;
 };
 using TipReconstruction = BasicTipReconstruction<HeightMap>;
-/// Of a large scan: beside the image only its surface and the certainty are in memory.
+/// Reconstruction of a large scan: beside the image only its surface and the certainty are in
+/// memory.
 using ScanReconstruction = BasicTipReconstruction<ScanMap>;
 
 /// As eroded(), with the certainty map: a pixel is certain where, for some position of the tip, it
@@ -72,5 +73,36 @@ using ScanReconstruction = BasicTipReconstruction<ScanMap>;
                                                       Progress* progress = nullptr);
 [[nodiscard]] std::vector<std::uint8_t> certainPixels(const ScanMap& image, double tipRadius,
                                                       Progress* progress = nullptr);
+
+/// The pixels of a scan that the tip which recorded it has certainly touched: there the scan proves
+/// the height of the surface; see TipErosion.h. Immutable, safe to read from any thread.
+class CertaintyMap {
+public:
+    /// Creates the map of a scan whose tip is not known: nothing can be said to be uncertain.
+    CertaintyMap() = default;
+    /// @param map of the same pixels
+    /// @param certain rows x columns, 1 where certain; row 0 is the top row
+    template <class Heights>
+    CertaintyMap(const BasicHeightMap<Heights>& map, const std::vector<std::uint8_t>& certain)
+        : columns_(map.columns)
+        , rows_(map.rows)
+        , pitchX_(map.pitchX)
+        , pitchY_(map.pitchY)
+        , certain_(certain.begin(), certain.end()) {}
+
+    [[nodiscard]] bool isKnown() const noexcept { return !certain_.empty(); }
+    /// Returns whether the imaging tip did not certainly touch the pixel at world (x, y) [m]; a
+    /// position outside the scan counts as the nearest one inside.
+    [[nodiscard]] bool isUncertain(double x, double y) const noexcept;
+    /// Part of all pixels that is certain.
+    [[nodiscard]] double certainShare() const noexcept;
+
+private:
+    int columns_ = 0;
+    int rows_ = 0;
+    double pitchX_ = 0.0;  ///< [m]
+    double pitchY_ = 0.0;  ///< [m]
+    PixelMask certain_;
+};
 
 }  // namespace asperity

@@ -9,7 +9,7 @@
 
 namespace asperity {
 
-/// Whether a pixel takes part in leveling and measures: it holds data.
+/// Returns whether a pixel takes part in leveling and measures: it holds data.
 template <class Heights>
 [[nodiscard]] bool counts(const BasicHeightMap<Heights>& map, int row, int column) {
     return map.isValid(row, column) && isFiniteHeight(map.at(row, column));
@@ -28,8 +28,8 @@ void subtract(BasicHeightMap<Heights>& map, const Removed& removed, Progress* pr
     });
 }
 
-/// What makeRow(row) makes of each row, on all cores; in the rows' order, so that sums of it are
-/// the same to the last bit on any number of cores. @throw Canceled
+/// Returns the results of makeRow(row), computed on all cores; in the rows' order, so that sums of
+/// them are the same to the last bit on any number of cores. @throw Canceled
 template <class MakeRow>
 [[nodiscard]] auto ofEachRow(int rows, Progress* progress, const MakeRow& makeRow) {
     std::vector<decltype(makeRow(0))> made(static_cast<std::size_t>(rows));

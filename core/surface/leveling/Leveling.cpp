@@ -2,18 +2,30 @@
 
 #include "core/Error.h"
 #include "core/surface/leveling/CountedPixels.h"
-#include "core/surface/leveling/FacetPlane.h"
-#include "core/surface/leveling/QuadraticFit.h"
-#include "core/surface/leveling/RowAlignment.h"
 #include "core/surface/leveling/ScarRemoval.h"
-#include "core/surface/leveling/ThreePointPlane.h"
-#include "core/surface/leveling/ZeroLevel.h"
 
-#include <utility>
+#include <algorithm>
 
 namespace asperity {
 
 namespace {
+
+/// The lowest height of a valid pixel, relative to the map's datum [m].
+/// @throw Error when the map is unusable or no pixel is valid; Canceled
+template <class Heights>
+double lowestHeight(const BasicHeightMap<Heights>& map, Progress* progress) {
+    requireUsable(map);
+    const double first = firstHeight(map);
+    return std::ranges::min(ofEachRow(map.rows, progress, [&](int row) {
+        double lowest = first;
+        for (int column = 0; column < map.columns; ++column) {
+            if (counts(map, row, column)) {
+                lowest = std::min(lowest, map.at(row, column));
+            }
+        }
+        return lowest;
+    }));
+}
 
 /// The two halves of a step: what it measures, and what it takes from the heights.
 struct StepProgress {
@@ -87,7 +99,7 @@ RemovedByStep doStep(BasicHeightMap<Heights>& map, LevelingStep step,
         break;
     case LevelingStep::ThreePoint:
         if (!points) {
-            throw Error("three_point needs three places, level_points_m or --level-points");
+            throw Error("three_point needs three points, level_points_m or --level-points");
         }
         removePlane(map, threePointPlane(map, *points), removed, parts);
         break;
@@ -115,7 +127,7 @@ bool setsHeight(LevelingStep step) {
     return step != LevelingStep::MedianOfDifferences && step != LevelingStep::Scars;
 }
 
-/// What was removed is told with the datum in it. @return the datum that is left [m]
+/// Returns what was removed is told with the datum in it. @return the datum that is left [m]
 double takeDatum(RemovedByStep& removed, double datum) {
     if (!setsHeight(removed.step)) {
         return datum;

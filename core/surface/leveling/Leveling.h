@@ -12,11 +12,11 @@
 
 namespace asperity {
 
-/// What a step took from the heights. World frame; what a step does not have is 0.
+/// Parts that a step removed from the heights. World frame; what a step does not have is 0.
 struct RemovedByStep {
     LevelingStep step = LevelingStep::Plane;
-    /// Of plane, three_point and facet; of quadratic its tangent at the scan's center; of rows and
-    /// zero its mean alone: the height that was subtracted from all [m].
+    /// Plane of plane, three_point and facet; of quadratic its tangent at the scan's center; of
+    /// rows and zero its mean alone: the height that was subtracted from all [m].
     PlaneFit plane;
     double bendX = 0.0;        ///< second derivatives of quadratic [1/m]
     double bendY = 0.0;        ///< [1/m]
@@ -38,7 +38,7 @@ struct LeveledMap {
 /// with their neighbors. A ScanMap's datum is 0 after a step that sets the height of the whole:
 /// all but median_of_differences and scars.
 /// @param points of three_point
-/// @throw Error when the map is unusable, no pixel is valid, or three_point has no places or bad
+/// @throw Error when the map is unusable, no pixel is valid, or three_point has no positions or bad
 ///        ones; Canceled
 [[nodiscard]] LeveledMap<HeightMap> leveledInSteps(HeightMap map, const LevelingSteps& steps,
                                                    const std::optional<LevelPoints>& points = {},

@@ -1,7 +1,5 @@
 #include "core/surface/leveling/LevelingStep.h"
 
-#include "core/FiniteVector.h"
-
 #include <algorithm>
 
 namespace asperity {
@@ -52,7 +50,7 @@ std::string levelingKeys() { return keyList<LevelingStep>() + " or " + kNoLeveli
 std::string refusalOf(const LevelPoints& points) {
     constexpr double kMinHeight = 1e-6;  // of the triangle, of its longest side
     if (!std::ranges::all_of(points, isFinite)) {
-        return "three_point needs places that are finite numbers of meters";
+        return "three_point needs points that are finite numbers of meters";
     }
     double longest = 0.0;
     for (std::size_t i = 0; i < points.size(); ++i) {
@@ -62,7 +60,7 @@ std::string refusalOf(const LevelPoints& points) {
     const Vector2 other = points[2] - points[0];
     const double twiceArea = std::abs(along.x() * other.y() - along.y() * other.x());
     if (!(twiceArea > kMinHeight * longest * longest)) {
-        return "three_point needs three places that do not lie on one line";
+        return "three_point needs three points that do not lie on one line";
     }
     return "";
 }

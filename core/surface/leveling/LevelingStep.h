@@ -12,13 +12,13 @@
 
 namespace asperity {
 
-/// What leveling can do to the heights of a scan; a scene names any number of them, in order.
-/// Pixels without data take part in none, and each in both precisions. Definitions:
+/// Steps that level the heights of a scan; a scene names any number of them, in order. Pixels
+/// without data take part in none, and each exists in both precisions. Definitions:
 /// docs/surface.md.
 enum class LevelingStep : std::uint8_t {
     Plane,                ///< least-squares plane removed
     Rows,                 ///< median of each row removed, then the mean of all
-    ThreePoint,           ///< plane through three places removed
+    ThreePoint,           ///< plane through three positions removed
     Facet,                ///< plane of the prevailing slope removed, and the mean
     Quadratic,            ///< least-squares polynomial of second degree removed
     MedianOfDifferences,  ///< rows shifted to a median step of 0 between them; their trend is kept
@@ -40,10 +40,10 @@ inline constexpr auto kEnumTable<LevelingStep> = std::to_array<EnumRow<LevelingS
 /// In the order in which they are done; empty: heights as the file gives them.
 using LevelingSteps = std::vector<LevelingStep>;
 
-/// How files and options call no step at all.
+/// Name for no step at all, in files and options.
 inline constexpr const char* kNoLeveling = "none";
 
-/// Places of three_point, world frame [m].
+/// Positions of three_point, world frame [m].
 using LevelPoints = std::array<Vector2, 3>;
 
 /// "plane, zero"; "none" where there is no step.
@@ -55,8 +55,8 @@ using LevelPoints = std::array<Vector2, 3>;
 /// All keys for people: "plane, rows, ... or none".
 [[nodiscard]] std::string levelingKeys();
 
-/// Why three places cannot be a plane's; empty where they can: they must be finite and span a
-/// triangle.
+/// Returns why three positions cannot be a plane's; empty where they can: they must be finite and
+/// span a triangle.
 [[nodiscard]] std::string refusalOf(const LevelPoints& points);
 
 }  // namespace asperity

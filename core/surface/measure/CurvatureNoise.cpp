@@ -1,9 +1,9 @@
 #include "core/surface/measure/CurvatureNoise.h"
 
-#include "core/surface/InvalidPixels.h"
-#include "core/surface/measure/HeightNoise.h"
+#include "core/surface/HeightMap.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -14,8 +14,57 @@ namespace asperity {
 
 namespace {
 
+constexpr int kWidth = 5;
+constexpr std::array<double, kWidth> kDifference{1.0, -4.0, 6.0, -4.0, 1.0};
+constexpr double kSquares = 70.0;  // sum of their squares
+
+/// Fourth difference along both axes from a pixel on, in standard deviations of a height [m]; NaN
+/// where a height is missing.
+template <class Map>
+double differenceAt(const Map& map, int row, int column) {
+    double sum = 0.0;
+    for (int i = 0; i < kWidth; ++i) {
+        for (int j = 0; j < kWidth; ++j) {
+            const double height = map.isValid(row + i, column + j)
+                                      ? map.at(row + i, column + j)
+                                      : std::numeric_limits<double>::quiet_NaN();
+            sum += kDifference[static_cast<std::size_t>(i)] *
+                   kDifference[static_cast<std::size_t>(j)] * height;
+        }
+    }
+    return sum / kSquares;
+}
+
+template <class Map>
+double noiseOf(const Map& map) {
+    constexpr double kMedian = 0.67448975019608171;  // of a normal variable's magnitude
+    constexpr double kPositions = 65536.0;
+    const int rows = map.rows - kWidth + 1;
+    const int columns = map.columns - kWidth + 1;
+    if (rows < 1 || columns < 1) {
+        return 0.0;
+    }
+    const double share = static_cast<double>(rows) * columns / kPositions;
+    const int step = std::max(1, static_cast<int>(std::ceil(std::sqrt(share))));
+    std::vector<double> found;
+    for (int row = 0; row < rows; row += step) {
+        for (int column = 0; column < columns; column += step) {
+            const double difference = differenceAt(map, row, column);
+            if (isFiniteHeight(difference)) {
+                found.push_back(std::abs(difference));
+            }
+        }
+    }
+    if (found.empty()) {
+        return 0.0;
+    }
+    const auto middle = found.begin() + static_cast<std::ptrdiff_t>(found.size() / 2);
+    std::ranges::nth_element(found, middle);
+    return *middle / kMedian;
+}
+
 constexpr double kNormalMedian = 0.67448975019608171;  // of a normal variable's magnitude
-constexpr int kEvery = 2;  // every other place along both axes counts: neighbors say the same
+constexpr int kEvery = 2;  // every other position along both axes counts: neighbors say the same
 
 /// Weights of the samples around a pixel's center for value and second derivative of the spline
 /// through the smoothed samples, from the middle to one side. Times the pitch squared.
@@ -128,13 +177,13 @@ NumberGrid behindKernel(const NumberGrid& field, const std::vector<double>& half
                                                 (sample.first * values[0]) +
                                                 (sample.last * values[field.columns - 1]);
         }
-        for (int place = 0; place < result.columns; ++place) {
-            const double* center = line.data() + reach + (kEvery * place);
+        for (int column = 0; column < result.columns; ++column) {
+            const double* center = line.data() + reach + (kEvery * column);
             double sum = half[0] * center[0];
             for (int k = 1; k <= reach; ++k) {
                 sum += half[static_cast<std::size_t>(k)] * (center[k] + center[-k]);
             }
-            result.row(row)[place] = sum;
+            result.row(row)[column] = sum;
         }
     }
     return result;
@@ -219,6 +268,10 @@ bool holdsAny(const HeightMap& map) {
 
 }  // namespace
 
+double heightNoise(const HeightMap& map) { return noiseOf(map); }
+
+double heightNoise(const ScanMap& map) { return noiseOf(map); }
+
 template <class Map>
 CurvatureNoise::CurvatureNoise(const Map& map, double heightNoise)
     : pitchX_(map.pitchX)
@@ -277,7 +330,7 @@ double CurvatureNoise::noise(const Smoothing& smoothing) const {
     if (isKnown_) {
         return std::sqrt(white);
     }
-    // Of white noise both differences show the same.
+    // Both differences show the same of white noise.
     const double more = differencesNoise(smoothing, true) - differencesNoise(smoothing, false);
     return std::sqrt(white + std::max(0.0, more));
 }

@@ -7,8 +7,17 @@
 
 namespace asperity {
 
-/// What a scan's heights say of the noise in its mean curvature, (z_xx + z_yy) / 2 of the fitted
-/// surface at a pixel's center, after a low-pass. Of a large scan 16 parts of 64 x 64 pixels count.
+/// Standard deviation of the white noise in a scan's heights [m], from its highest frequencies: the
+/// median of fourth differences along both axes, which leave of a smooth surface next to nothing
+/// and of a step a few pixels. Noise that a feedback loop has filtered is larger than this. 0 where
+/// the scan has fewer than 5 pixels along an axis, or no 5 x 5 pixels that all hold data. Of a
+/// large scan some 65,000 positions count. Source: Immerkaer, Computer Vision and Image
+/// Understanding 64 (1996) 300, with a higher order and the median; docs/uncertainty.md.
+[[nodiscard]] double heightNoise(const HeightMap& map);
+[[nodiscard]] double heightNoise(const ScanMap& map);
+
+/// Noise in a scan's mean curvature, (z_xx + z_yy) / 2 of the fitted surface at a pixel's center,
+/// after a low-pass, as its heights show it. Of a large scan 16 parts of 64 x 64 pixels count.
 ///
 /// Noise of a scan is white from one line to the next, and along a line what the feedback loop has
 /// made of it. Fourth differences across the lines show it, and with it what they leave of the

@@ -1,7 +1,6 @@
 #include "core/surface/measure/Roughness.h"
 
 #include "core/Error.h"
-#include "core/FiniteVector.h"
 
 #include <algorithm>
 #include <cmath>

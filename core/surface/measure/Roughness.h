@@ -3,8 +3,7 @@
 #include "core/Progress.h"
 #include "core/Vector.h"
 #include "core/surface/BSplineSurface.h"
-#include "core/surface/HeightRows.h"
-#include "core/surface/PixelRectangle.h"
+#include "core/surface/HeightMap.h"
 
 #include <cstddef>
 

@@ -15,7 +15,7 @@ inline constexpr int kMaxDegree = 5;
 /// (w x, w y, w z, w) of a control point (x, y, z) [m] with the weight w > 0.
 using HomogeneousPoint = Eigen::Vector4d;
 
-/// A place of a parametric surface with its derivatives by the parameters.
+/// A position of a parametric surface with its derivatives by the parameters.
 struct ParametricSample {
     Vector3 point = Vector3::Zero();  ///< world [m]
     Vector3 du = Vector3::Zero();     ///< per unit of the parameter [m]
@@ -41,7 +41,7 @@ struct BezierNet {
     [[nodiscard]] HomogeneousPoint& at(int i, int j) { return points[index(i, j)]; }
 
     /// The control point itself, world [m].
-    [[nodiscard]] Vector3 place(int i, int j) const { return at(i, j).head<3>() / at(i, j)[3]; }
+    [[nodiscard]] Vector3 position(int i, int j) const { return at(i, j).head<3>() / at(i, j)[3]; }
 
     /// Point and derivatives, exact for the rational patch.
     [[nodiscard]] ParametricSample sample(double u, double v) const noexcept;

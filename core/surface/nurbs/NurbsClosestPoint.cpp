@@ -1,7 +1,6 @@
 #include "core/surface/nurbs/NurbsClosestPoint.h"
 
 #include "core/surface/nurbs/NurbsDescent.h"
-#include "core/surface/nurbs/SquaredDistanceNet.h"
 
 #include <algorithm>
 #include <boost/container/static_vector.hpp>
@@ -16,7 +15,7 @@ constexpr int kMaxPieces = 2048;          // looked at for the proof: a millisec
 constexpr int kMorePieces = 256;          // looked at for other closest points
 constexpr std::size_t kMaxWaiting = 112;  // pieces: two for each time that a patch can be halved
 constexpr std::size_t kMaxBoxes = 128;
-/// How much nearer another place may be unnoticed, in roundings of a place in space.
+/// Unnoticed difference of distances, in roundings of a position in space.
 constexpr double kCertainNoise = 256.0;
 /// A piece this small, in parameters, cannot be cut.
 constexpr double kMinPiece = 1e-15;
@@ -33,21 +32,21 @@ struct Piece {
     [[nodiscard]] Vector2 width() const { return box.high - box.low; }
 };
 
-/// A place of a piece and how far from the query it is.
-struct NearPlace {
-    Vector2 place = Vector2::Zero();  ///< (u, v)
-    double distance = 0.0;            ///< [m]
+/// A position of a piece and how far from the query it is.
+struct NearPoint {
+    Vector2 uv = Vector2::Zero();  ///< (u, v)
+    double distance = 0.0;         ///< [m]
 };
 
 /// The nearest one of the middle and the four corners.
-NearPlace nearestSample(const Piece& piece) {
-    NearPlace nearest{.place = piece.middle(), .distance = piece.net.sample(0.5, 0.5).point.norm()};
+NearPoint nearestSample(const Piece& piece) {
+    NearPoint nearest{.uv = piece.middle(), .distance = piece.net.sample(0.5, 0.5).point.norm()};
     for (const int i : {0, piece.net.degreeU}) {
         for (const int j : {0, piece.net.degreeV}) {
-            const double distance = piece.net.place(i, j).norm();
+            const double distance = piece.net.position(i, j).norm();
             if (distance < nearest.distance) {
-                nearest = {.place = Vector2((i == 0 ? piece.box.low : piece.box.high)[0],
-                                            (j == 0 ? piece.box.low : piece.box.high)[1]),
+                nearest = {.uv = Vector2((i == 0 ? piece.box.low : piece.box.high)[0],
+                                         (j == 0 ? piece.box.low : piece.box.high)[1]),
                            .distance = distance};
             }
         }
@@ -65,14 +64,14 @@ Vector2 extentOf(const BezierNet& net) {
     for (int j = 0; j <= net.degreeV; ++j) {
         double length = 0.0;
         for (int i = 0; i < net.degreeU; ++i) {
-            length += (net.place(i + 1, j) - net.place(i, j)).norm();
+            length += (net.position(i + 1, j) - net.position(i, j)).norm();
         }
         extent[0] = std::max(extent[0], length);
     }
     for (int i = 0; i <= net.degreeU; ++i) {
         double length = 0.0;
         for (int j = 0; j < net.degreeV; ++j) {
-            length += (net.place(i, j + 1) - net.place(i, j)).norm();
+            length += (net.position(i, j + 1) - net.position(i, j)).norm();
         }
         extent[1] = std::max(extent[1], length);
     }
@@ -159,10 +158,10 @@ private:
 
     /// Keeps the minima in order of their distance, the nearest one first.
     void take(const NurbsMinimum& found) {
-        const Vector3 point = surface_.at(found.place.x(), found.place.y()).point;
+        const Vector3 point = surface_.at(found.position.x(), found.position.y()).point;
         for (std::size_t i = 0; i < count_; ++i) {
-            const Vector2& place = minima_[i].place;
-            const Vector3 known = surface_.at(place.x(), place.y()).point;
+            const Vector2& position = minima_[i].position;
+            const Vector3 known = surface_.at(position.x(), position.y()).point;
             if ((known - point).norm() <= wish_.sameWithin) {
                 if (isBetter(found, minima_[i])) {
                     minima_[i] = found;
@@ -183,7 +182,7 @@ private:
         sort();
     }
 
-    /// Of two searches that ended at the same place, the one that ended properly.
+    /// Returns whether `a` is nearer or, at the same position, the search that converged.
     [[nodiscard]] bool isBetter(const NurbsMinimum& a, const NurbsMinimum& b) const {
         const bool asNear = std::abs(a.distance - b.distance) <= certain_;
         return asNear && a.converged != b.converged ? a.converged : a.distance < b.distance;
@@ -197,7 +196,7 @@ private:
             [](const NurbsMinimum& a, const NurbsMinimum& b) { return a.distance < b.distance; });
     }
 
-    /// Whether all that could hold a point of interest was looked through.
+    /// Returns whether all that could hold a point of interest was looked through.
     bool searchBoxes() {
         const auto boxes = surface_.boxes();
         boost::container::static_vector<int, kMaxBoxes> waiting;
@@ -256,7 +255,7 @@ private:
         waiting.push_back({.net = halves.high, .box = high, .patch = piece.patch});
     }
 
-    /// Whether nothing in the piece can change the answer any more.
+    /// Returns whether nothing in the piece can change the answer any more.
     bool isSettled(const Piece& piece) {
         ++points_.pieces_;
         const SquaredDistanceNet bound(piece.net, certain_ / kCertainNoise);
@@ -280,26 +279,26 @@ private:
     /// A piece whose squared distance is convex (in the sense of SquaredDistanceNet) has one
     /// minimum. Once that is known, nothing in it is nearer.
     bool minimumSettles(const Piece& piece, const SquaredDistanceNet& bound) {
-        const Vector2 start = piece.box.nearest(minima_.front().place);
+        const Vector2 start = piece.box.nearest(minima_.front().position);
         const NurbsMinimum minimum = descent_.within(piece.patch, piece.box, start);
         iterations_ += minimum.iterations;
         if (minimum.distance < best() - certain_ || minimum.distance <= within_) {
-            descend(minimum.place);
+            descend(minimum.position);
         }
         return minimum.converged && minimum.distance >= best() - certain_ &&
                bound.isConvex(square(minimum.distance), slackAt(minimum.distance));
     }
 
     /// On a crease the gradient vanishes nowhere, but there is a minimum of the patch beside it,
-    /// which is that of the surface since no other place is nearer.
+    /// which is that of the surface since no other position is nearer.
     void settleOnCrease() {
-        const Vector2 place = minima_.front().place;
-        const int index = surface_.patchAt(place.x(), place.y());
+        const Vector2 position = minima_.front().position;
+        const int index = surface_.patchAt(position.x(), position.y());
         const NurbsPatch& patch = surface_.patches()[static_cast<std::size_t>(index)];
-        NurbsMinimum minimum = descent_.within(index, boxOf(patch), place);
+        NurbsMinimum minimum = descent_.within(index, boxOf(patch), position);
         bool atEdge = false;
         for (int axis = 0; axis < 2; ++axis) {
-            const bool isEdge = minimum.place[axis] == 0.0 || minimum.place[axis] == 1.0;
+            const bool isEdge = minimum.position[axis] == 0.0 || minimum.position[axis] == 1.0;
             atEdge |= isEdge && !surface_.closed()[static_cast<std::size_t>(axis)];
         }
         minimum.pushedOut &= atEdge;
@@ -311,14 +310,15 @@ private:
     /// Starts a search from the piece where that is nearer than the best closest point, or
     /// where another closest point may be and the piece is too small to be cut for it.
     void lookAt(const Piece& piece, bool isSmall) {
-        const auto [place, distance] = nearestSample(piece);
+        const auto [uv, distance] = nearestSample(piece);
         if (distance < best() - certain_ || (isSmall && distance <= within_)) {
-            descend(place);
+            descend(uv);
         }
     }
 
     [[nodiscard]] NurbsClosestPoint closestPointOf(const NurbsMinimum& minimum) const {
-        NurbsClosestPoint closest{.closest = {}, .u = minimum.place.x(), .v = minimum.place.y()};
+        NurbsClosestPoint closest{
+            .closest = {}, .u = minimum.position.x(), .v = minimum.position.y()};
         closest.closest.point = surface_.at(closest.u, closest.v).point;
         closest.closest.normal = surface_.normal(closest.u, closest.v);
         closest.closest.curvatures = surface_.curvatures(closest.u, closest.v);
@@ -338,7 +338,7 @@ private:
         return complete && !isFocal(closest) ? SearchProof::Nearest : SearchProof::TooManyPoints;
     }
 
-    /// Whether the distance grows less than to the second order around the closest point.
+    /// Returns whether the distance grows less than to the second order around the closest point.
     [[nodiscard]] static bool isFocal(const ClosestPoint& closest) {
         const auto isCenter = [&](double curvature) {
             return std::abs(1.0 + curvature * closest.distance) <= kSameDistance;

@@ -40,7 +40,7 @@ private:
     int pieces_ = 0;
 };
 
-/// Which closest points are wanted beside the nearest one.
+/// Closest points that are wanted beside the nearest one.
 struct NurbsClosestPointWish {
     double within = 0.0;       ///< those at most so far away; 0: none [m]
     double sameWithin = 1e-9;  ///< closest points nearer to each other than this are one [m]

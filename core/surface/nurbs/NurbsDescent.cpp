@@ -20,23 +20,23 @@ constexpr int kMeridianHalvings = 22;  // down to 1e-8 of the parameter's range
 const Box kWhole{.low = Vector2::Zero(), .high = Vector2::Ones()};
 
 /// Rounding of Su and Sv [m]: differences of control points over the width of a patch.
-Vector2 slopeNoise(const NurbsPatch& patch, double placeNoise) {
-    return {placeNoise * patch.net.degreeU / (patch.highU - patch.lowU),
-            placeNoise * patch.net.degreeV / (patch.highV - patch.lowV)};
+Vector2 slopeNoise(const NurbsPatch& patch, double positionNoise) {
+    return {positionNoise * patch.net.degreeU / (patch.highU - patch.lowU),
+            positionNoise * patch.net.degreeV / (patch.highV - patch.lowV)};
 }
 
 /// Which parameter is constant along an edge, and what it is there.
 int axisAcross(int edge) { return edge >= 2 ? 1 : 0; }
-double placeAcross(int edge) { return edge % 2 == 0 ? 0.0 : 1.0; }
+double positionAcross(int edge) { return edge % 2 == 0 ? 0.0 : 1.0; }
 
 /// A search that halves its steps towards an edge never gets there: puts it onto the edge.
-Vector2 ontoEdges(const Vector2& place, const Box& box) {
-    Vector2 moved = place;
+Vector2 ontoEdges(const Vector2& position, const Box& box) {
+    Vector2 moved = position;
     for (int axis = 0; axis < 2; ++axis) {
         const double near = kOnEdge * (box.high[axis] - box.low[axis]);
-        if (place[axis] < box.low[axis] + near) {
+        if (position[axis] < box.low[axis] + near) {
             moved[axis] = box.low[axis];
-        } else if (place[axis] > box.high[axis] - near) {
+        } else if (position[axis] > box.high[axis] - near) {
             moved[axis] = box.high[axis];
         }
     }
@@ -44,12 +44,40 @@ Vector2 ontoEdges(const Vector2& place, const Box& box) {
 }
 
 NurbsMinimum minimumOf(const BoxMinimum& found) {
-    return {.place = found.place,
+    return {.position = found.position,
             .distance = std::sqrt(2.0 * found.model.value),
             .iterations = found.iterations,
             .converged = found.converged,
             .pushedOut = found.pushedOut};
 }
+
+constexpr int kMaxProductDegree = 2 * kMaxDegree;
+using Binomials = std::array<std::array<double, kMaxProductDegree + 1>, kMaxProductDegree + 1>;
+
+constexpr Binomials kBinomials = [] {
+    Binomials table{};
+    for (std::size_t n = 0; n <= kMaxProductDegree; ++n) {
+        table[n][0] = 1.0;
+        for (std::size_t k = 1; k <= n; ++k) {
+            table[n][k] = table[n - 1][k - 1] + (k < n ? table[n - 1][k] : 0.0);
+        }
+    }
+    return table;
+}();
+
+double binomial(int n, int k) {
+    return kBinomials[static_cast<std::size_t>(n)][static_cast<std::size_t>(k)];
+}
+
+struct SlopeRange {
+    double least = std::numeric_limits<double>::max();
+    double most = std::numeric_limits<double>::lowest();
+
+    void add(double value) {
+        least = std::min(least, value);
+        most = std::max(most, value);
+    }
+};
 
 }  // namespace
 
@@ -60,10 +88,10 @@ NurbsHalfSquare::NurbsHalfSquare(const NurbsSurface& surface, const Vector3& que
     , patch_(patch)
     , noise_(kEpsilon * (surface.scale() + query.lpNorm<Eigen::Infinity>())) {}
 
-LocalModel NurbsHalfSquare::operator()(const Vector2& place) const noexcept {
-    const int index = patch_ < 0 ? surface_.patchAt(place.x(), place.y()) : patch_;
+LocalModel NurbsHalfSquare::operator()(const Vector2& position) const noexcept {
+    const int index = patch_ < 0 ? surface_.patchAt(position.x(), position.y()) : patch_;
     const NurbsPatch& patch = surface_.patches()[static_cast<std::size_t>(index)];
-    const ParametricSample s = sampleOf(patch, place.x(), place.y());
+    const ParametricSample s = sampleOf(patch, position.x(), position.y());
     const Vector3 r = s.point - query_;
     LocalModel model;
     model.value = 0.5 * r.squaredNorm();
@@ -91,7 +119,7 @@ NurbsMinimum NurbsDescent::within(int patch, const Box& box, const Vector2& star
     const double width = (box.high - box.low).minCoeff();
     const BoxNewton newton(objective, box, kEscapeStep * width);
     const BoxMinimum found = newton.minimize(start);
-    return minimumOf(found.converged ? found : newton.minimize(ontoEdges(found.place, box)));
+    return minimumOf(found.converged ? found : newton.minimize(ontoEdges(found.position, box)));
 }
 
 NurbsMinimum NurbsDescent::from(const Vector2& start) const noexcept {
@@ -120,10 +148,10 @@ bool NurbsDescent::crossSeam(NurbsMinimum& state) const noexcept {
         return false;
     }
     for (int axis = 0; axis < 2; ++axis) {
-        const double place = state.place[axis];
-        if (surface_.closed()[static_cast<std::size_t>(axis)] && (place == 0.0 || place == 1.0)) {
-            Vector2 other = state.place;
-            other[axis] = 1.0 - place;
+        const double value = state.position[axis];
+        if (surface_.closed()[static_cast<std::size_t>(axis)] && (value == 0.0 || value == 1.0)) {
+            Vector2 other = state.position;
+            other[axis] = 1.0 - value;
             return goOnTo(within(-1, kWhole, other), state);
         }
     }
@@ -132,7 +160,7 @@ bool NurbsDescent::crossSeam(NurbsMinimum& state) const noexcept {
 
 /// Derivative of half the squared distance into the surface from an edge [m^2].
 double NurbsDescent::slopeInto(int edge, double along) const noexcept {
-    const double across = placeAcross(edge);
+    const double across = positionAcross(edge);
     const bool alongU = axisAcross(edge) == 1;
     const ParametricSample s = alongU ? surface_.at(along, across) : surface_.at(across, along);
     const double slope = (s.point - query_).dot(alongU ? s.dv : s.du);
@@ -144,11 +172,11 @@ double NurbsDescent::steepestMeridian(int edge) const noexcept {
     double best = 0.0;
     double steepest = std::numeric_limits<double>::max();
     const auto tryAt = [&](double along) {
-        const double place = std::clamp(along, 0.0, 1.0);
-        const double slope = slopeInto(edge, place);
+        const double position = std::clamp(along, 0.0, 1.0);
+        const double slope = slopeInto(edge, position);
         if (slope < steepest) {
             steepest = slope;
-            best = place;
+            best = position;
         }
     };
     for (int i = 0; i < kMeridians; ++i) {
@@ -169,13 +197,14 @@ NurbsMinimum NurbsDescent::downMeridian(int edge, double along) const noexcept {
     const int axis = axisAcross(edge);
     const NurbsHalfSquare objective(surface_, query_, -1);
     NurbsMinimum state;
-    state.place[axis] = placeAcross(edge);
-    state.place[1 - axis] = along;
-    LocalModel model = objective(state.place);
+    state.position[axis] = positionAcross(edge);
+    state.position[1 - axis] = along;
+    LocalModel model = objective(state.position);
     for (int i = 0; i < kMaxMeridianSteps && !state.converged; ++i) {
         const double bend = std::max(model.hessian(axis, axis), 0.5 * model.convex(axis, axis));
-        state.place[axis] = std::clamp(state.place[axis] - model.gradient[axis] / bend, 0.0, 1.0);
-        model = objective(state.place);
+        state.position[axis] =
+            std::clamp(state.position[axis] - model.gradient[axis] / bend, 0.0, 1.0);
+        model = objective(state.position);
         state.converged = std::abs(model.gradient[axis]) <= 4.0 * model.gradientNoise[axis];
         ++state.iterations;
     }
@@ -187,7 +216,7 @@ NurbsMinimum NurbsDescent::downMeridian(int edge, double along) const noexcept {
 /// method may have stopped there, or have come down a wrong one.
 void NurbsDescent::leavePole(NurbsMinimum& state) const noexcept {
     for (int edge = 0; edge < 4; ++edge) {
-        const double away = std::abs(state.place[axisAcross(edge)] - placeAcross(edge));
+        const double away = std::abs(state.position[axisAcross(edge)] - positionAcross(edge));
         if (!surface_.collapsed()[static_cast<std::size_t>(edge)] || away > kBesidePole) {
             continue;
         }
@@ -195,10 +224,91 @@ void NurbsDescent::leavePole(NurbsMinimum& state) const noexcept {
         const double along = steepestMeridian(edge);
         if (slopeInto(edge, along) < 0.0) {
             const NurbsMinimum beside = downMeridian(edge, along);
-            const NurbsMinimum beyond = within(-1, kWhole, beside.place);
+            const NurbsMinimum beyond = within(-1, kWhole, beside.position);
             goOnTo(beyond.distance < beside.distance - rounding_ ? beyond : beside, state);
         }
     }
+}
+
+SquaredDistanceNet::SquaredDistanceNet(const BezierNet& net, double positionNoise) noexcept
+    : degreeU_(2 * net.degreeU), degreeV_(2 * net.degreeV), leastWeight_(net.at(0, 0)[3]) {
+    double greatest = 0.0;  // the farthest control point bounds the products
+    double greatestWeight = 0.0;
+    // The product of two Bernstein polynomials, the binomial factors taken out.
+    std::array<HomogeneousPoint, BezierNet::kMaxPoints> scaled;
+    for (int j = 0; j <= net.degreeV; ++j) {
+        for (int i = 0; i <= net.degreeU; ++i) {
+            greatest = std::max(greatest, net.at(i, j).head<3>().squaredNorm());
+            leastWeight_ = std::min(leastWeight_, net.at(i, j)[3]);
+            greatestWeight = std::max(greatestWeight, net.at(i, j)[3]);
+            scaled[BezierNet::index(i, j)] =
+                binomial(net.degreeU, i) * binomial(net.degreeV, j) * net.at(i, j);
+        }
+    }
+    leastWeight_ *= leastWeight_;
+    noise_ = 16.0 * std::numeric_limits<double>::epsilon() * greatest +
+             4.0 * std::sqrt(greatest) * greatestWeight * positionNoise;
+    for (int l = 0; l <= degreeV_; ++l) {
+        for (int k = 0; k <= degreeU_; ++k) {
+            Eigen::Vector4d sum = Eigen::Vector4d::Zero();
+            for (int j = std::max(0, l - net.degreeV); j <= std::min(l, net.degreeV); ++j) {
+                for (int i = std::max(0, k - net.degreeU); i <= std::min(k, net.degreeU); ++i) {
+                    sum += scaled[BezierNet::index(i, j)].cwiseProduct(
+                        scaled[BezierNet::index(k - i, l - j)]);
+                }
+            }
+            const double share = 1.0 / (binomial(degreeU_, k) * binomial(degreeV_, l));
+            distance_[index(k, l)] = share * (sum[0] + sum[1] + sum[2]);
+            weight_[index(k, l)] = share * sum[3];
+        }
+    }
+}
+
+bool SquaredDistanceNet::isAtLeast(double square) const noexcept {
+    for (int l = 0; l <= degreeV_; ++l) {
+        for (int k = 0; k <= degreeU_; ++k) {
+            if (distance_[index(k, l)] < square * weight_[index(k, l)] + noise_) {
+                return false;
+            }
+        }
+    }
+    return true;
+}
+
+bool SquaredDistanceNet::isConvex(double square, double slack) const noexcept {
+    Coefficients excess;
+    for (int l = 0; l <= degreeV_; ++l) {
+        for (int k = 0; k <= degreeU_; ++k) {
+            excess[index(k, l)] = distance_[index(k, l)] - square * weight_[index(k, l)];
+        }
+    }
+    // The coefficients of a derivative are differences of those of the function.
+    SlopeRange uu;
+    SlopeRange uv;
+    SlopeRange vv;
+    for (int l = 0; l <= degreeV_; ++l) {
+        for (int k = 0; k <= degreeU_; ++k) {
+            const double here = excess[index(k, l)];
+            if (k + 2 <= degreeU_) {
+                uu.add(here - 2.0 * excess[index(k + 1, l)] + excess[index(k + 2, l)]);
+            }
+            if (l + 2 <= degreeV_) {
+                vv.add(here - 2.0 * excess[index(k, l + 1)] + excess[index(k, l + 2)]);
+            }
+            if (k < degreeU_ && l < degreeV_) {
+                uv.add(here - excess[index(k + 1, l)] - excess[index(k, l + 1)] +
+                       excess[index(k + 1, l + 1)]);
+            }
+        }
+    }
+    // Each difference has coefficients of a total weight of 4.
+    const double noise = 4.0 * noise_;
+    const double shift = slack * leastWeight_;
+    const double leastU = degreeU_ * (degreeU_ - 1) * (uu.least - noise) + shift;
+    const double leastV = degreeV_ * (degreeV_ - 1) * (vv.least - noise) + shift;
+    const double mixed =
+        degreeU_ * degreeV_ * (std::max(std::abs(uv.least), std::abs(uv.most)) + noise);
+    return leastU > 0.0 && leastV > 0.0 && leastU * leastV > mixed * mixed;
 }
 
 }  // namespace asperity

@@ -8,7 +8,7 @@ namespace asperity {
 /// Shapes whose rational representation is exact, as their outsides are touched.
 /// Source: Piegl, Tiller: The NURBS Book (1997), chapter 8.
 
-/// A right-handed place in space for a shape of revolution: `axis` is first x second.
+/// Right-handed axes in space for a shape of revolution: `axis` is first x second.
 struct RevolutionFrame {
     Vector3 center = Vector3::Zero();   ///< [m]
     Vector3 first = Vector3::UnitX();   ///< unit; where u = 0 lies

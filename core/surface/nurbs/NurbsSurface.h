@@ -51,23 +51,23 @@ public:
     ///        beyond kMaxCoordinate, or the weights are not within kWeightRatio of each other
     explicit NurbsSurface(const Net& net);
 
-    /// Beyond 0 to 1 the place is taken to be the nearest edge's.
+    /// Beyond 0 to 1 the position is taken to be the nearest edge's.
     [[nodiscard]] ParametricSample at(double u, double v) const noexcept;
     /// Unit normal, out of the sample; also where one edge of a patch is a single point (a pole).
     [[nodiscard]] Vector3 normal(double u, double v) const noexcept;
     /// Principal curvatures; at a pole and within a thousandth of its patch, those of the pole.
     [[nodiscard]] PrincipalCurvatures curvatures(double u, double v) const noexcept;
 
-    /// Which patch holds the place.
+    /// Returns the patch that holds the position.
     [[nodiscard]] int patchAt(double u, double v) const noexcept;
     [[nodiscard]] std::span<const NurbsPatch> patches() const noexcept { return patches_; }
     /// The tree of boxes; the last one holds all.
     [[nodiscard]] std::span<const PatchBox> boxes() const noexcept { return boxes_; }
     [[nodiscard]] const PatchBox& bounds() const noexcept { return boxes_.back(); }
 
-    /// Whether the edge at 0 is the one at 1: along u, along v.
+    /// True where the edge at 0 is the one at 1: along u, along v.
     [[nodiscard]] const std::array<bool, 2>& closed() const noexcept { return closed_; }
-    /// Whether all of an edge is one point: u = 0, u = 1, v = 0, v = 1.
+    /// True where all of an edge is one point: u = 0, u = 1, v = 0, v = 1.
     [[nodiscard]] const std::array<bool, 4>& collapsed() const noexcept { return collapsed_; }
     /// The sharpest bend of a hollow found on a grid over each patch, >= 0 [1/m]; where patches
     /// meet at an angle, kCrease.
@@ -102,10 +102,23 @@ private:
 /// continued.
 [[nodiscard]] ParametricSample sampleOf(const NurbsPatch& patch, double u, double v) noexcept;
 
-/// From the first and second fundamental form: principal curvatures, positive for a bump; both 0
-/// where the surface has no tangent plane.
+/// Returns the principal curvatures from the first and second fundamental form, positive for a
+/// bump; both 0 where the surface has no tangent plane.
 /// @param normal unit, out of the sample
 [[nodiscard]] PrincipalCurvatures principalCurvatures(const ParametricSample& sample,
                                                       const Vector3& normal) noexcept;
+
+/// A surface cut at its knots into rational Bezier patches.
+struct NurbsDecomposition {
+    std::vector<double> breaksU;  ///< from 0 to 1
+    std::vector<double> breaksV;
+    std::vector<NurbsPatch> patches;  ///< those along u next to each other
+};
+
+/// @throw Error as NurbsSurface()
+[[nodiscard]] NurbsDecomposition decomposed(const NurbsSurface::Net& net);
+
+/// A tree over the boxes of the patches, children before parents.
+[[nodiscard]] std::vector<PatchBox> boxTree(const std::vector<NurbsPatch>& patches);
 
 }  // namespace asperity

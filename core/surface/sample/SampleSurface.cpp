@@ -40,7 +40,7 @@ ClosestPoint localPointOn(const NurbsSurface& surface, const Vector3& query,
 ContactPoints tipPointsOn(const NurbsSurface& surface, const TipSphere& tip,
                           double reach) noexcept {
     const double within = tip.radius + reach;
-    // A valley that is wider than the tip holds it at one place.
+    // A valley that is wider than the tip holds it at one position.
     const bool several = surface.concavity() * within > 1.0;
     const double same = kSamePoint * tip.radius;
     const NurbsClosestPoints found =
@@ -55,13 +55,13 @@ ContactPoints tipPointsOn(const NurbsSurface& surface, const TipSphere& tip,
     return points;
 }
 
-/// Whether a tip's center lies below a height field.
+/// Returns whether a tip's center lies below a height field.
 bool isSubmerged(const BSplineSurface& surface, const Vector3& center) noexcept {
     return surface.contains(center.x(), center.y()) &&
            center.z() < surface.at(center.x(), center.y()).height;
 }
 
-/// Where the tip's axis leaves the sample, above a submerged center.
+/// Returns where the tip's axis leaves the sample, above a submerged center.
 ClosestPoint pointOnAxis(const BSplineSurface& surface, const Vector3& center) noexcept {
     const HeightSample sample = surface.at(center.x(), center.y());
     ClosestPoint above;

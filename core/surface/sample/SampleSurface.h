@@ -16,11 +16,11 @@ struct TipSphere;
 /// The surface that a tip touches, a height field or a NURBS surface, and the effort of the search
 /// for its closest points. A view: the surface must outlive it.
 ///
-/// A tip whose sphere has its center below a height field touches it at one place, where the tip's
-/// axis leaves the sample: all the sample around the center is in one contact with the tip, which
-/// has several closest points, or jumps between them, where a bump is narrower than the center is
-/// deep. On a plane the approach is the same, and where the center passes the surface both places
-/// are one.
+/// A tip whose sphere has its center below a height field touches it at one position, where the
+/// tip's axis leaves the sample: all the sample around the center is in one contact with the tip,
+/// which has several closest points, or jumps between them, where a bump is narrower than the
+/// center is deep. On a plane the approach is the same, and where the center passes the surface
+/// both positions are one.
 class SampleSurface {
 public:
     // NOLINTBEGIN(google-explicit-constructor): either surface is a sample as it is

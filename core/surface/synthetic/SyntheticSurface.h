@@ -55,7 +55,7 @@ public:
         double stepHeight = 0.0;    ///< [m]
         double terraceWidth = 1.0;  ///< [m]
         double edgeWidth = 0.0;     ///< over which a step is spread [m]
-        double jitter = 0.0;        ///< standard deviation of each step's place [m]
+        double jitter = 0.0;        ///< standard deviation of each step's position [m]
         double angle = 0.0;         ///< from x to the direction across the steps [rad]
         std::uint64_t seed = 1;
     };
@@ -67,7 +67,7 @@ public:
 
 private:
     Recipe recipe_;
-    std::vector<double> steps_;  ///< places across the steps [m]
+    std::vector<double> steps_;  ///< positions across the steps [m]
 };
 
 /// Spheres on a plane as a spherical tip from above sees them.

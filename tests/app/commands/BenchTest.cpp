@@ -85,7 +85,7 @@ TEST_F(Bench, FailsWithAMeasurementThatFails) {
     EXPECT_FALSE(std::filesystem::exists(folder_.file("rows.json")));
 }
 
-// What a measurement had started ran on.
+// A program that a measurement had started ran on.
 TEST_F(Bench, EndsAllThatItHasStartedWithIt) {
     const std::string child = folder_.file("child").string();
     putProgram("asperity_contact_bench",

@@ -1,5 +1,4 @@
 #include "core/io/FileBytes.h"
-#include "core/io/FileHash.h"
 #include "core/io/zip/ZipArchive.h"
 #include "tests/app/ProgramRun.h"
 #include "tests/support/ScratchFolder.h"

@@ -15,7 +15,7 @@ inline constexpr const char* kFilmHeader =
     "model,radius_m,e_star_pa,work_of_adhesion_j_m2,sigma0_pa,indentation_m,branch,"
     "film_thickness_m,poisson_ratio\n";
 
-/// One case of `asperity contact`; numbers as they stand in a reference table.
+/// One case of `asperity contact`; numbers as in a reference table.
 struct ContactRow {
     std::string model;
     std::string radius;

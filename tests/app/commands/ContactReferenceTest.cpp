@@ -1,5 +1,5 @@
 #include "core/contact/laws/ContactModel.h"
-#include "core/contact/maugis/MaugisUnits.h"
+#include "core/contact/maugis/MaugisDugdale.h"
 #include "core/io/TextValue.h"
 #include "tests/app/commands/CaseRuns.h"
 #include "tests/support/ReferenceTable.h"
@@ -22,7 +22,7 @@ using test::ReferenceTable;
 constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 constexpr double kNearFold = 1e-7;
 
-/// What a row must give.
+/// Expected values of a row.
 struct Expected {
     double force = 0.0;
     double contactRadius = 0.0;
@@ -64,7 +64,7 @@ private:
     static void checkCase(const CsvTable& out, std::size_t row, const Expected& expected) {
         const bool passed = expected.atFold && out.text(row, "state") == "far";
         const std::size_t at = passed ? row + 1 : row;
-        // At a fold the state goes with the root of the indentation.
+        // At a fold the state varies as the root of the indentation.
         const std::size_t deeper = expected.atFold ? row + 2 : row + 1;
         EXPECT_EQ(out.text(at, "state"), expected.state);
         const auto expectNear = [&](const char* column, double value, double unit) {

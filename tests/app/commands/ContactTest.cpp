@@ -53,7 +53,7 @@ protected:
     test::ScratchFolder scratch;
 };
 
-/// By Hertz the force goes as E* and the root of R.
+/// By Hertz the force is proportional to E* and the root of R.
 TEST_F(Contact, SaysWhatStatedDeviationsLeaveOpen) {
     const std::string header = "model,radius_m,e_star_pa,work_of_adhesion_j_m2,sigma0_pa,"
                                "indentation_m,branch,radius_deviation,e_star_deviation\n";

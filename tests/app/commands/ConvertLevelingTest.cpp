@@ -51,9 +51,9 @@ double slopeOf(const HeightMap& map, bool alongX) {
     long double square = 0.0L;
     for (int row = 0; row < map.rows; ++row) {
         for (int column = 0; column < map.columns; ++column) {
-            const long double place = (alongX ? column : row) - 0.5L * (count - 1);
-            product += place * (map.at(row, column) - map.at(0, 0));
-            square += place * place;
+            const long double position = (alongX ? column : row) - 0.5L * (count - 1);
+            product += position * (map.at(row, column) - map.at(0, 0));
+            square += position * position;
         }
     }
     return static_cast<double>(product / square / (alongX ? map.pitchX : map.pitchY));
@@ -209,14 +209,14 @@ TEST_F(ConvertSteps, ScarsAreMaskedInGwyAndNoDataElsewhere) {
     EXPECT_THAT(bytes, HasSubstr(expected));
 }
 
-TEST_F(ConvertSteps, ThreePointTakesItsPlaces) {
+TEST_F(ConvertSteps, ThreePointTakesItsPoints) {
     const auto run =
         convert("--level three_point --level-points 100e-9,100e-9,500e-9,100e-9,300e-9,350e-9");
     EXPECT_EQ(run.exitCode, 0) << run.output;
-    EXPECT_THAT(run.output, HasSubstr("note: leveling: plane through three places"));
+    EXPECT_THAT(run.output, HasSubstr("note: leveling: plane through three points"));
     const auto without = convert("--level three_point");
     EXPECT_EQ(without.exitCode, 1);
-    EXPECT_THAT(without.output, HasSubstr("three_point needs three places"));
+    EXPECT_THAT(without.output, HasSubstr("three_point needs three points"));
     const auto line =
         convert("--level three_point --level-points 100e-9,100e-9,200e-9,200e-9,300e-9,300e-9");
     EXPECT_EQ(line.exitCode, 2);
@@ -232,7 +232,7 @@ TEST_F(ConvertSteps, AreThoseOfEveryCommandThatOpensAScan) {
         "explore --no-pictures " + input + " --out " + scratch.file("run").string() +
         " --path slide --duration 0.1 --level three_point,zero" + points);
     EXPECT_EQ(explored.exitCode, 0) << explored.output;
-    EXPECT_THAT(explored.output, HasSubstr("leveling, step 1 of 2: plane through three places"));
+    EXPECT_THAT(explored.output, HasSubstr("leveling, step 1 of 2: plane through three points"));
     EXPECT_THAT(test::contentOf(scratch.file("run") / "scene.toml"),
                 HasSubstr("level = [ 'three_point', 'zero' ]"));
     const auto window = test::runProgram(input + " --level three_point", "DISPLAY=");

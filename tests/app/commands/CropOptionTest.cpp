@@ -1,4 +1,4 @@
-#include "app/commands/CropOption.h"
+#include "app/commands/ScaleOption.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

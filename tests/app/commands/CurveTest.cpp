@@ -30,7 +30,7 @@ std::string shippedName(const std::string& material) {
 
 class CurveCommand : public ::testing::Test {
 protected:
-    /// The table of a run; what it says besides goes to `said`.
+    /// The table of a run; its other output is in `said`.
     CsvTable tableOf(const std::string& arguments) {
         const auto out = scratch.file("curve.csv");
         const auto run = test::runProgram("curve " + arguments + " --out " + out.string());
@@ -43,7 +43,7 @@ protected:
     std::string said;
 };
 
-/// The row before a jump of one way of a material: the next one has the same base position.
+/// The row before a jump of one branch of a material: the next one has the same base position.
 std::optional<std::size_t> jumpOf(const CsvTable& table, const std::string& material,
                                   const std::string& way) {
     for (std::size_t row = 0; row + 1 < table.rows(); ++row) {
@@ -133,7 +133,7 @@ TEST_F(CurveCommand, SaysWhatTheLawDoesNotHoldFor) {
     EXPECT_NE(said.find("strain beyond linear elasticity"), std::string::npos) << said;
 }
 
-/// The smallest force of a way [N].
+/// The smallest force of a branch [N].
 double strongestIn(const CsvTable& table, const std::string& way) {
     double strongest = 0.0;
     for (std::size_t row = 0; row < table.rows(); ++row) {

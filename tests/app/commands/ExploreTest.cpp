@@ -119,7 +119,7 @@ TEST(ExploreTwice, GivesTheSameBytes) {
     }
 }
 
-/// Of the estimated force along z and of the lateral way of the base, over a run.
+/// Ranges of the estimated force along z and of the base's lateral travel, over a run.
 struct Extremes {
     double strongestPush = 0.0;  // [N]
     double farthestAside = 0.0;  // [m]
@@ -165,7 +165,7 @@ TEST(ExploreSetpoint, ThatIsNotReachedIsSaid) {
         << run.output;
 }
 
-// What a new user sees first is a run on which every number holds.
+// A new user first sees a run on which every number holds.
 TEST(ExploreDefaultScene, RaisesNoDoubt) {
     const test::ScratchFolder scratch;
     const auto out = scratch.path() / "out";
@@ -249,7 +249,7 @@ TEST(ExplorePaths, WithoutDataUnderThemSaySo) {
         << run.output;
 }
 
-/// What the scene overrules and what its law misses is in the error: it said 0 %.
+/// The error holds what the scene overrules and its law misses: it said 0 %.
 TEST(ExploreModel, TellsTheWholeErrorOfItsForces) {
     const test::ScratchFolder scratch;
     const std::filesystem::path scene = scratch.file("hertz.toml");
@@ -302,8 +302,9 @@ TEST(ExploreUncertainty, IsNotStatedOfSeveralContacts) {
     EXPECT_EQ(cycle["contacts"], 2);
     const nlohmann::json& pullOff = cycle["uncertainty"]["pull_off_force_n"];
     EXPECT_TRUE(pullOff["model_sigma"].is_null());
-    EXPECT_NE(pullOff["note"].get<std::string>().find("in the pull-off force is not known: several "
-                                                      "contacts at once"),
+    EXPECT_NE(pullOff["note"].get<std::string>().find(
+                  "uncertainty of the pull-off force from calibration, tip and "
+                  "material is not known: several contacts at once"),
               std::string::npos)
         << pullOff["note"];
     const std::string text = pullOff["text"];
@@ -340,7 +341,7 @@ TEST(ExploreMemory, TooLittleToDrawIsSaidAndTheRunIsKept) {
     }
 }
 
-// That Xvfb is not installed was said.
+// The message was that Xvfb is not installed.
 TEST(ExploreFiles, TooManyOpenForADisplayIsSaid) {
     const test::ScratchFolder scratch;
     const auto run = test::runProgram("explore " + test::shippedScene("polystyrene").string() +

@@ -34,7 +34,7 @@ protected:
         return test::runProgram("film " + run() + " --size 320x240 " + arguments);
     }
 
-    /// Whether a file of a film lies there, under whatever name.
+    /// Returns whether a file of a film lies there, under whatever name.
     [[nodiscard]] bool isWritten() const {
         const std::filesystem::recursive_directory_iterator files(scratch.path());
         return std::any_of(begin(files), end(files),

@@ -8,7 +8,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-// What `asperity info` says about where a file's numbers come from.
+// The sources of a file's numbers, as `asperity info` prints them.
 
 namespace asperity {
 namespace {
@@ -38,7 +38,7 @@ TEST(Info, TextSaysWhereTheNumbersOfTheDefaultChannelComeFrom) {
                   "- orientation: the top row is stored first (the same in every .gsf file)\n"));
 }
 
-/// 40 kB of a damaged file stood in one sentence.
+/// 40 kB of a damaged file were in one sentence.
 TEST(Info, QuotesNoMoreOfAFileThanCanBeRead) {
     const test::ScratchFolder scratch;
     const auto file =
@@ -64,7 +64,8 @@ TEST(Info, CallsAMaskOneAndSoDoesEveryCommandThatTakesAScan) {
     for (const std::string command : {"measure ", "explore --out /nowhere ", "convert "}) {
         const auto run = test::runProgram(command + mask + (command == "convert " ? " x.gwy" : ""));
         EXPECT_NE(run.exitCode, 0);
-        EXPECT_THAT(run.output, HasSubstr("stand': this is a mask, not heights (material_mask"));
+        EXPECT_THAT(run.output, HasSubstr("stand': this is a mask, not heights (use it as "
+                                          "material_mask"));
     }
     EXPECT_THAT(test::runProgram("measure --z-unit nm " + mask).output,
                 HasSubstr("this is a mask, not heights"));

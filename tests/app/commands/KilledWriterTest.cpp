@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A command that writes a file, killed at some place, and run again.
+/// A command that writes a file, killed at some point, and run again.
 class KilledWriter : public testing::Test {
 protected:
     KilledWriter() { fs::create_directory(scratch_.file("tmp")); }
@@ -45,7 +45,7 @@ protected:
         return files;
     }
 
-    /// Kills the command at each of some places between start and end, and has another one of the
+    /// Kills the command at each of some points between start and end, and has another one of the
     /// same kind leave nothing but its own file.
     void killAndRepeat(const std::vector<std::string>& command, const std::string& target,
                        int kills) {

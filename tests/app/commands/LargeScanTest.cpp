@@ -1,6 +1,6 @@
 #include "core/Units.h"
 #include "core/io/heightmap/HeightMapWriter.h"
-#include "core/surface/HeightRows.h"
+#include "core/surface/HeightMap.h"
 #include "tests/app/ChildProgram.h"
 #include "tests/app/TracedProgram.h"
 #include "tests/support/Places.h"
@@ -36,7 +36,7 @@ HeightRows largeHills(int side) {
 
 class LargeScan : public ::testing::Test {
 protected:
-    /// Of `asperity` with these arguments, where IN stands for a scan of this side [bytes].
+    /// Returns the memory of `asperity` with these arguments, IN being a scan of this side [bytes].
     [[nodiscard]] long peakMemory(int side, std::vector<std::string> arguments) const {
         writeHeightMap(input, largeHills(side), {});
         std::ranges::replace(arguments, std::string("IN"), input.string());
@@ -45,7 +45,7 @@ protected:
         return end.peakMemory;
     }
 
-    /// What a scan adds to the program's own memory, in parts of its float32 size.
+    /// Returns the memory that a scan adds, in parts of its float32 size.
     [[nodiscard]] double share(const std::vector<std::string>& arguments) const {
         constexpr int kSmall = 16;
         constexpr int kLarge = 3000;

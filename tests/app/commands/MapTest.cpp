@@ -227,7 +227,7 @@ TEST_F(Map, ThatIsCanceledIsValidAndGoesOn) {
     EXPECT_THAT(other.output, HasSubstr("map.gwy.part: holds rows of another map"));
     const auto unasked = run("map.gwy", "");
     EXPECT_EQ(unasked.exitCode, 1);
-    EXPECT_THAT(unasked.output, HasSubstr("rows of an unfinished map; --resume goes on with it"));
+    EXPECT_THAT(unasked.output, HasSubstr("rows of an unfinished map; --resume continues it"));
 
     const auto resumed = run("map.gwy", "--resume");
     EXPECT_EQ(resumed.exitCode, 0) << resumed.output;

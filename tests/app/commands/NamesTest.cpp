@@ -14,7 +14,7 @@
 namespace asperity {
 namespace {
 
-/// What no text may show a terminal: a control character but the line feed.
+/// Finds what no text may show a terminal: a control character but the line feed.
 bool obeysNothing(const std::string& output) {
     return output.find_first_of("\x1b\r\a\x7f") == std::string::npos &&
            output.find("\xC2\x9B") == std::string::npos;

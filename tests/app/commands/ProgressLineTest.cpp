@@ -5,7 +5,7 @@
 namespace asperity {
 namespace {
 
-/// What a log holds of a piece of work.
+/// Returns a log's text on a piece of work.
 std::string logOf(std::chrono::seconds pause) {
     testing::internal::CaptureStderr();
     {

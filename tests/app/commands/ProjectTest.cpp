@@ -53,16 +53,16 @@ TEST(Project, GivesClosestPointsOnTheSurfaceAlongItsNormal) {
         EXPECT_EQ(out.text(row, "proof"), "nearest");
         EXPECT_EQ(out.text(row, "inside"), "true");
         const double distance = out.number(row, "distance_m");
-        for (const auto& [point, closest, normal] : {std::tuple{"x_m", "foot_x_m", "nx"},
-                                                     {"y_m", "foot_y_m", "ny"},
-                                                     {"z_m", "foot_z_m", "nz"}}) {
+        for (const auto& [point, closest, normal] : {std::tuple{"x_m", "closest_x_m", "nx"},
+                                                     {"y_m", "closest_y_m", "ny"},
+                                                     {"z_m", "closest_z_m", "nz"}}) {
             EXPECT_NEAR(out.number(row, point),
                         out.number(row, closest) + distance * out.number(row, normal), 1e-18);
         }
     }
     EXPECT_LT(out.number(1, "distance_m"), out.number(0, "distance_m"));
     EXPECT_EQ(out.text(2, "inside"), "false");
-    EXPECT_EQ(out.number(2, "foot_x_m"), 0.0);
+    EXPECT_EQ(out.number(2, "closest_x_m"), 0.0);
     EXPECT_EQ(out.number(2, "u"), 0.0);
 }
 
@@ -92,12 +92,12 @@ TEST(Project, FindsTheExactDistanceOfASphere) {
         // The point and its closest point lie on one ray from the center, which is the closest
         // point less R along the normal.
         const double distance = out.number(row, "distance_m");
-        EXPECT_NEAR(out.number(row, "x_m") - out.number(row, "foot_x_m"),
+        EXPECT_NEAR(out.number(row, "x_m") - out.number(row, "closest_x_m"),
                     distance * out.number(row, "nx"), 1e-20);
     }
 }
 
-TEST(Project, SaysOfWhatIsNoPlaceThatItHasNoClosestPoint) {
+TEST(Project, SaysOfWhatIsNoPositionThatItHasNoClosestPoint) {
     const test::ScratchFolder scratch;
     const auto points = scratch.write(
         "points.csv", "x_m,y_m,z_m\nnan,1e-9,1e-9\n1e-9,inf,1e-9\n1e-9,1e-9,-1e300\n");
@@ -108,8 +108,8 @@ TEST(Project, SaysOfWhatIsNoPlaceThatItHasNoClosestPoint) {
         ASSERT_EQ(out.rows(), 3U);
         for (std::size_t row = 0; row < out.rows(); ++row) {
             for (const char* column :
-                 {"foot_x_m", "foot_y_m", "foot_z_m", "nx", "ny", "nz", "distance_m", "u", "v",
-                  "curvature_1_per_m", "curvature_2_per_m"}) {
+                 {"closest_x_m", "closest_y_m", "closest_z_m", "nx", "ny", "nz", "distance_m", "u",
+                  "v", "curvature_1_per_m", "curvature_2_per_m"}) {
                 EXPECT_TRUE(std::isnan(out.number(row, column))) << column << ' ' << row;
             }
             EXPECT_EQ(out.text(row, "proof"), "not_converged");

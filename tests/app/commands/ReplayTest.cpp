@@ -1,3 +1,7 @@
+#include "core/io/FileBytes.h"
+#include "core/io/FormerKeys.h"
+#include "core/io/tables/CsvTable.h"
+#include "core/io/zip/ZipArchive.h"
 #include "tests/app/ProgramRun.h"
 #include "tests/core/io/heightmap/SyntheticScans.h"
 #include "tests/support/Places.h"
@@ -14,6 +18,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -34,6 +39,14 @@ const std::filesystem::path& madeOnce() {
         return scratch.path();
     }();
     return folder;
+}
+
+void expectCurrentNames(const std::filesystem::path& file) {
+    const std::string text = test::contentOf(file);
+    EXPECT_FALSE(text.empty()) << file;
+    for (const auto& [former, current] : kFormerKeys) {
+        EXPECT_EQ(text.find(former), std::string::npos) << file << ": " << former;
+    }
 }
 
 class Replay : public ::testing::Test {
@@ -97,6 +110,9 @@ TEST_F(Replay, IsBitIdentical) {
     EXPECT_NE(again.output.find("bit-identical: 501 ticks"), std::string::npos) << again.output;
     EXPECT_EQ(test::contentOf(run / "force_log.csv"),
               test::contentOf(scratch.path() / "again/force_log.csv"));
+    for (const char* name : {"scene.toml", "tick_input.csv", "force_log.csv", "summary.json"}) {
+        expectCurrentNames(run / name);
+    }
 }
 
 /// The law of a sphere, too: silicone rubber has it, and its log says where the sample is curved.
@@ -129,6 +145,102 @@ TEST(ReplayOfAnEarlierProgram, IsBitIdenticalButForFlags) {
         << again.output;
 }
 
+/// Unpacks a bundle as any other program does.
+void unpack(const std::filesystem::path& bundle, const std::filesystem::path& folder) {
+    const FileBytes bytes(bundle);
+    const ZipArchive archive(bytes);
+    for (const ZipEntry& entry : archive.entries()) {
+        std::filesystem::create_directories((folder / entry.name).parent_path());
+        std::ofstream(folder / entry.name, std::ios::binary)
+            << archive.decoded(entry, std::uint64_t{1} << 22U);
+    }
+}
+
+/// Runs of the program as it was when columns, keys and flags said foot and hand: one in the
+/// compact format, one as text that begins in contact, so with a memory.
+class ReplayOfFormerNames : public testing::TestWithParam<const char*> {
+protected:
+    [[nodiscard]] std::string bundle() const {
+        return (test::referenceFolder() / "recordings" / GetParam()).string();
+    }
+    [[nodiscard]] std::string in(const std::string& name) const {
+        return scratch.file(name).string();
+    }
+
+    test::ScratchFolder scratch;
+};
+
+INSTANTIATE_TEST_SUITE_P(Bundles, ReplayOfFormerNames,
+                         testing::Values("valley.zip", "valley_part.zip"), [](const auto& one) {
+                             return std::string(one.param, std::string_view(one.param).find('.'));
+                         });
+
+TEST_P(ReplayOfFormerNames, IsBitIdentical) {
+    const auto again = test::runProgram("replay " + bundle() + " --out " + in("again"));
+    EXPECT_EQ(again.exitCode, 0) << again.output;
+    EXPECT_NE(again.output.find("bit-identical: "), std::string::npos) << again.output;
+    const CsvTable log = readCsv(scratch.file("again") / "force_log.csv");
+    EXPECT_TRUE(log.has("device_fz_n"));
+    bool areSeveral = false;
+    for (std::size_t row = 0; row < log.rows(); ++row) {
+        areSeveral = areSeveral ||
+                     log.text(row, "flags").find("several_contact_points") != std::string::npos;
+    }
+    EXPECT_TRUE(areSeveral);
+}
+
+/// A part is written with current names only, and replays.
+TEST_P(ReplayOfFormerNames, PutsNoneOfThemIntoWhatIsWritten) {
+    const auto part =
+        test::runProgram("bundle " + bundle() + " " + in("part.zip") + " --from 0.035 --to 0.075");
+    ASSERT_EQ(part.exitCode, 0) << part.output;
+    const auto again = test::runProgram("replay " + in("part.zip") + " --out " + in("again"));
+    EXPECT_NE(again.output.find("bit-identical: 41 ticks"), std::string::npos) << again.output;
+    unpack(scratch.file("part.zip"), scratch.file("part"));
+    for (const char* name :
+         {"scene.toml", "tick_memory.csv", "tick_input.csv", "force_log.csv", "summary.json"}) {
+        expectCurrentNames(scratch.file("part") / name);
+    }
+}
+
+TEST_P(ReplayOfFormerNames, ConvertsThemToTheCurrentOnes) {
+    unpack(bundle(), scratch.file("run"));
+    std::string last = "run";
+    for (const std::string format : {"h5", "csv"}) {
+        const auto converted =
+            test::runProgram("convert " + in(last) + " " + in(format) + " --format " + format);
+        if (last == "run" && format == "h5" && converted.exitCode == 1) {
+            continue;  // it is compact already
+        }
+        ASSERT_EQ(converted.exitCode, 0) << converted.output;
+        std::filesystem::copy(scratch.file("run") / "scan", scratch.file(format) / "scan");
+        const auto again =
+            test::runProgram("replay " + in(format) + " --out " + in("again_" + format));
+        EXPECT_EQ(again.exitCode, 0) << again.output;
+        last = format;
+    }
+    for (const char* name : {"tick_input.csv", "force_log.csv"}) {
+        expectCurrentNames(scratch.file("csv") / name);
+    }
+}
+
+TEST(ReplayOfFormerFlags, NamesOneThatIsAnother) {
+    const test::ScratchFolder scratch;
+    const std::filesystem::path run = scratch.file("run");
+    unpack(test::referenceFolder() / "recordings/valley_part.zip", run);
+    std::string log = test::contentOf(run / "force_log.csv");
+    const std::string flag = "several_feet";
+    ASSERT_NE(log.find(flag), std::string::npos);
+    log.replace(log.find(flag), flag.size(), "sharp_valley");
+    std::ofstream(run / "force_log.csv") << log;
+    const auto again =
+        test::runProgram("replay " + run.string() + " --out " + scratch.file("again").string());
+    EXPECT_EQ(again.exitCode, 1) << again.output;
+    EXPECT_NE(again.output.find("bit-identical but for flags: 51 ticks; first differing tick: 0 "),
+              std::string::npos)
+        << again.output;
+}
+
 TEST_F(Replay, ComparesALogFromBeforeItsLastColumnWasAdded) {
     std::stringstream text(test::contentOf(run / "force_log.csv"));
     std::ofstream out(run / "force_log.csv");
@@ -142,7 +254,7 @@ TEST_F(Replay, ComparesALogFromBeforeItsLastColumnWasAdded) {
 }
 
 TEST_F(Replay, NamesTheTickOfAnAlteredDeviceSample) {
-    alter(217, "hand_z_m", "1.0000000001e-8");
+    alter(217, "device_z_m", "1.0000000001e-8");
     const auto again = replay();
     EXPECT_EQ(again.exitCode, 1);
     EXPECT_NE(again.output.find("first differing tick: 217 "), std::string::npos) << again.output;
@@ -160,7 +272,7 @@ TEST_F(Replay, SaysThatFlagsAloneDiffer) {
 
 TEST_F(Replay, NamesAnAlteredForceAfterAnAlteredFlag) {
     alter(100, "flags", "thin_film", "force_log.csv");
-    alter(217, "hand_z_m", "1.0000000001e-8");
+    alter(217, "device_z_m", "1.0000000001e-8");
     const auto again = replay();
     EXPECT_EQ(again.exitCode, 1);
     EXPECT_EQ(again.output.find("but for flags"), std::string::npos) << again.output;
@@ -172,7 +284,7 @@ TEST_F(Replay, NamesTheTickOfAnAlteredSetting) {
     const auto again = replay();
     EXPECT_EQ(again.exitCode, 1);
     EXPECT_NE(again.output.find("first differing tick: 333 "), std::string::npos) << again.output;
-    EXPECT_NE(again.output.find("hand_f"), std::string::npos) << "names the column";
+    EXPECT_NE(again.output.find("device_f"), std::string::npos) << "names the column";
 }
 
 TEST_F(Replay, NamesTheFirstTickAfterAnAlteredScene) {
@@ -206,7 +318,7 @@ TEST_F(Replay, RefusesKnobsThatNoSceneMayHave) {
                                                                  {"proxy_damping_n_s_m", "-3"},
                                                                  {"max_force_n", "nan"},
                                                                  {"engage_s", "0"},
-                                                                 {"max_hand_speed_m_s", "inf"},
+                                                                 {"max_device_speed_m_s", "inf"},
                                                                  {"position_gain", "0"},
                                                                  {"force_gain", "-1"}};
     for (const auto& [column, value] : knobs) {

@@ -24,7 +24,7 @@ namespace {
 
 using test::ReportedPage;
 
-/// Runs that all tests share: five touches of a particle, none, and one of a shape.
+/// Runs that all tests share: five force cycles on a particle, none, and one of a shape.
 class Report : public ::testing::Test {
 protected:
     static void SetUpTestSuite() {
@@ -35,16 +35,16 @@ protected:
     static void TearDownTestSuite() { shared.reset(); }
 
     // Runs that tests share, each made when the first test needs it.
-    /// Three touches of a particle.
+    /// Three force cycles on a particle.
     static std::filesystem::path touches() {
         return explored("touches", "polystyrene",
                         "--path " + pathOver("touches.csv", {60, 43, 60, 43, 60, 43, 60}));
     }
-    /// No touch.
+    /// No force cycle.
     static std::filesystem::path far() {
         return explored("far", "polystyrene", "--path " + pathOver("far.csv", {300, 290, 300}));
     }
-    /// One touch of a shape.
+    /// One force cycle on a shape.
     static std::filesystem::path sphere() { return explored("sphere", "sphere", "--duration 1"); }
 
     /// A copy of a run, to be damaged.
@@ -92,13 +92,13 @@ private:
 
 std::unique_ptr<test::ScratchFolder> Report::shared;
 
-/// Whether more is known of a reading of a cycle than the noise.
+/// Returns whether more is known of a reading of a cycle than the noise.
 bool isModelKnown(const nlohmann::json& cycle, const std::string& key) {
     const nlohmann::json& budgets = cycle["uncertainty"];
     return budgets.contains(key) && !budgets[key]["model_sigma"].is_null();
 }
 
-/// What a cycle says of a reading: noise, model and calibration together where that is known, else
+/// A cycle's text on a reading: noise, model and calibration together where that is known, else
 /// the noise. @param noiseKey of the cycle
 double sigmaOf(const nlohmann::json& cycle, const std::string& key, const std::string& noiseKey) {
     if (!isModelKnown(cycle, key)) {
@@ -181,9 +181,9 @@ TEST_F(Report, NamesTheSourceOfEachParameter) {
     const auto sources = page.column("Source");
     const auto expect = [&](const std::string& name, const std::string& value,
                             const std::string& source) {
-        const auto place = std::ranges::find(names, name);
-        ASSERT_NE(place, names.end()) << name;
-        const auto row = static_cast<std::size_t>(place - names.begin());
+        const auto found = std::ranges::find(names, name);
+        ASSERT_NE(found, names.end()) << name;
+        const auto row = static_cast<std::size_t>(found - names.begin());
         EXPECT_EQ(sources.at(row), source) << name;
         EXPECT_EQ(page.text().find(name + " " + value) == std::string::npos, false)
             << name << " " << value;
@@ -218,7 +218,7 @@ TEST_F(Report, OfSeveralRunsListsThemAndLeadsToEach) {
     ASSERT_EQ(made.exitCode, 0) << made.output;
     const ReportedPage index(out / "index.html");
     EXPECT_EQ(index.column("Run"), (std::vector<std::string>{"touches", "far", "touches_2"}));
-    EXPECT_EQ(index.column("Touches"), (std::vector<std::string>{"3", "0", "1"}));
+    EXPECT_EQ(index.column("Force cycles"), (std::vector<std::string>{"3", "0", "1"}));
     EXPECT_EQ(index.column("Pull-off force").at(1), "–");
     EXPECT_EQ(index.column("Validity").at(1), "no contact");
     EXPECT_EQ(index.column("Scan or shape").at(2), "sphere of radius 100 nm");
@@ -286,7 +286,7 @@ TEST_F(Report, SaysWhereTheReplayDiffersFromTheLog) {
     EXPECT_EQ(page.text().find("bit for bit"), std::string::npos);
 }
 
-/// A device that is lost at a tick; the log goes along.
+/// A device that is lost at a tick; so is it in the log.
 TEST_F(Report, NamesAFault) {
     const auto run = copyOf(touches());
     std::stringstream input(test::contentOf(run / "tick_input.csv"));

@@ -80,15 +80,15 @@ std::vector<std::string> ReportedPage::column(const std::string& title) const {
     if (!head) {
         return cells;
     }
-    std::size_t place = 0;
+    std::size_t index = 0;
     for (pugi::xml_node before = head.previous_sibling(); before;
          before = before.previous_sibling()) {
-        ++place;
+        ++index;
     }
     for (const pugi::xml_node& row :
          head.parent().parent().parent().child("tbody").children("tr")) {
         pugi::xml_node cell = row.first_child();
-        for (std::size_t i = 0; i < place; ++i) {
+        for (std::size_t i = 0; i < index; ++i) {
             cell = cell.next_sibling();
         }
         std::string text = withUsualSpaces(textBelow(cell));

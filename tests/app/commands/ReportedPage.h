@@ -18,7 +18,7 @@ public:
     [[nodiscard]] std::string text() const;
     /// The cells of the column that begins so, of the first table that has one.
     [[nodiscard]] std::vector<std::string> column(const std::string& title) const;
-    /// What stands beside a name in a list of names and values; empty: it is not there.
+    /// Returns the text beside a name in a list of names and values; empty: it is not there.
     [[nodiscard]] std::string fact(const std::string& name) const;
     /// Files that links lead to.
     [[nodiscard]] std::vector<std::string> links() const;

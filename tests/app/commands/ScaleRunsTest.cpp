@@ -129,7 +129,7 @@ TEST_F(ScaleRuns, AShapeHasNoScaleToBeGiven) {
     EXPECT_THAT(run.output, HasSubstr("a scene with a shape has no height map"));
 }
 
-/// A scene file says the scale, too; an option goes before it.
+/// A scene file says the scale, too; an option overrules it.
 TEST_F(ScaleRuns, ASceneSaysTheScale) {
     (void)bareMatrix();
     const auto scene = scratch.write("scene.toml", "[sample]\nfile = \"bare matrix.txt\"\n"

@@ -96,7 +96,7 @@ TEST_F(Signals, EndReportAndAnEarlierPageIsLeftWhole) {
     EXPECT_EQ(test::contentOf(folder / "run.html"), "earlier");
 }
 
-/// A folder without a result stood there while it worked, and stayed when it was killed.
+/// A folder without a result was there while it worked, and stayed when it was killed.
 TEST_F(Signals, ThatEndExtremesLeaveNoFolder) {
     const std::filesystem::path out = scratch.file("none");
     test::ChildProgram child({"extremes", "--out", out.string()});
@@ -156,7 +156,7 @@ TEST_F(Signals, EndProjectAndNothingIsLeft) {
     EXPECT_TRUE(std::filesystem::is_empty(folder));
 }
 
-/// The first child of a process, when it has one and the system tells.
+/// The first child of a process, when it has one and the system names it.
 std::optional<pid_t> childOf(pid_t process) {
     const std::string id = std::to_string(process);
     std::ifstream file("/proc/" + id + "/task/" + id + "/children");

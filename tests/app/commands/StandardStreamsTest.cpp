@@ -18,7 +18,7 @@ std::string exitWithout(const std::string& streams, const std::string& arguments
     return run.output;
 }
 
-// The pipe to the display server took the place of standard input, and explore never ended.
+// The pipe to the display server replaced standard input, and explore never ended.
 TEST(StandardStreams, ThatAreClosedAreNotTakenByFilesOfARun) {
     const test::ScratchFolder scratch;
     const std::filesystem::path out = scratch.file("results");
@@ -42,6 +42,19 @@ TEST(StandardStreams, AnAnswerThatNobodyGetsIsAFailure) {
     EXPECT_EQ(exitWithout(">&- 2>/dev/null",
                           "info " + test::dataFolder().string() + "/samples/steps.gsf"),
               "1\n");
+}
+
+/// "explore ... | head" ended without its results, and left a hidden folder among them.
+TEST(StandardStreams, AReaderThatEndsFirstEndsNoRun) {
+    const test::ScratchFolder scratch;
+    const std::filesystem::path out = scratch.file("results");
+    (void)exitWithout("2>&1 | true", "explore " + test::shippedScene("polystyrene").string() +
+                                         " --duration 0.05 --out " + out.string());
+    EXPECT_TRUE(std::filesystem::exists(out / "deformation.png"));
+    ASSERT_TRUE(std::filesystem::exists(out / "summary.json"));
+    for (const auto& entry : std::filesystem::directory_iterator(out)) {
+        EXPECT_NE(entry.path().filename().string().front(), '.') << entry.path();
+    }
 }
 
 }  // namespace

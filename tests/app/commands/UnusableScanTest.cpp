@@ -39,6 +39,11 @@ TEST(UnusableScan, WithoutAHeightIsAFileThatCannotBeRead) {
     }
     EXPECT_EQ(runProgram("convert " + scan + target("copy.gwy")).exitCode, 0)
         << "nothing is computed";
+    for (const std::string& call : {"info " + scan, "info --json " + scan}) {
+        const auto run = runProgram(call);
+        EXPECT_EQ(run.exitCode, 0) << "it says what the file is";
+        EXPECT_THAT(run.output, HasSubstr("' holds no valid pixel: commands that need heights"));
+    }
 }
 
 TEST(UnusableScan, OfADiskThatIsFullIsToldInOurWordsAlone) {

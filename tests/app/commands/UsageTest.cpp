@@ -163,7 +163,7 @@ TEST(Loop, SaysWhatItsDurationCovers) {
     EXPECT_NE(help.output.find("a bare loop in turn"), std::string::npos) << help.output;
 }
 
-/// What was recorded during a measurement is a run like any other, and its cost is told.
+/// A recording during a measurement is a run like any other, and its cost is printed.
 void expectRecords(const std::string& loop) {
     const test::ScratchFolder folder;
     const std::string recording = folder.file("run").string();
@@ -331,7 +331,7 @@ std::vector<std::string> refusalsIn(const std::string& output) {
     return sentences;
 }
 
-/// How many states `asperity extremes` says that it has evaluated.
+/// Returns the number of states that `asperity extremes` says it has evaluated.
 double statesIn(const std::string& output) {
     const std::size_t end = output.find(" states in ");
     const std::size_t start = output.rfind('\n', end) + 1;

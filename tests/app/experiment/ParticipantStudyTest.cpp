@@ -1,6 +1,6 @@
 #include "app/experiment/OpenStudy.h"
 #include "core/Error.h"
-#include "core/io/experiment/TrialTable.h"
+#include "core/io/experiment/StudyFile.h"
 #include "tests/core/experiment/SmallStudy.h"
 #include "tests/support/ScratchFolder.h"
 

@@ -277,7 +277,7 @@ def check_recordings(folder, trials):
     """A person's moments are ticks of the trial's recording."""
     for trial in trials:
         place = place_of(folder, trial)
-        ticks = {tuple(float(row[f"{of}_f{a}_n"]) for of in ("est", "hand") for a in "xyz")
+        ticks = {tuple(float(row[f"{of}_f{a}_n"]) for of in ("est", "device") for a in "xyz")
                  for row in rows_of(place / "force_log.csv")}
         moments = rows_of(place / "trajectory.csv")[1:]  # it begins before the recording
         assert moments

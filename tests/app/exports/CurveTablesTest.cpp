@@ -1,8 +1,8 @@
 #include "app/exports/CurveTables.h"
 
 #include "app/loading/SceneLoader.h"
-#include "app/reports/ContactView.h"
-#include "core/haptics/ApproachDevice.h"
+#include "app/reports/RunPictures.h"
+#include "core/haptics/SetpointApproach.h"
 #include "core/io/tables/CsvTable.h"
 #include "tests/support/ScratchFolder.h"
 #include "tests/support/ShippedScene.h"

@@ -1,6 +1,5 @@
-#include "app/exports/ExportFormat.h"
-
-#include "app/exports/JournalColumn.h"
+#include "app/exports/ExportView.h"
+#include "app/exports/PictureFile.h"
 #include "core/Error.h"
 
 #include <gtest/gtest.h>

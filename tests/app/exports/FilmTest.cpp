@@ -1,11 +1,11 @@
 #include "app/exports/Film.h"
 
-#include "app/exports/MomentCaption.h"
-#include "app/exports/RunPlots.h"
+#include "app/exports/CurveTables.h"
+#include "app/exports/RunMoment.h"
 #include "app/exports/VideoFile.h"
 #include "app/loading/SceneLoader.h"
 #include "core/Error.h"
-#include "core/haptics/ApproachDevice.h"
+#include "core/haptics/SetpointApproach.h"
 #include "tests/support/CanceledAfter.h"
 #include "tests/support/ScratchFolder.h"
 #include "tests/support/ShippedScene.h"
@@ -189,7 +189,7 @@ TEST(VideoFile, SaysWhatItsProgramComplainsOf) {
     EXPECT_FALSE(std::filesystem::exists(target));
 }
 
-/// A program of this name that takes nothing and does not end.
+/// A program of this name that reads nothing and does not end.
 TEST(VideoFile, AProgramThatHangsCanBeGivenUp) {
     const test::ScratchFolder folder;
     const auto program = folder.write("ffmpeg", "#!/bin/sh\nexec sleep 600\n");

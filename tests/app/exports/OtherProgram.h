@@ -6,7 +6,7 @@
 
 namespace asperity::test {
 
-/// What a shell command prints to standard output.
+/// Returns the standard output of a shell command.
 inline std::string outputOf(const std::string& command) {
     std::FILE* pipe = popen(command.c_str(), "r");  // NOLINT(cert-env33-c): that is the test
     std::string output;

@@ -1,5 +1,4 @@
-#include "app/exports/OutputName.h"
-
+#include "app/exports/PictureExport.h"
 #include "core/Error.h"
 #include "tests/support/ScratchFolder.h"
 

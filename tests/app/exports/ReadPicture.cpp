@@ -27,7 +27,8 @@ ReadPicture readPng(const std::filesystem::path& path) {
     return picture;
 }
 
-/// Whether a TIFF is in RGB of 8 bits, an alpha channel not multiplied, its resolution an inch.
+/// Returns whether a TIFF is in RGB of 8 bits, an alpha channel not multiplied, its resolution an
+/// inch.
 bool isPlainRgb(TIFF* tiff) {
     std::uint16_t bits = 0;
     std::uint16_t colors = 0;

@@ -145,7 +145,7 @@ TEST_F(ScanPreviewTest, RefusesDamagedFilesInWords) {
     ASPERITY_NEEDS_SHARED_DATA();
     for (const MalformedScan& bad : malformedScans()) {
         EXPECT_THAT(refusalOf([&] { (void)previewer.preview(sharedData("afm/" + bad.file), {}); }),
-                    testing::AllOf(HasSubstr(bad.place), HasSubstr(bad.reason)))
+                    testing::AllOf(HasSubstr(bad.location), HasSubstr(bad.reason)))
             << bad.file;
     }
     EXPECT_NE(refusalOf([&] { (void)previewer.preview(folder.file("none.gsf"), {}); }), "");

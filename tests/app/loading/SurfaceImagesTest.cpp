@@ -1,5 +1,3 @@
-#include "app/loading/SurfaceImages.h"
-
 #include "app/loading/SceneLoader.h"
 #include "core/Error.h"
 #include "tests/core/io/heightmap/SyntheticScans.h"

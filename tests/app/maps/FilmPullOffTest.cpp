@@ -22,7 +22,7 @@ std::vector<double> errorsOn(const LoadedScene& loaded, const MapPlan& plan) {
     std::vector<double> errors;
     for (int row = 0; row < plan.grid.rows; ++row) {
         for (int column = 0; column < plan.grid.columns; ++column) {
-            VerticalPath path(instrument, plan.place(row, column));
+            VerticalPath path(instrument, plan.position(row, column));
             const CycleStates states = runCycle(path, plan.setpoint);
             if (!states.retracted) {
                 errors.push_back(std::numeric_limits<double>::infinity());
@@ -60,7 +60,7 @@ TEST(FilmPullOff, IsFoundInAValleyOfFourPoints) {
         loadScene(test::shippedScene("granular_film"), {}, nullptr, ModelFit::Later);
     const MapPlan plan = planMap(loaded.scene, {.grid = MapGrid{.columns = 96, .rows = 96}});
     const MapInstrument instrument(loaded.scene, false);
-    VerticalPath path(instrument, plan.place(21, 61));
+    VerticalPath path(instrument, plan.position(21, 61));
     const CycleStates states = runCycle(path, plan.setpoint);
     ASSERT_TRUE(states.retracted);
     EXPECT_EQ(states.engaged->atSetpoint.state.points, 4);
@@ -86,7 +86,7 @@ TEST(FilmPullOff, IsFoundWhereFourPointsPullAgainstEachOther) {
     EXPECT_TRUE(states.retracted);
 }
 
-/// Of the shipped film under a tip of 2 um, which touches it at several grains.
+/// A map of the shipped film under a tip of 2 um, which touches it at several grains.
 class BluntTipOnFilm : public ::testing::Test {
 protected:
     static SceneDescription blunt() {
@@ -99,7 +99,7 @@ protected:
     MapInstrument instrument{loaded.scene, false};
 };
 
-/// A wide look finds more places than it can tell apart; the ones that bear must be among them. The
+/// A wide look finds more points than it can separate; the ones that bear must be among them. The
 /// grain at (37, 435) nm was missed, and the tip went 1.9 nm through it.
 TEST_F(BluntTipOnFilm, MeetsTheSameContactsWhateverItKnew) {
     VerticalPath path(instrument, Vector2(102.4e-9, 397.1e-9));

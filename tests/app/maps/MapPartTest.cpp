@@ -35,7 +35,7 @@ TEST(MapPart, HoldsRowsInAnyOrder) {
     EXPECT_TRUE(std::isnan(readOf(part, 1, 0)[0]));
 }
 
-/// Wherever a record was cut, the rows before it are kept and the rest is written anew.
+/// Wherever a record was cut, the rows before it are kept and the rest is written again.
 TEST(MapPart, GoesOnAfterTheLastWholeRow) {
     const test::ScratchFolder scratch;
     {
@@ -65,9 +65,9 @@ TEST(MapPart, DropsARowThatIsDamagedAndNoOther) {
     }
     const std::string whole = test::contentOf(scratch.file("part"));
     const std::size_t record = (whole.size() - whole.find('\n') - 1) / 2;
-    const auto damagedAt = [&](std::size_t place, const char* name) {
+    const auto damagedAt = [&](std::size_t offset, const char* name) {
         std::string bytes = whole;
-        bytes[place] = static_cast<char>(bytes[place] ^ 1);
+        bytes[offset] = static_cast<char>(bytes[offset] ^ 1);
         return MapPart(scratch.write(name, bytes), kPlan, "key", PartUse::Resume);
     };
     const MapPart last = damagedAt(whole.size() - 1, "last");

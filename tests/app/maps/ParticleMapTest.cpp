@@ -1,7 +1,6 @@
 #include "app/loading/SceneLoader.h"
 #include "core/map/MapPlan.h"
 #include "core/map/PixelCycle.h"
-#include "core/map/RasterLine.h"
 #include "tests/core/map/SlowRetract.h"
 #include "tests/support/ShippedScene.h"
 
@@ -15,7 +14,7 @@
 namespace asperity {
 namespace {
 
-/// Steep particles on a flat ground: at their foot the tip touches both, and they take turns in
+/// Steep particles on a flat surface: at their foot the tip touches both, and they take turns in
 /// holding it.
 class ParticleMap : public testing::TestWithParam<const char*> {
 protected:
@@ -24,7 +23,7 @@ protected:
         const MapInstrument instrument(loaded_.scene, false);
         for (const int row : {0, 1, 7, 28, 46, 51, 64, 72}) {
             for (int column = 0; column < plan.grid.columns; ++column) {
-                VerticalPath path(instrument, plan.place(row, column));
+                VerticalPath path(instrument, plan.position(row, column));
                 const CycleStates states = runCycle(path, plan.setpoint);
                 SCOPED_TRACE(testing::Message() << "row " << row << ", column " << column);
                 ASSERT_TRUE(states.engaged && states.retracted && states.dissipated);
@@ -36,8 +35,8 @@ protected:
     LoadedScene loaded_ = loadScene(test::shippedScene(GetParam()), {}, nullptr, ModelFit::Later);
 };
 
-/// Another point, merely attracted, may pull hardest; the law at its place says nothing of the one
-/// that is bonded.
+/// Another point, merely attracted, may pull hardest; the law at its position says nothing of the
+/// one that is bonded.
 TEST_P(ParticleMap, TheRetractDoesNotGoDownAgain) {
     constexpr double kLawsDistance = 1e-10;  // to which its search comes back at a jump [m]
     forEachCycle([](VerticalPath& path, const CycleStates& states) {

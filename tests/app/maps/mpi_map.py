@@ -82,7 +82,7 @@ def check_ended(program, scene, folder, count, end):
             break
         assert out.exists(), said
     assert code != 0
-    assert "--resume goes on with the map" in said, said
+    assert "--resume continues the map" in said, said
     assert part.exists() and not out.exists()
     done = run(ranks(count) + command + ["--resume"])
     assert done.returncode == 0, done.stderr

@@ -1,6 +1,5 @@
-#include "app/program/ScanReport.h"
-
 #include "app/loading/SceneLoader.h"
+#include "app/program/LoadedScene.h"
 #include "core/io/heightmap/HeightMapWriter.h"
 #include "tests/core/io/heightmap/BumpyMap.h"
 #include "tests/support/ScratchFolder.h"

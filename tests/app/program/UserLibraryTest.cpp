@@ -1,5 +1,4 @@
-#include "app/program/UserLibrary.h"
-
+#include "app/program/DataFolder.h"
 #include "core/Error.h"
 #include "tests/support/ScratchFolder.h"
 
@@ -51,7 +50,7 @@ TEST_F(UserLibraryTest, OwnOnesAreReplacedAndDeleted) {
     EXPECT_FALSE(std::filesystem::exists(file));
 }
 
-TEST_F(UserLibraryTest, RefusesWhatIsNoNameOrHasNoPlace) {
+TEST_F(UserLibraryTest, RefusesWhatIsNoNameOrHasNoFolder) {
     EXPECT_THROW(library.save("", "text"), Error);
     EXPECT_THROW(library.save(" /.. ", "text"), Error);
     library.setFolder({});

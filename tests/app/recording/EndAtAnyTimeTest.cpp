@@ -38,7 +38,7 @@ struct Case {
     End end = End::Kill;
 };
 
-/// What became of the recordings of one case.
+/// State of the recordings of one case.
 struct Tally {
     long ended = 0;
     long replayed = 0;
@@ -102,7 +102,7 @@ protected:
     void SetUp() override {
         setenv("HOME", scratch.path().c_str(), 1);  // where the window looks for recordings
         setenv("XDG_DOCUMENTS_DIR", scratch.path().c_str(), 1);
-        setenv("XDG_CONFIG_HOME", scratch.path().c_str(), 1);  // and leaves its place
+        setenv("XDG_CONFIG_HOME", scratch.path().c_str(), 1);  // and leaves its folder
         const auto made =
             test::runProgram("explore --no-pictures " + scene + " --duration 0.2 --out " +
                              scratch.file("older").string());
@@ -142,7 +142,7 @@ protected:
         }
         EXPECT_FALSE(isGrowing(folder / run_files::kInput)) << "it has noticed nothing";
         tally.slowestEnd = std::max(tally.slowestEnd, since(full));
-        if (GetParam().window) {  // which goes on, with a message
+        if (GetParam().window) {  // which continues, with a message
             EXPECT_FALSE(child.hasEnded());
             child.send(SIGTERM);
         } else {
@@ -194,9 +194,9 @@ TEST_P(EndAtAnyTime, ReplaysUpToItsLastWholeTickAndHarmsNothingOlder) {
     const int ends = wanted != nullptr ? std::atoi(wanted) : 1;
     const auto before = contentBelow(scratch.file("older"));
     for (int i = 0; i < ends && !HasFatalFailure(); ++i) {
-        const fs::path place = scratch.file("disk" + std::to_string(i));
-        const SmallDisk disk(place);
-        const fs::path folder = place / "run";
+        const fs::path mount = scratch.file("disk" + std::to_string(i));
+        const SmallDisk disk(mount);
+        const fs::path folder = mount / "run";
         endOne(folder, disk);
         if (!HasFatalFailure()) {
             check(folder);

@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 class CutOff : public ::testing::Test {
 protected:
     void record(long ticks) {
-        recording = std::make_unique<Recording>(RecordingPlace{run}, loaded, memory, 0.0);
+        recording = std::make_unique<Recording>(RecordingTarget{run}, loaded, memory, 0.0);
         TickInput input;
         input.timeStep = loaded.scene.timeStep();
         input.settings = loaded.scene.settings;
@@ -104,9 +104,9 @@ TEST_F(CutOff, SaysWithWhichSizeItsScanWasRead) {
     cutOff(3);
     const BSplineSurface& surface = loaded.scene.surface;
     const Vector2 size(surface.sizeX(), surface.sizeY());
-    EXPECT_EQ(recordedSize(run), size);
+    EXPECT_EQ(scanRecord(run).size, size);
     ASSERT_EQ(recoverRecordings(folder.path()).size(), 1U);
-    EXPECT_EQ(recordedSize(run), size);
+    EXPECT_EQ(scanRecord(run).size, size);
 }
 
 TEST_F(CutOff, BeforeItsFirstTickItIsARecordingOfNothing) {

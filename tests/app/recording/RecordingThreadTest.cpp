@@ -1,6 +1,5 @@
-#include "app/recording/RecordingThread.h"
-
 #include "app/recording/RecordedRun.h"
+#include "app/recording/RunRecording.h"
 #include "core/Error.h"
 #include "tests/app/recording/HillyScene.h"
 #include "tests/support/FileSizeLimit.h"
@@ -17,7 +16,7 @@ namespace {
 
 class OnItsOwnThread : public ::testing::Test {
 protected:
-    /// Ticks that tell nothing but their time and place.
+    /// Ticks that hold nothing but their time and position.
     TickSample next() {
         TickSample sample;
         sample.time = static_cast<double>(count++) * loaded.scene.timeStep();

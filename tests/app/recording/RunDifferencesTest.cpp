@@ -1,5 +1,4 @@
-#include "app/recording/RunDifferences.h"
-
+#include "app/recording/RunComparison.h"
 #include "tests/support/TestScenes.h"
 
 #include <gmock/gmock.h>

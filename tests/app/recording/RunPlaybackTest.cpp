@@ -4,7 +4,7 @@
 #include "app/recording/Replay.h"
 #include "app/runs/RunFolder.h"
 #include "core/Error.h"
-#include "core/haptics/ApproachDevice.h"
+#include "core/haptics/SetpointApproach.h"
 #include "tests/support/CanceledAfter.h"
 #include "tests/support/ScratchFolder.h"
 #include "tests/support/ShippedScene.h"
@@ -105,7 +105,7 @@ TEST_F(RunPlaybackTest, PlaysUntilItIsStoppedOrCanceled) {
                  Canceled);
 }
 
-/// Of a run of more pieces than one, whole and cut off.
+/// A run of more pieces than one, whole and cut off.
 TEST_F(RunPlaybackTest, ReadsAsManyTicksAsTheWholeRun) {
     const test::ScratchFolder scratch;
     const auto folder = scratch.path() / "run";
@@ -124,7 +124,7 @@ TEST_F(RunPlaybackTest, ReadsAsManyTicksAsTheWholeRun) {
     recorder.reset();
     const RunOnDisk whole = readRunInputs(folder);
     const RecordedRun before = readRun(folder);
-    EXPECT_EQ(whole.sha256, "abc");
+    EXPECT_EQ(whole.scan.sha256, "abc");
     ASSERT_EQ(whole.inputs.size(), kTicks);
     for (const std::size_t tick : {0U, 19'999U, 20'000U, 20'001U, 44'999U}) {
         EXPECT_EQ(whole.inputs.time(tick), before.samples[tick].time);

@@ -1,9 +1,8 @@
-#include "app/reports/ContactView.h"
-
+#include "app/reports/RunPictures.h"
 #include "core/haptics/DevicePath.h"
-#include "core/haptics/RunEvents.h"
+#include "core/haptics/VirtualRun.h"
+#include "core/scene/BelievedModel.h"
 #include "core/scene/Scene.h"
-#include "core/scene/SceneTruth.h"
 #include "tests/support/TestScenes.h"
 
 #include <gtest/gtest.h>

@@ -1,8 +1,8 @@
 #include "app/loading/SceneLoader.h"
 #include "core/Error.h"
 #include "core/haptics/DevicePath.h"
-#include "core/haptics/RunEvents.h"
-#include "core/scene/SceneTruth.h"
+#include "core/haptics/VirtualRun.h"
+#include "core/scene/BelievedModel.h"
 #include "tests/support/Places.h"
 #include "tests/support/ReferenceTable.h"
 

@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What the commands leave in a folder in which something was before.
+/// The commands' results in a folder in which something was before.
 class OutputFolders : public ::testing::Test {
 protected:
     [[nodiscard]] std::string explore(const std::string& more = {}) const {

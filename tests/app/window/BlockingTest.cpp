@@ -1,10 +1,12 @@
+#include "app/window/scene/OpenControl.h"
+#include "app/window/scene/OpenDialog.h"
+#include "app/window/scene/PreviewPane.h"
+#include "app/window/scene/SceneControl.h"
 #include "tests/app/window/WindowFixture.h"
 #include "tests/support/EventLoopWatchdog.h"
-#include "ui/Theme.h"
+#include "ui/shell/Menus.h"
 #include "ui/view/ZoomView.h"
-#include "ui/window/OpenDialog.h"
-#include "ui/window/PreviewPane.h"
-#include "ui/window/WindowMenus.h"
+#include "ui/widgets/Theme.h"
 
 #include <QAbstractButton>
 #include <QAction>
@@ -92,7 +94,7 @@ protected:
         workOnScene();
         workOnWindow(scan);
         measure();
-        step("close", [this] { session.runs().end(); });
+        step("close", [this] { stage.runs().end(); });
     }
     void workOnScene() {
         step("material", [this] {
@@ -100,13 +102,13 @@ protected:
             EXPECT_TRUE(changeEnds());
         });
         step("level", [this] {
-            SceneDescription next = *session.edits().wanted();
+            SceneDescription next = *stage.edits().wanted();
             next.sample.leveling.push_back(LevelingStep::Zero);
-            session.edits().change(QStringLiteral("Leveling"), next);
+            stage.edits().change(QStringLiteral("Leveling"), next);
             EXPECT_TRUE(changeEnds());
         });
         step("undo", [this] {
-            window.menus().undo->trigger();
+            window.menus().entry("undo").trigger();
             EXPECT_TRUE(changeEnds());
         });
     }
@@ -115,22 +117,23 @@ protected:
         step("resize back", [this] { window.resize(1600, 1000); });
         step("dark", [] { theme::choose(ThemeChoice::Dark); });
         step("light", [] { theme::choose(ThemeChoice::Light); });
-        step("second view", [this] { window.menus().secondView->trigger(); });
-        step("open dialog", [this] { session.files().ask(); });
+        step("second view", [this] { window.menus().entry("secondView").trigger(); });
+        step("open dialog", [this] { stage.get<OpenControl>().ask(); });
         step("preview", [&] {
-            session.files().dialog()->choose(QString::fromStdString(scan.string()));
+            stage.get<OpenControl>().dialog()->choose(QString::fromStdString(scan.string()));
             EXPECT_TRUE(eventually(
-                [this] { return session.files().dialog()->preview().isComplete(); }, 60000));
+                [this] { return stage.get<OpenControl>().dialog()->preview().isComplete(); },
+                60000));
         });
-        step("close dialog", [this] { session.files().dialog()->reject(); });
-        step("fidelity", [this] { window.menus().fidelity->trigger(); });
-        step("copy the window", [this] { window.menus().copyWindow->trigger(); });
+        step("close dialog", [this] { stage.get<OpenControl>().dialog()->reject(); });
+        step("fidelity", [this] { window.menus().entry("fidelity").trigger(); });
+        step("copy the window", [this] { window.menus().entry("copyWindow").trigger(); });
     }
     void measure() {
-        step("profile page", [this] { window.menus().measure().profile->trigger(); });
+        step("profile page", [this] { window.menus().entry("profile").trigger(); });
         step(
-            "roughness page", [this] { window.menus().measure().roughness->trigger(); }, 1500);
-        step("record", [this] { window.menus().record->trigger(); });
+            "roughness page", [this] { window.menus().entry("roughness").trigger(); }, 1500);
+        step("record", [this] { window.menus().entry("record").trigger(); });
         const auto click = [this](const char* button) {
             QTest::mouseClick(child<QAbstractButton>(button), Qt::LeftButton);
         };
@@ -138,12 +141,12 @@ protected:
             "engage", [&] { click("engage"); }, 3000);
         step(
             "withdraw", [&] { click("withdraw"); }, 1000);
-        step("end recording", [this] { window.menus().record->trigger(); });
-        step("zoom", [this] { window.menus().zoomOut->trigger(); });
+        step("end recording", [this] { window.menus().entry("record").trigger(); });
+        step("zoom", [this] { window.menus().entry("zoomOut").trigger(); });
     }
     void open(const std::filesystem::path& scan) {
-        QSignalSpy shown(&session.runs(), &RunControl::begun);
-        session.scenes().open(scan);
+        QSignalSpy shown(&stage.runs(), &RunControl::begun);
+        stage.get<SceneControl>().open(scan);
         ASSERT_TRUE(eventually([&] { return shown.count() == 1; }, 60000));
     }
     void expectNoneTooLong() {

@@ -1,4 +1,4 @@
-#include "ui/window/Dialogs.h"
+#include "ui/shell/Dialogs.h"
 
 #include <QMessageBox>
 #include <QWidget>

@@ -1,10 +1,11 @@
+#include "app/window/fidelity/FidelityPanel.h"
+#include "app/window/recording/RecordingControl.h"
+#include "app/window/scene/SceneControl.h"
 #include "tests/app/window/WindowFixture.h"
-#include "ui/panels/Card.h"
-#include "ui/panels/FidelityPanel.h"
+#include "ui/shell/Menus.h"
+#include "ui/shell/WindowLayout.h"
 #include "ui/view/ZoomView.h"
-#include "ui/window/Maximizer.h"
-#include "ui/window/WindowLayout.h"
-#include "ui/window/WindowMenus.h"
+#include "ui/widgets/Card.h"
 
 #include <QAbstractSpinBox>
 #include <QAction>
@@ -24,14 +25,14 @@ namespace {
 /// Esc with a device that has motors, without one, and with one that is not there.
 class Escape : public Window {
 protected:
-    bool forcesOn() { return session.run()->settings().forcesOn; }
+    bool forcesOn() { return stage.run()->settings().forcesOn; }
     QMenu& openedMenu() {
         QMenu& menu = *window.menuBar()->actions().front()->menu();
         menu.popup(window.mapToGlobal({10, 10}));
         EXPECT_TRUE(QTest::qWaitForWindowExposed(&menu));
         return menu;
     }
-    std::vector<QWidget*> tools() { return {&window.fidelity()}; }
+    std::vector<QWidget*> tools() { return {window.findChild<FidelityPanel*>()}; }
     void openTools() {
         for (QWidget* tool : tools()) {
             tool->show();
@@ -55,36 +56,36 @@ TEST_F(Escape, WithoutMotorsItClosesWhatIsOpenAndDoesNothingElse) {
     QMessageBox& box = openedMessage();
     QTest::keyClick(&box, Qt::Key_Escape);
     EXPECT_FALSE(box.isVisible());
-    for (QWidget* focus : {static_cast<QWidget*>(&window), static_cast<QWidget*>(&window.view()),
+    for (QWidget* focus : {static_cast<QWidget*>(&window), static_cast<QWidget*>(&panels.view()),
                            child<QWidget>("forceGain")}) {
         focus->setFocus();
         QTest::keyClick(focus, Qt::Key_Escape);
         EXPECT_TRUE(forcesOn());
     }
     EXPECT_EQ(told(), "as it was");
-    EXPECT_TRUE(window.menus().forcesOff->shortcut().isEmpty());
+    EXPECT_TRUE(window.menus().entry("forcesOff").shortcut().isEmpty());
     EXPECT_EQ(text("hint").find("Esc"), std::string::npos);
 }
 
 TEST_F(Escape, WithMotorsItIsTheEmergencyStopFromAnyFocusAndTheStatusLineSaysSo) {
     openFlatScene();
-    choose("hand", "Simulated device");
-    EXPECT_EQ(window.menus().forcesOff->shortcut(), QKeySequence(Qt::Key_Escape));
+    choose("device", "Simulated device");
+    EXPECT_EQ(window.menus().entry("forcesOff").shortcut(), QKeySequence(Qt::Key_Escape));
     EXPECT_NE(text("hint").find("Esc: forces off"), std::string::npos);
-    window.fidelity().show();
+    window.findChild<FidelityPanel*>()->show();
     QWidget& menu = openedMenu();
     QWidget& box = openedMessage();
     for (QWidget* focus :
-         {&menu, &box, static_cast<QWidget*>(&window), static_cast<QWidget*>(&window.view()),
-          child<QWidget>("forceGain"), static_cast<QWidget*>(&window.fidelity())}) {
-        session.runs().setForces(true);
+         {&menu, &box, static_cast<QWidget*>(&window), static_cast<QWidget*>(&panels.view()),
+          child<QWidget>("forceGain"), static_cast<QWidget*>(window.findChild<FidelityPanel*>())}) {
+        stage.runs().setForces(true);
         ASSERT_TRUE(forcesOn());
         QTest::keyClick(focus, Qt::Key_Escape);
         EXPECT_FALSE(forcesOn()) << focus->metaObject()->className();
         EXPECT_TRUE(told().starts_with("Forces are off")) << told();
     }
-    choose("hand", "Mouse and keyboard");
-    EXPECT_TRUE(window.menus().forcesOff->shortcut().isEmpty());
+    choose("device", "Mouse and keyboard");
+    EXPECT_TRUE(window.menus().entry("forcesOff").shortcut().isEmpty());
 }
 
 TEST_F(Escape, WithoutMotorsItClosesTheActiveToolWindowAndDoesNothingElse) {
@@ -107,7 +108,7 @@ TEST_F(Escape, WithoutMotorsItClosesTheActiveToolWindowAndDoesNothingElse) {
     EXPECT_EQ(told(), "as it was");
     openTools();
     QApplication::setActiveWindow(&window);
-    QTest::keyClick(&window.view(), Qt::Key_Escape);
+    QTest::keyClick(&panels.view(), Qt::Key_Escape);
     for (const QWidget* tool : tools()) {
         EXPECT_TRUE(tool->isVisible()) << "another window is active";
     }
@@ -115,17 +116,18 @@ TEST_F(Escape, WithoutMotorsItClosesTheActiveToolWindowAndDoesNothingElse) {
 
 TEST_F(Escape, ANumberHalfTypedDoesNotCountWhenItClosesTheWindow) {
     openFlatScene();
-    const LiveRun* run = session.run();
+    const LiveRun* run = stage.run();
     openTools();
-    QApplication::setActiveWindow(&window.fidelity());
-    auto& box = *window.fidelity().findChild<QAbstractSpinBox*>(QStringLiteral("tolerance"));
+    QApplication::setActiveWindow(window.findChild<FidelityPanel*>());
+    auto& box = *window.findChild<FidelityPanel*>()->findChild<QAbstractSpinBox*>(
+        QStringLiteral("tolerance"));
     const QString before = box.text();
     box.setFocus();
     box.selectAll();
     QTest::keyClicks(&box, QStringLiteral("30"));
     QTest::keyClick(&box, Qt::Key_Escape);
-    EXPECT_FALSE(window.fidelity().isVisible());
-    EXPECT_EQ(session.run(), run) << "the scene goes on";
+    EXPECT_FALSE(window.findChild<FidelityPanel*>()->isVisible());
+    EXPECT_EQ(stage.run(), run) << "the scene goes on";
     EXPECT_EQ(box.text(), before);
 }
 
@@ -135,32 +137,32 @@ constexpr int kLongLoaded = 4096;
 TEST_F(Escape, ClosingAToolWindowCancelsNoLoading) {
     openFlatScene();
     openTools();
-    QSignalSpy canceled(&session.scenes(), &SceneControl::openCanceled);
-    session.scenes().open(levelScan(folder, kLongLoaded));
-    ASSERT_TRUE(eventually([this] { return window.menus().cancelLoading->isEnabled(); }));
-    QApplication::setActiveWindow(&window.fidelity());
-    QTest::keyClick(&window.fidelity(), Qt::Key_Escape);
-    EXPECT_FALSE(window.fidelity().isVisible());
-    EXPECT_TRUE(window.menus().cancelLoading->isEnabled());
+    QSignalSpy canceled(&stage.get<SceneControl>(), &SceneControl::openCanceled);
+    stage.get<SceneControl>().open(levelScan(folder, kLongLoaded));
+    ASSERT_TRUE(eventually([this] { return window.menus().entry("cancelLoading").isEnabled(); }));
+    QApplication::setActiveWindow(window.findChild<FidelityPanel*>());
+    QTest::keyClick(window.findChild<FidelityPanel*>(), Qt::Key_Escape);
+    EXPECT_FALSE(window.findChild<FidelityPanel*>()->isVisible());
+    EXPECT_TRUE(window.menus().entry("cancelLoading").isEnabled());
     EXPECT_EQ(canceled.count(), 0);
 }
 
 TEST_F(Escape, PuttingAnEnlargedPanelBackCancelsNoLoading) {
     openFlatScene();
     window.layout().maximizer().toggle(*window.cards().front());
-    session.scenes().open(levelScan(folder, kLongLoaded));
-    ASSERT_TRUE(eventually([this] { return window.menus().cancelLoading->isEnabled(); }));
+    stage.get<SceneControl>().open(levelScan(folder, kLongLoaded));
+    ASSERT_TRUE(eventually([this] { return window.menus().entry("cancelLoading").isEnabled(); }));
     QTest::keyClick(&window, Qt::Key_Escape);
     EXPECT_FALSE(window.isPanelEnlarged());
-    EXPECT_TRUE(window.menus().cancelLoading->isEnabled());
+    EXPECT_TRUE(window.menus().entry("cancelLoading").isEnabled());
 }
 
 TEST_F(Escape, WithMotorsItStopsTheForcesFromAToolWindowWhichStaysOpen) {
     openFlatScene();
-    choose("hand", "Simulated device");
+    choose("device", "Simulated device");
     openTools();
     for (QWidget* tool : tools()) {
-        session.runs().setForces(true);
+        stage.runs().setForces(true);
         QApplication::setActiveWindow(tool);
         QTest::keyClick(tool->findChild<QAbstractSpinBox*>(), Qt::Key_Escape);
         EXPECT_FALSE(forcesOn());
@@ -170,12 +172,12 @@ TEST_F(Escape, WithMotorsItStopsTheForcesFromAToolWindowWhichStaysOpen) {
 
 TEST_F(Escape, ADeviceThatIsNotThereLeavesNoFaultAndNoFiles) {
     openFlatScene();
-    QSignalSpy saved(&session.recordings(), &RecordingControl::lastSecondsSaved);
-    choose("hand", "SpaceMouse");
+    QSignalSpy saved(&stage.get<RecordingControl>(), &RecordingControl::lastSecondsSaved);
+    choose("device", "SpaceMouse");
     ASSERT_TRUE(eventually([this] { return state().starts_with("fault"); })) << state();
     EXPECT_EQ(told(), "no SpaceMouse is plugged in");
     ASSERT_TRUE(runsFor(0.2));
-    choose("hand", "Mouse and keyboard");
+    choose("device", "Mouse and keyboard");
     EXPECT_TRUE(eventually([this] { return far(); })) << state();
     ASSERT_TRUE(runsFor(0.2));
     EXPECT_TRUE(far()) << state();
@@ -186,7 +188,7 @@ TEST_F(Escape, ADeviceThatIsNotThereLeavesNoFaultAndNoFiles) {
 
 TEST_F(Escape, ADeviceThatIsNotThereTakesNoForcesFromTheNextScene) {
     openFlatScene();
-    choose("hand", "SpaceMouse");
+    choose("device", "SpaceMouse");
     ASSERT_TRUE(eventually([this] { return state().starts_with("fault"); })) << state();
     openFlatScene();
     EXPECT_TRUE(forcesOn());

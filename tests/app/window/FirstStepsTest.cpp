@@ -20,7 +20,7 @@ protected:
     void touch() {
         startRecording();
         engage();
-        const QPoint middle = window.view().rect().center();
+        const QPoint middle = panels.view().rect().center();
         drag(middle, middle + QPoint(30, 0));
         ASSERT_TRUE(runsFor(0.5));
     }

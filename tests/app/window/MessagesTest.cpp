@@ -1,3 +1,4 @@
+#include "app/window/scene/SceneControl.h"
 #include "tests/app/window/WindowFixture.h"
 
 #include <QMessageBox>
@@ -13,8 +14,8 @@ TEST_F(Window, AnErrorIsCountedInTheBottomLineAndCanBeReadAgain) {
     openFlatScene();
     auto* badge = child<QToolButton>("messageBadge");
     EXPECT_FALSE(badge->isVisible());
-    QSignalSpy failed(&session.scenes(), &SceneControl::openFailed);
-    session.scenes().open(folder.write("broken.gsf", "no scan at all"));
+    QSignalSpy failed(&stage.get<SceneControl>(), &SceneControl::openFailed);
+    stage.get<SceneControl>().open(folder.write("broken.gsf", "no scan at all"));
     ASSERT_TRUE(eventually([&] { return failed.count() == 1; }));
     delete window.findChild<QMessageBox*>();
     ASSERT_TRUE(eventually([&] { return badge->isVisible(); }));

@@ -1,8 +1,10 @@
 #include "tests/app/window/ScanWalk.h"
 
+#include "app/window/recording/RecordingControl.h"
+#include "app/window/scene/OpenControl.h"
+#include "app/window/scene/OpenDialog.h"
+#include "app/window/scene/PreviewPane.h"
 #include "tests/support/ReferenceTable.h"
-#include "ui/window/OpenDialog.h"
-#include "ui/window/PreviewPane.h"
 
 #include <QAbstractButton>
 #include <QAbstractItemView>
@@ -23,7 +25,7 @@ void ScanWalk::SetUp() {
     ASPERITY_NEEDS_SHARED_DATA();
     Window::SetUp();
     openFlatScene();  // stands for the scene that comes with the program
-    session.files().recent().setFolder(QString::fromStdString(folder.path().string()));
+    stage.get<OpenControl>().recent().setFolder(QString::fromStdString(folder.path().string()));
 }
 
 void ScanWalk::openScan(const std::string& file) {
@@ -31,7 +33,7 @@ void ScanWalk::openScan(const std::string& file) {
     name_ = scan.filename().string();
     fs::copy_file(scan, folder.path() / name_);
     user.choose(window, {"File", "Open scan"});
-    ASSERT_TRUE(eventually([this] { return session.files().dialog() != nullptr; }));
+    ASSERT_TRUE(eventually([this] { return stage.get<OpenControl>().dialog() != nullptr; }));
     clickFile();
     ASSERT_TRUE(eventually([this] { return dialog().preview().isComplete(); }));
 }
@@ -56,11 +58,11 @@ void ScanWalk::levelAndOpen() {
     user.choose(*dialog().findChild<QToolButton*>(QStringLiteral("addLevelingStep")),
                 QStringLiteral("median of differences"));
     ASSERT_TRUE(eventually([this] { return dialog().preview().isComplete(); }));
-    QSignalSpy begun(&session.runs(), &RunControl::begun);
+    QSignalSpy begun(&stage.runs(), &RunControl::begun);
     user.click(*dialog().findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Open));
     ASSERT_TRUE(eventually([&] { return begun.count() == 1; }, 60000));
     ASSERT_TRUE(window.windowTitle().toStdString().starts_with(name_));
-    const LevelingSteps& steps = session.run()->scene().description.sample.leveling;
+    const LevelingSteps& steps = stage.run()->scene().description.sample.leveling;
     EXPECT_NE(std::ranges::find(steps, LevelingStep::MedianOfDifferences), steps.end());
     ASSERT_TRUE(eventually([this] { return far(); })) << state();
     watch();
@@ -82,7 +84,7 @@ void ScanWalk::look() {
 void ScanWalk::startRecording() { user.click(*child<QAbstractButton>("record")); }
 
 fs::path ScanWalk::stopRecording() {
-    QSignalSpy finished(&session.recordings(), &RecordingControl::finished);
+    QSignalSpy finished(&stage.get<RecordingControl>(), &RecordingControl::finished);
     user.click(*child<QAbstractButton>("record"));
     if (!eventually([&] { return finished.count() == 1; })) {
         ADD_FAILURE() << "the recording does not end";

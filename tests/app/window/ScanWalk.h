@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/window/scene/OpenControl.h"
 #include "tests/app/window/WindowFixture.h"
 #include "tests/support/UserClicks.h"
 
@@ -34,7 +35,7 @@ protected:
     UserClicks user;
 
 private:
-    OpenDialog& dialog() { return *session.files().dialog(); }
+    OpenDialog& dialog() { return *stage.get<OpenControl>().dialog(); }
     void clickFile();
     void watch();
     void look();

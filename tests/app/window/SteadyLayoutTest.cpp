@@ -1,8 +1,8 @@
 #include "tests/app/window/WindowFixture.h"
-#include "ui/panels/Card.h"
+#include "ui/shell/PageTabs.h"
+#include "ui/shell/WindowLayout.h"
 #include "ui/view/ZoomView.h"
-#include "ui/window/PageTabs.h"
-#include "ui/window/WindowLayout.h"
+#include "ui/widgets/Card.h"
 
 #include <QEvent>
 #include <QPushButton>
@@ -14,9 +14,9 @@ namespace {
 /// Counts what makes a window slow: panels that are laid out or sized anew.
 class LayoutCounter : public QObject {
 public:
-    explicit LayoutCounter(MainWindow& window) {
+    LayoutCounter(MainWindow& window, LivePanels& panels) {
         for (QWidget* panel :
-             {static_cast<QWidget*>(&window.layout()), static_cast<QWidget*>(&window.view()),
+             {static_cast<QWidget*>(&window.layout()), static_cast<QWidget*>(&panels.view()),
               static_cast<QWidget*>(&window.layout().sidePages())}) {
             panel->installEventFilter(this);
         }
@@ -26,7 +26,7 @@ public:
         for (Card* card : window.cards()) {
             card->installEventFilter(this);
         }
-        QObject::connect(&window.view(), &ZoomView::frameRendered, this, [this] { ++frames; });
+        QObject::connect(&panels.view(), &ZoomView::frameRendered, this, [this] { ++frames; });
     }
 
     bool eventFilter(QObject* watched, QEvent* event) override {
@@ -46,7 +46,7 @@ class SteadyLayout : public Window {};
 TEST_F(SteadyLayout, ARunWithAllItsNumbersAndCurvesLaysNoPanelOutInEachFrame) {
     openFlatScene();
     ASSERT_TRUE(runsFor(0.5));
-    LayoutCounter count(window);
+    LayoutCounter count(window, panels);
     child<QPushButton>("engage")->click();
     ASSERT_TRUE(eventually([this] { return inContact(); })) << state();
     // A slow machine draws few frames a second, and a run has some layouts of its own: wider texts.

@@ -1,8 +1,8 @@
+#include "app/window/fidelity/FidelityPanel.h"
 #include "tests/app/window/WindowFixture.h"
-#include "ui/panels/FidelityPanel.h"
+#include "ui/shell/PageTabs.h"
+#include "ui/shell/WindowLayout.h"
 #include "ui/view/ZoomView.h"
-#include "ui/window/PageTabs.h"
-#include "ui/window/WindowLayout.h"
 
 #include <QAbstractButton>
 #include <QAbstractItemView>

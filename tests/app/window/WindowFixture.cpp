@@ -1,5 +1,7 @@
 #include "tests/app/window/WindowFixture.h"
 
+#include "app/window/recording/RecordingControl.h"
+#include "app/window/scene/LibraryControl.h"
 #include "tests/support/TestScenes.h"
 #include "ui/view/ZoomView.h"
 
@@ -34,9 +36,9 @@ std::filesystem::path levelScan(ScratchFolder& folder, int side) {
 void Window::live(int milliseconds) { QTest::qWait(milliseconds); }
 
 bool Window::framesPass() {
-    long fetched = session.run()->fetchCost().ticks;
+    long fetched = stage.run()->fetchCost().ticks;
     const auto isAnother = [&] {
-        return std::exchange(fetched, session.run()->fetchCost().ticks) != fetched;
+        return std::exchange(fetched, stage.run()->fetchCost().ticks) != fetched;
     };
     return eventually(isAnother) && eventually(isAnother);
 }
@@ -56,38 +58,38 @@ bool Window::runsFor(double seconds) {
 bool Window::baseRests() {
     constexpr double kRest = 0.2;       // [s]
     constexpr double kUnmoved = 1e-14;  // [m]
-    Vector3 place = session.run()->basePosition();
+    Vector3 position = stage.run()->basePosition();
     double since = tickTime();
     return eventually([&] {
-        const Vector3 here = session.run()->basePosition();
+        const Vector3 here = stage.run()->basePosition();
         const double now = tickTime();
-        if ((here - place).norm() > kUnmoved || now < since) {
-            place = here;
+        if ((here - position).norm() > kUnmoved || now < since) {
+            position = here;
             since = now;
         }
         return now - since >= kRest;
     });
 }
 
-double Window::tickTime() { return session.run()->loop().snapshot().sample.time; }
+double Window::tickTime() { return stage.run()->loop().snapshot().sample.time; }
 
 void Window::SetUp() {
     for (const char* const home : {"XDG_CONFIG_HOME", "XDG_DATA_HOME"}) {
         qputenv(home, folder.path().c_str());  // of programs that are started
     }
-    session.recordings().setFolder(folder.path() / "recordings");
-    session.materials().setFolder(folder.path() / "materials");
-    session.probes().setFolder(folder.path() / "probes");
+    stage.get<RecordingControl>().setFolder(folder.path() / "recordings");
+    stage.get<MaterialControl>().setFolder(folder.path() / "materials");
+    stage.get<ProbeControl>().setFolder(folder.path() / "probes");
     window.show();
     ASSERT_TRUE(QTest::qWaitForWindowExposed(&window));
     QApplication::setActiveWindow(&window);  // a bare X server has nobody who does so
 }
 
 void Window::openFlatScene(const SceneDescription& description) {
-    session.runs().use({.scene = buildScene(description, flatMap()),
-                        .format = "made for the test",
-                        .sha256 = "",
-                        .notes = {}});
+    stage.runs().use({.scene = buildScene(description, flatMap()),
+                      .format = "made for the test",
+                      .sha256 = "",
+                      .notes = {}});
     ASSERT_TRUE(eventually([this] { return state().find("far") != std::string::npos; })) << state();
 }
 
@@ -115,7 +117,7 @@ void Window::choose(const char* list, const QString& entry) {
 
 bool Window::changeEnds() {
     return eventually(
-        [this] { return *session.edits().wanted() == session.run()->scene().description; });
+        [this] { return *stage.edits().wanted() == stage.run()->scene().description; });
 }
 
 void Window::turn(const char* knob, const QString& number) {
@@ -129,25 +131,25 @@ void Window::turn(const char* knob, const QString& number) {
 std::string Window::told() { return window.statusBar()->currentMessage().toStdString(); }
 
 void Window::press(Qt::Key key, Qt::KeyboardModifiers modifiers) {
-    QTest::keyPress(&window.view(), key, modifiers);
+    QTest::keyPress(&panels.view(), key, modifiers);
 }
 
-void Window::release(Qt::Key key) { QTest::keyRelease(&window.view(), key); }
+void Window::release(Qt::Key key) { QTest::keyRelease(&panels.view(), key); }
 
 // QTest::mouseMove() tells of no pressed button.
 void Window::drag(const QPoint& from, const QPoint& to) {
-    QTest::mousePress(&window.view(), Qt::LeftButton, Qt::NoModifier, from);
-    QMouseEvent move(QEvent::MouseMove, to, window.view().mapToGlobal(to), Qt::NoButton,
+    QTest::mousePress(&panels.view(), Qt::LeftButton, Qt::NoModifier, from);
+    QMouseEvent move(QEvent::MouseMove, to, panels.view().mapToGlobal(to), Qt::NoButton,
                      Qt::LeftButton, Qt::NoModifier);
-    QApplication::sendEvent(&window.view(), &move);
-    QTest::mouseRelease(&window.view(), Qt::LeftButton, Qt::NoModifier, to);
+    QApplication::sendEvent(&panels.view(), &move);
+    QTest::mouseRelease(&panels.view(), Qt::LeftButton, Qt::NoModifier, to);
 }
 
 void Window::turnWheel(int notches, Qt::KeyboardModifiers modifiers) {
-    const QPointF middle = window.view().rect().center();
-    QWheelEvent event(middle, window.view().mapToGlobal(middle.toPoint()), {}, {0, 120 * notches},
+    const QPointF middle = panels.view().rect().center();
+    QWheelEvent event(middle, panels.view().mapToGlobal(middle.toPoint()), {}, {0, 120 * notches},
                       Qt::NoButton, modifiers, Qt::NoScrollPhase, false);
-    QApplication::sendEvent(&window.view(), &event);
+    QApplication::sendEvent(&panels.view(), &event);
 }
 
 }  // namespace asperity::test

@@ -1,10 +1,12 @@
 #pragma once
 
-#include "app/session/Session.h"
+#include "app/window/Stage.h"
+#include "app/window/lab/Features.h"
+#include "app/window/live/LivePanels.h"
 #include "tests/support/ScratchFolder.h"
 #include "tests/support/TestScenes.h"
 #include "tests/support/Waits.h"
-#include "ui/window/MainWindow.h"
+#include "ui/shell/MainWindow.h"
 
 #include <QString>
 #include <QWidget>
@@ -18,8 +20,21 @@ namespace asperity::test {
 /// A file of level heights, side x side pixels of 1 nm.
 [[nodiscard]] std::filesystem::path levelScan(ScratchFolder& folder, int side);
 
-/// The real window with its session, on a display. Tests act by mouse and key events, and read what
-/// the window shows.
+/// A main window with its features.
+struct WholeWindow {
+    /// @param framePeriod from one frame to the next [ms]
+    explicit WholeWindow(int framePeriod) {
+        addFeatures(stage);
+        stage.play(framePeriod);
+    }
+
+    MainWindow window;
+    LivePanels panels{window};
+    Stage stage{window, panels};
+};
+
+/// The real window with its features, on a display. Tests act by mouse and key events, and read
+/// what the window shows.
 class Window : public ::testing::Test {
 protected:
     /// Lets the window live for a while, where nothing tells what it does.
@@ -67,14 +82,16 @@ protected:
     void turnWheel(int notches, Qt::KeyboardModifiers modifiers = Qt::NoModifier);
 
     ScratchFolder folder;
-    MainWindow window;
-    Session session{window, kFramePeriod};
-
-private:
     /// Drawing takes most of a window's processor time: fewer frames than a user's leave it to the
     /// other tests [ms].
     static constexpr int kFramePeriod = 100;
 
+    WholeWindow whole{kFramePeriod};
+    MainWindow& window = whole.window;
+    LivePanels& panels = whole.panels;
+    Stage& stage = whole.stage;
+
+private:
     /// Of the latest tick [s].
     double tickTime();
 };

@@ -1,6 +1,5 @@
-#include "core/contact/EffectiveRadius.h"
-
 #include "core/Units.h"
+#include "core/contact/ContactState.h"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,6 @@
 #include "core/deformation/ContactDeformation.h"
 
 #include "core/Units.h"
-#include "core/deformation/ContactPatch.h"
-#include "core/deformation/RimRounding.h"
 #include "core/scene/Scene.h"
 #include "tests/support/TestScenes.h"
 

@@ -1,7 +1,6 @@
-#include "core/deformation/ContactField.h"
-
 #include "core/Units.h"
 #include "core/contact/displacement/SurfaceDisplacement.h"
+#include "core/deformation/ContactDeformation.h"
 #include "core/deformation/HalfSpaceModel.h"
 #include "core/scene/Scene.h"
 #include "tests/support/TestScenes.h"
@@ -33,7 +32,7 @@ TipState stateAt(const Scene& scene, double height) {
 }
 
 /// At a distance from the contact's axis on the flat sample; the lever's tilt moves it sideways.
-Vector3 placeAt(const TipState& state, double distance) {
+Vector3 positionAt(const TipState& state, double distance) {
     return state.closest.point + distance * Vector3(0.6, 0.8, 0.0);
 }
 
@@ -48,11 +47,11 @@ TEST(ContactField, PressureOfHertzIsAHalfEllipseAndAddsUpToTheForce) {
     for (int ring = 0; ring < kRings; ++ring) {
         const double r = a * (ring + 0.5) / kRings;
         const double expected = middle * std::sqrt(1.0 - r * r / (a * a));
-        EXPECT_NEAR(field.pressure(placeAt(state, r)), expected, 1e-6 * middle);
-        force += field.pressure(placeAt(state, r)) * 2.0 * std::numbers::pi * r * a / kRings;
+        EXPECT_NEAR(field.pressure(positionAt(state, r)), expected, 1e-6 * middle);
+        force += field.pressure(positionAt(state, r)) * 2.0 * std::numbers::pi * r * a / kRings;
     }
     EXPECT_NEAR(force, state.contact.force, 1e-4 * state.contact.force);
-    EXPECT_EQ(field.pressure(placeAt(state, 1.01 * a)), 0.0);
+    EXPECT_EQ(field.pressure(positionAt(state, 1.01 * a)), 0.0);
     EXPECT_FALSE(field.isHalfSpace());
 }
 
@@ -61,8 +60,9 @@ TEST(ContactField, PressureOfMaugisPullsInTheCohesiveZone) {
     const TipState state = stateAt(scene, -1.0_nm);
     const ContactField field(scene, state);
     const double zone = 0.5 * (state.contact.contactRadius + state.contact.cohesiveRadius);
-    EXPECT_EQ(field.pressure(placeAt(state, zone)), -contactModelAt(scene, state).cohesiveStress());
-    EXPECT_GT(field.pressure(placeAt(state, 0.0)), 0.0);
+    EXPECT_EQ(field.pressure(positionAt(state, zone)),
+              -contactModelAt(scene, state).cohesiveStress());
+    EXPECT_GT(field.pressure(positionAt(state, 0.0)), 0.0);
 }
 
 TEST(ContactField, GapOnAFlatSampleIsThatOfTheLaw) {
@@ -75,7 +75,7 @@ TEST(ContactField, GapOnAFlatSampleIsThatOfTheLaw) {
             const CohesiveContact profile = contactProfile(model, state.contact);
             for (const double r : {0.0_nm, 0.5_nm, 2.0_nm, 5.0_nm, 12.0_nm}) {
                 const double total = surfaceDisplacement(model, state.contact, r);
-                const double gap = field.gap(placeAt(state, r), 0.4 * total, 0.6 * total);
+                const double gap = field.gap(positionAt(state, r), 0.4 * total, 0.6 * total);
                 EXPECT_NEAR(gap, std::max(0.0, surfaceGap(profile, r)), 1e-14)
                     << nameOf(law) << " at " << height << ", r " << r;
             }
@@ -87,10 +87,11 @@ TEST(ContactField, GapIsNotDefinedBesideTheTip) {
     const Scene scene = sceneOf(ContactLaw::SphereMaugis);
     const TipState state = stateAt(scene, 2.0_nm);
     const ContactField field(scene, state);
-    EXPECT_NEAR(field.gap(placeAt(state, 0.0), 0.0, 0.0), 2.0_nm, 0.2_nm);
+    EXPECT_NEAR(field.gap(positionAt(state, 0.0), 0.0, 0.0), 2.0_nm, 0.2_nm);
     EXPECT_TRUE(
-        std::isfinite(field.gap(placeAt(state, 0.99 * scene.belief.tipRadius()), 0.0, 0.0)));
-    EXPECT_TRUE(std::isnan(field.gap(placeAt(state, 1.01 * scene.belief.tipRadius()), 0.0, 0.0)));
+        std::isfinite(field.gap(positionAt(state, 0.99 * scene.belief.tipRadius()), 0.0, 0.0)));
+    EXPECT_TRUE(
+        std::isnan(field.gap(positionAt(state, 1.01 * scene.belief.tipRadius()), 0.0, 0.0)));
 }
 
 TEST(ContactField, PressureIsTheHalfSpacesWhereThatIsShown) {
@@ -101,8 +102,8 @@ TEST(ContactField, PressureIsTheHalfSpacesWhereThatIsShown) {
     const ContactField field(scene, state, &answer);
     EXPECT_TRUE(field.isHalfSpace());
     const ContactField law(scene, state);
-    const double middle = law.pressure(placeAt(state, 0.0));
-    EXPECT_NEAR(field.pressure(placeAt(state, 0.0)), middle, 0.05 * middle) << "a flat sample";
+    const double middle = law.pressure(positionAt(state, 0.0));
+    EXPECT_NEAR(field.pressure(positionAt(state, 0.0)), middle, 0.05 * middle) << "a flat sample";
     double force = 0.0;
     const double step = 0.05_nm;
     for (double x = 34.0_nm; x < 94.0_nm; x += step) {
@@ -111,7 +112,7 @@ TEST(ContactField, PressureIsTheHalfSpacesWhereThatIsShown) {
         }
     }
     EXPECT_NEAR(force, answer.force, 0.02 * std::abs(answer.force) + 0.02e-9);
-    EXPECT_EQ(field.pressure(placeAt(state, 60.0_nm)), 0.0);
+    EXPECT_EQ(field.pressure(positionAt(state, 60.0_nm)), 0.0);
 }
 
 TEST(ContactField, TakesNoPressureFromAnAnswerOfAnotherContact) {

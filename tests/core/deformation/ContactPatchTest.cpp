@@ -1,7 +1,6 @@
-#include "core/deformation/ContactPatch.h"
-
 #include "core/Units.h"
-#include "core/contact/Material.h"
+#include "core/contact/ContactState.h"
+#include "core/deformation/ContactDeformation.h"
 #include "core/scene/Scene.h"
 #include "tests/support/ReferenceTable.h"
 #include "tests/support/TestScenes.h"
@@ -77,7 +76,7 @@ TEST(ContactPatch, ClosedFormHasTheReferenceProfiles) {
                 exactPatch(scene, stateOf(table, row), DeformationModel::ClosedForm,
                            {.halfWidth = radius, .samples = 3});
             const double depth = -patch.points[patch.index(1, 2)].z();
-            // A ten thousandth of an atom: the places of the patch are rounded in the scan.
+            // A ten thousandth of an atom: the positions of the patch are rounded in the scan.
             EXPECT_NEAR(depth, share * table.number(row, "u_z_m"), 1e-14) << "row " << row;
             ++compared;
         }

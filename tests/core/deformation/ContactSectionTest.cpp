@@ -1,7 +1,6 @@
-#include "core/deformation/ContactSection.h"
-
 #include "core/Units.h"
 #include "core/contact/displacement/SurfaceDisplacement.h"
+#include "core/deformation/ContactDeformation.h"
 #include "core/scene/Scene.h"
 #include "tests/support/TestScenes.h"
 
@@ -22,11 +21,11 @@ Scene hertzOn(const HeightMap& map) {
     return buildScene(description, map);
 }
 
-TipState pressed(const Scene& scene, const Vector2& place = {64.0_nm, 64.0_nm}) {
+TipState pressed(const Scene& scene, const Vector2& position = {64.0_nm, 64.0_nm}) {
     EquilibriumMemory memory;
-    const double z = scene.surface.at(place.x(), place.y()).height - 2.0_nm;
-    return tipEquilibrium(scene.surface, scene.belief, {.position = {place.x(), place.y(), z}},
-                          memory);
+    const double z = scene.surface.at(position.x(), position.y()).height - 2.0_nm;
+    return tipEquilibrium(scene.surface, scene.belief,
+                          {.position = {position.x(), position.y(), z}}, memory);
 }
 
 TEST(ContactSection, OfAFlatSampleIsTheContactLawsOwn) {
@@ -110,7 +109,7 @@ TEST(ContactSection, LiesInItsPlaneAndEndsAtTheScansEdge) {
     plane.azimuth = std::numbers::pi / 2.0;
     const ContactSection alongY = contactSection(scene, deformation, plane);
     EXPECT_NEAR(alongY.rest.front().y(), alongY.rest.back().y(), 1e-14) << "level along y";
-    EXPECT_NEAR(alongY.placeAt(3.0_nm).y(), alongY.axis.y() + 3.0_nm, 1e-20);
+    EXPECT_NEAR(alongY.positionAt(3.0_nm).y(), alongY.axis.y() + 3.0_nm, 1e-20);
 }
 
 }  // namespace

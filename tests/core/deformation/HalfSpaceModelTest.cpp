@@ -1,11 +1,9 @@
 #include "core/deformation/HalfSpaceModel.h"
 
 #include "core/Units.h"
-#include "core/contact/Material.h"
+#include "core/contact/ContactState.h"
 #include "core/contact/displacement/SurfaceDisplacement.h"
-#include "core/deformation/ContactPatch.h"
-#include "core/deformation/HalfSpaceField.h"
-#include "core/deformation/HalfSpaceProblem.h"
+#include "core/deformation/ContactDeformation.h"
 #include "core/scene/Scene.h"
 #include "core/surface/TangentFrame.h"
 #include "tests/support/TestScenes.h"
@@ -21,13 +19,13 @@ namespace {
 
 /// A tip pressed on the middle of the scan, so lightly that the half-space holds: the base is
 /// lowered from afar until the tip has come this deep.
-TipState pressed(const Scene& scene, double indentation, Vector2 place = {64.0_nm, 64.0_nm}) {
+TipState pressed(const Scene& scene, double indentation, Vector2 position = {64.0_nm, 64.0_nm}) {
     EquilibriumMemory memory;
     TipState state;
-    const double surface = scene.surface.at(place.x(), place.y()).height;
+    const double surface = scene.surface.at(position.x(), position.y()).height;
     for (int step = 0; step < 1400; ++step) {
         const double height = surface + 8.0_nm - step * 0.02_nm;
-        const BaseMotion base{.position = {place.x(), place.y(), height}};
+        const BaseMotion base{.position = {position.x(), position.y(), height}};
         state = tipEquilibrium(scene.surface, scene.belief, base, memory);
         if (state.contact.contactRadius > 0.0 && state.contact.indentation > indentation) {
             return state;

@@ -1,6 +1,5 @@
-#include "core/deformation/HalfSpaceWorker.h"
-
 #include "core/Units.h"
+#include "core/deformation/HalfSpaceModel.h"
 #include "core/scene/Scene.h"
 #include "tests/support/TestScenes.h"
 

@@ -1,6 +1,5 @@
-#include "core/deformation/RimRounding.h"
-
 #include "core/Units.h"
+#include "core/deformation/ContactDeformation.h"
 
 #include <gtest/gtest.h>
 

@@ -69,7 +69,7 @@ TEST(SurfaceField, OfARegionCoversThatAlone) {
     const Vector3 up = Vector3::UnitZ();
     const float none = std::numeric_limits<float>::quiet_NaN();
     const auto region =
-        std::make_shared<const RegionField>(RegionField::Place{20.0_nm, 20.0_nm, 40.0_nm, 20.0_nm},
+        std::make_shared<const RegionField>(RegionField::Area{20.0_nm, 20.0_nm, 40.0_nm, 20.0_nm},
                                             2, 1, std::vector<float>{3.0F, none}, "N");
     const SurfaceField field(SurfaceQuantity::ForceMap, region, "adhesion force");
     EXPECT_EQ(field.name(), "adhesion force");

@@ -1,4 +1,4 @@
-#include "core/experiment/Estimate.h"
+#include "core/experiment/StudyStatistics.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,5 @@
-#include "core/experiment/Perception.h"
-
 #include "core/Units.h"
+#include "core/experiment/Operator.h"
 
 #include <gtest/gtest.h>
 

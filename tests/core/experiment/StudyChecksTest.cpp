@@ -1,6 +1,5 @@
-#include "core/experiment/StudyChecks.h"
-
 #include "core/Units.h"
+#include "core/experiment/Study.h"
 #include "core/scene/Scene.h"
 #include "tests/core/experiment/SmallStudy.h"
 

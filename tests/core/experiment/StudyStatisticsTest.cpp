@@ -1,6 +1,5 @@
 #include "core/experiment/StudyStatistics.h"
 
-#include "core/experiment/StudyFindings.h"
 #include "tests/core/experiment/SmallStudy.h"
 
 #include <gtest/gtest.h>
@@ -103,8 +102,12 @@ TEST(StudyFindings, AgreeOrDifferWhereTheIntervalLeavesOutZero) {
 TEST(StudyFindings, AreNotTestedByWhatHasNoNumber) {
     std::vector<TrialRecord> trials;
     for (const int participant : {1, 2, 3, 4}) {
-        trials.push_back(record(participant, 1, 0, 1, 3.0 + participant, 4.0));
+        for (const std::size_t task : {0U, 1U, 2U}) {
+            trials.push_back(record(participant, task, 0, 1, 3.0 + participant, 4.0));
+        }
     }
+    EXPECT_EQ(verdictOf(trials, "time and error are related in C alone"),
+              FindingVerdict::NotTested);
     EXPECT_EQ(verdictOf(trials, "error does not change from repeat to repeat"),
               FindingVerdict::NotTested);
     for (const StudyFinding& finding : findingsOf(smallStudy(), trials)) {

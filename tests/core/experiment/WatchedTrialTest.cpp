@@ -1,6 +1,5 @@
-#include "core/experiment/WatchedTrial.h"
-
 #include "core/Units.h"
+#include "core/experiment/TrialRun.h"
 
 #include <gtest/gtest.h>
 

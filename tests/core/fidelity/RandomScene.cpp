@@ -31,7 +31,7 @@ HeightMap randomMap(Random& random) {
     return map;
 }
 
-/// Now and then a film, an exact shape in place of the map, a term that the scene settles itself.
+/// Now and then a film, an exact shape instead of the map, a term that the scene settles itself.
 void addRarities(SceneDescription& description, Random& random) {
     if (random.uniform() < 0.15) {
         description.sample.material.filmThickness = logUniform(random, 2.0_nm, 1.0_um);
@@ -79,9 +79,9 @@ std::vector<ModelInputs> runsElsewhere(const Scene& scene) {
     const Vector2 size(scene.surface.sizeX(), scene.surface.sizeY());
     std::vector<ModelInputs> runs;
     for (const Vector2& share : {Vector2(0.5, 0.45), Vector2(0.15, 0.8), Vector2(0.85, 0.6)}) {
-        const Vector2 place = share.cwiseProduct(size);
+        const Vector2 position = share.cwiseProduct(size);
         runs.push_back(recordInputs(
-            scene, slidePath(scene, {.duration = kDuration, .place = place}), kDuration));
+            scene, slidePath(scene, {.duration = kDuration, .position = position}), kDuration));
     }
     return runs;
 }

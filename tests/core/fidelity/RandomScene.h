@@ -9,10 +9,10 @@
 namespace asperity::test {
 
 /// A scene of 48 x 48 pixels with random roughness, materials, tip, lever and tilt; all that
-/// SceneNeeds decides is left to it.
+/// RequiredTerms decides is left to it.
 [[nodiscard]] Scene randomScene(Random& random);
 
-/// Approaches at three places that fitModel() does not look at.
+/// Approaches at three positions that fitModel() does not look at.
 [[nodiscard]] std::vector<ModelInputs> runsElsewhere(const Scene& scene);
 
 }  // namespace asperity::test

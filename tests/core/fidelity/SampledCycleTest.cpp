@@ -1,7 +1,6 @@
-#include "core/fidelity/SampledCycle.h"
-
 #include "core/Units.h"
 #include "core/contact/laws/ForceCurve.h"
+#include "core/fidelity/SampledRuns.h"
 #include "core/scene/Scene.h"
 #include "tests/support/TestScenes.h"
 

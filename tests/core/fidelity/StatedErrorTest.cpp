@@ -1,4 +1,4 @@
-#include "core/fidelity/SceneNeeds.h"
+#include "core/fidelity/RequiredTerms.h"
 #include "core/scene/Scene.h"
 #include "tests/core/fidelity/StatedErrors.h"
 
@@ -20,7 +20,7 @@ TEST(StatedError, IsNoSmallerThanTheTrueOneAndNotMuchLarger) {
     ASSERT_EQ(scenes.size(), 15U);
     for (const test::StatedErrorScene& each : scenes) {
         Scene scene = buildScene(each.description);
-        const SceneNeeds needs = fitModel(scene);
+        const RequiredTerms needs = fitModel(scene);
         const double stated = needs.statedError();
         const double error = test::trueErrors(scene, needs).worst();
         EXPECT_GE(stated + kNone, error) << each.name;

@@ -1,9 +1,9 @@
 #include "tests/core/fidelity/StatedErrors.h"
 
 #include "core/Units.h"
-#include "core/fidelity/ReferenceModels.h"
+#include "core/fidelity/ModelRun.h"
 #include "core/fidelity/SampledRuns.h"
-#include "core/map/PixelCurve.h"
+#include "core/map/PixelCycle.h"
 #include "tests/support/TestScenes.h"
 
 #include <algorithm>
@@ -187,14 +187,14 @@ public:
         constexpr double kDuration = 0.4;  // [s]
         const Vector2 size(scene.surface.sizeX(), scene.surface.sizeY());
         for (const auto& [x, y] : kElsewhere) {
-            places_.push_back(Vector2(x, y).cwiseProduct(size));
+            positions_.push_back(Vector2(x, y).cwiseProduct(size));
         }
-        for (const Vector2& place : std::span(places_).first(3)) {
+        for (const Vector2& position : std::span(positions_).first(3)) {
             slides_.push_back(recordInputs(scene,
                                            slidePath(scene, {.duration = kDuration,
                                                              .indentation = 2.0_nm,
                                                              .slideLength = 17.0_nm,
-                                                             .place = place}),
+                                                             .position = position}),
                                            kDuration));
         }
     }
@@ -203,8 +203,8 @@ public:
         setModel(scene_, model);
         const MapInstrument instrument(scene_, false);
         Elsewhere result;
-        for (const Vector2& place : places_) {
-            result.curves.push_back(pixelCurve(instrument, place, scene_.description.setpoint));
+        for (const Vector2& position : positions_) {
+            result.curves.push_back(pixelCurve(instrument, position, scene_.description.setpoint));
         }
         for (const ModelInputs& slide : slides_) {
             result.slides.push_back(runModel(scene_, {slide}));
@@ -231,7 +231,7 @@ public:
 
 private:
     Scene& scene_;
-    std::vector<Vector2> places_;
+    std::vector<Vector2> positions_;
     std::vector<ModelInputs> slides_;
 };
 
@@ -257,7 +257,7 @@ std::vector<StatedErrorScene> statedErrorScenes() {
             {"friction of 0.2 left out", withoutFriction(0.2)}};
 }
 
-QuantityErrors trueErrors(Scene& scene, const SceneNeeds& needs) {
+QuantityErrors trueErrors(Scene& scene, const RequiredTerms& needs) {
     const ForceModelOptions fitted = scene.model;
     ForceModelOptions whole = wholeModel(scene);
     whole.law = needs.full.law;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/fidelity/SceneNeeds.h"
+#include "core/fidelity/RequiredTerms.h"
 #include "core/scene/SceneDescription.h"
 
 #include <string>
@@ -21,6 +21,6 @@ struct StatedErrorScene {
 /// The error of a fitted scene's model against runs with all terms, at positions and along paths
 /// that the fit did not look at, from the curves of force maps; with each term that the law of the
 /// full model has no room for, as squares.
-[[nodiscard]] QuantityErrors trueErrors(Scene& scene, const SceneNeeds& needs);
+[[nodiscard]] QuantityErrors trueErrors(Scene& scene, const RequiredTerms& needs);
 
 }  // namespace asperity::test

@@ -1,9 +1,8 @@
-#include "core/haptics/ApproachDevice.h"
-
 #include "core/Units.h"
+#include "core/haptics/SetpointApproach.h"
 #include "core/haptics/VirtualRun.h"
+#include "core/scene/BelievedModel.h"
 #include "core/scene/Scene.h"
-#include "core/scene/SceneTruth.h"
 #include "tests/support/TestScenes.h"
 
 #include <gtest/gtest.h>
@@ -119,7 +118,7 @@ TEST(ApproachDevice, MovesByItsGainFromWhereTheDeviceBeforeWas) {
     constexpr double kGain = 0.5;
     const Vector3 device(1.0, 2.0, 3.0);
     const Vector3 base(50.0_nm, 50.0_nm, 40.0_nm);
-    const PlannedApproach planned = planApproach(scene, {.place = base.head<2>()});
+    const PlannedApproach planned = planApproach(scene, {.position = base.head<2>()});
     ApproachDevice approach({{0.0, base}, {0.1, planned.start}}, planned.plan, kGain, device);
     EXPECT_EQ(approach.advance(1e-3).position, device);
     Vector3 last = device;

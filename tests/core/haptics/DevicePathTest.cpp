@@ -48,10 +48,10 @@ INSTANTIATE_TEST_SUITE_P(All, PlannedPath,
 
 TEST(DevicePath, AJourneyClearsTheHillsOnItsWay) {
     const Scene scene = buildScene(test::plainScene(), test::hillyMap());
-    const Vector3 from = waitingPlace(scene, {15.0_nm, 15.0_nm});
+    const Vector3 from = waitingPosition(scene, {15.0_nm, 15.0_nm});
     const DevicePath path = journey(scene, from, {110.0_nm, 80.0_nm}, 2.0);
     EXPECT_EQ(path.front().position, from);
-    EXPECT_EQ(path.back().position, waitingPlace(scene, {110.0_nm, 80.0_nm}));
+    EXPECT_EQ(path.back().position, waitingPosition(scene, {110.0_nm, 80.0_nm}));
     EXPECT_NEAR(path.back().time, 2.0, 1e-12);
     for (int i = 0; i <= 200; ++i) {
         const Vector3 p = positionAt(path, 0.01 * i);

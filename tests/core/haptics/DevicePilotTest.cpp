@@ -1,6 +1,5 @@
-#include "core/haptics/DevicePilot.h"
-
 #include "core/Units.h"
+#include "core/haptics/DevicePath.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 #include "core/Units.h"
 #include "core/haptics/VirtualRun.h"
+#include "core/scene/BelievedModel.h"
 #include "core/scene/Scene.h"
-#include "core/scene/SceneTruth.h"
 #include "tests/support/TestScenes.h"
 
 #include <Eigen/Cholesky>
@@ -87,7 +87,7 @@ TEST(EstimateConsistency, FlagsAWrongFrictionLawAndWidensTheCovariance) {
     }
 }
 
-/// Along the beam no signal tells friction. A belief without friction was certain of none to 0.3
+/// Along the beam no signal shows friction. A belief without friction was certain of none to 0.3
 /// pN.
 TEST(EstimateConsistency, IsNotCertainOfALawThatNothingTests) {
     for (const double believed : {0.0, 0.1, 0.3}) {

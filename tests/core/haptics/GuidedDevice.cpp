@@ -22,7 +22,7 @@ Scene coupledScene(const CouplingGains& gains) { return coupledScene(gains, flat
 TickOutput GuidedDevice::moveTo(const Vector3& target, int ticks) {
     TickInput input{.device = device, .settings = settings, .starts = starts};
     input.device.position = target;
-    place_ = target;
+    position_ = target;
     TickOutput out;
     for (int i = 0; i < ticks; ++i) {
         input.measurement = afm_.exchange(commandBase(scene_, input, memory_).base);
@@ -32,7 +32,7 @@ TickOutput GuidedDevice::moveTo(const Vector3& target, int ticks) {
 }
 
 TickOutput GuidedDevice::glideTo(const Vector3& target, int ticks) {
-    const Vector3 from = place_;
+    const Vector3 from = position_;
     const int moving = ticks / 2;
     for (int i = 1; i < moving; ++i) {
         moveTo(from + static_cast<double>(i) / moving * (target - from));

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "core/haptics/HapticTick.h"
+#include "core/scene/BelievedModel.h"
 #include "core/scene/Scene.h"
-#include "core/scene/SceneTruth.h"
 
 #include <cstdint>
 
@@ -12,7 +12,7 @@ inline constexpr CouplingGains kGains{.stiffness = 400.0, .damping = 3.0, .proxy
 
 /// Silicon oxide without noise under a device for which 1 mm is 1 nm and 1 N is 10 nN.
 [[nodiscard]] Scene coupledScene(const CouplingGains& gains, const HeightMap& map);
-/// The same on flat ground.
+/// The same on a flat sample.
 [[nodiscard]] Scene coupledScene(const CouplingGains& gains);
 
 /// A device that goes where the test moves it, with tick and instrument.
@@ -26,12 +26,12 @@ public:
     TickOutput glideTo(const Vector3& target, int ticks);
 
     Settings settings;
-    DeviceState device;  ///< what it is; the place is that of moveTo()
+    DeviceState device;  ///< what it is; the position is that of moveTo()
     std::uint32_t starts = 0;
 
 private:
     const Scene& scene_;
-    Vector3 place_ = Vector3::Zero();  ///< [m]
+    Vector3 position_ = Vector3::Zero();  ///< [m]
     SimulatedAfm afm_;
     TickMemory memory_;
 };

@@ -54,12 +54,12 @@ TEST(GuidedTick, APlaneLeavesTheDeviceFreeWithinIt) {
 TEST(GuidedTick, AGuideThatIsSwitchedOnComesOnByAndBy) {
     const Scene scene = test::coupledScene(kGains);
     GuidedDevice device(scene);
-    const Vector3 place = kDeviceAt40nm + Vector3(5e-3, 0.0, 0.0);
-    Vector3 last = device.moveTo(place, 100).deviceForce;
+    const Vector3 position = kDeviceAt40nm + Vector3(5e-3, 0.0, 0.0);
+    Vector3 last = device.moveTo(position, 100).deviceForce;
     device.settings.guide = guideTo(FixtureKind::Point, kTarget);
     double steepest = 0.0;
     for (int i = 0; i < 1000; ++i) {
-        const Vector3 now = device.moveTo(place).deviceForce;
+        const Vector3 now = device.moveTo(position).deviceForce;
         steepest = std::max(steepest, (now - last).norm());
         last = now;
     }
@@ -72,16 +72,16 @@ TEST(GuidedTick, NeitherZoomNorAnotherGuideMovesTheBaseByItself) {
     GuidedDevice device(scene);
     device.settings.guide = guideTo(FixtureKind::Point, kTarget);
     device.moveTo(kDeviceAt40nm, 1000);
-    const Vector3 place = kDeviceAt40nm + Vector3(3e-3, 0.0, 0.0);
-    const TickOutput before = device.moveTo(place, 4000);
+    const Vector3 position = kDeviceAt40nm + Vector3(3e-3, 0.0, 0.0);
+    const TickOutput before = device.moveTo(position, 4000);
     ASSERT_GT(before.deviceForce.norm(), 0.2);
     device.settings.positionGain = 2e-6;
-    const TickOutput zoomed = device.moveTo(place);
+    const TickOutput zoomed = device.moveTo(position);
     EXPECT_LT((zoomed.base.position - before.base.position).norm(), 1e-15);
-    EXPECT_LT(zoomed.deviceForce.norm(), kPullAt40nm) << "the guide comes on anew";
-    const TickOutput held = device.moveTo(place, 4000);
+    EXPECT_LT(zoomed.deviceForce.norm(), kPullAt40nm) << "the guide comes on again";
+    const TickOutput held = device.moveTo(position, 4000);
     device.settings.guide = {};
-    const TickOutput without = device.moveTo(place);
+    const TickOutput without = device.moveTo(position);
     EXPECT_LT((without.base.position - held.base.position).norm(), 1e-15);
     EXPECT_LT(without.deviceForce.norm(), kPullAt40nm);
 }
@@ -112,8 +112,8 @@ TEST(GuidedTick, WithoutACouplingAGuideHasNothingToPullAt) {
     GuidedDevice device(scene);
     device.settings.guide = guideTo(FixtureKind::Point, kTarget);
     device.moveTo(kDeviceAt40nm, 1000);
-    const Vector3 place = kDeviceAt40nm + Vector3(3e-3, 0.0, 0.0);
-    EXPECT_LT((device.moveTo(place, 1000).base.position - 1e-6 * place).norm(), 1e-18);
+    const Vector3 position = kDeviceAt40nm + Vector3(3e-3, 0.0, 0.0);
+    EXPECT_LT((device.moveTo(position, 1000).base.position - 1e-6 * position).norm(), 1e-18);
 }
 
 }  // namespace

@@ -1,10 +1,10 @@
 #include "core/haptics/HapticLoop.h"
 
 #include "core/Units.h"
-#include "core/haptics/ScriptedDevice.h"
-#include "core/haptics/device/PointerDevice.h"
+#include "core/haptics/DevicePath.h"
+#include "core/haptics/device/HapticDevice.h"
+#include "core/scene/BelievedModel.h"
 #include "core/scene/Scene.h"
-#include "core/scene/SceneTruth.h"
 #include "tests/support/TestScenes.h"
 
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@
 namespace asperity {
 namespace {
 
-/// Waits until the loop has made so many ticks.
+/// Waits until the loop has made this many ticks.
 void waitForTicks(HapticLoop& loop, long ticks) {
     while (loop.snapshot().statistics.ticks < ticks) {
         std::this_thread::sleep_for(std::chrono::milliseconds(1));
@@ -85,8 +85,8 @@ TEST(HapticLoop, AStepIsATickWithoutTheClock) {
 
 TEST(HapticLoop, ADeviceThatTakesOverMovesNothingByWhereItIs) {
     const Scene scene = flatScene();
-    const Vector3 place = middleAbove(scene, 20.0_nm);
-    FakeDevice first(place / scene.settings.positionGain);
+    const Vector3 position = middleAbove(scene, 20.0_nm);
+    FakeDevice first(position / scene.settings.positionGain);
     FakeDevice second(Vector3(0.02, -0.01, 0.03));
     SimulatedAfm afm(scene.trueSurface(), truthOf(scene));
     HapticLoop loop(scene, first, afm);
@@ -94,7 +94,7 @@ TEST(HapticLoop, ADeviceThatTakesOverMovesNothingByWhereItIs) {
     loop.setDevice(second);
     loop.step();
     loop.step();
-    EXPECT_LT((loop.snapshot().sample.output.base.position - place).norm(), 1e-15);
+    EXPECT_LT((loop.snapshot().sample.output.base.position - position).norm(), 1e-15);
 }
 
 TEST(HapticLoop, ADeviceSeesWhatEveryTickComputed) {

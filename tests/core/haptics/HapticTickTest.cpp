@@ -2,8 +2,8 @@
 
 #include "core/Units.h"
 #include "core/haptics/VirtualRun.h"
+#include "core/scene/BelievedModel.h"
 #include "core/scene/Scene.h"
-#include "core/scene/SceneTruth.h"
 #include "core/surface/imaging/TipErosion.h"
 #include "tests/support/TestScenes.h"
 
@@ -19,10 +19,10 @@ namespace {
 std::vector<TickSample> approachAndRetract(const Scene& scene, double depth) {
     const double x = 0.5 * scene.surface.sizeX();
     const double y = 0.5 * scene.surface.sizeY();
-    const double ground = scene.surface.at(x, y).height;
-    const DevicePath path{{0.0, {x, y, ground + 4.0_nm}},
-                          {1.0, {x, y, ground - depth}},
-                          {2.0, {x, y, ground + 4.0_nm}}};
+    const double height = scene.surface.at(x, y).height;
+    const DevicePath path{{0.0, {x, y, height + 4.0_nm}},
+                          {1.0, {x, y, height - depth}},
+                          {2.0, {x, y, height + 4.0_nm}}};
     SimulatedAfm afm(scene.surface, truthOf(scene));
     std::vector<TickSample> samples;
     runVirtually(scene, path, afm, 2001, [&](const TickSample& s) { samples.push_back(s); });

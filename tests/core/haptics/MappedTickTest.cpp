@@ -56,7 +56,7 @@ TEST(MappedTick, AfterAClutchTheCommandGoesOnFromWhereItWas) {
     const TickOutput after = guided.glideTo(elsewhere + step, 4000);
     EXPECT_LT((after.base.position - before.base.position - 1e-6 * step).norm(), 1e-11)
         << "but for what the sample pulls from afar";
-    EXPECT_EQ(after.forceState, ForceState::On) << "the force came on anew";
+    EXPECT_EQ(after.forceState, ForceState::On) << "the force came on again";
 }
 
 TEST(MappedTick, AForceThatAClutchTookAwayComesOnByAndBy) {
@@ -76,7 +76,9 @@ TEST(MappedTick, ATurnedViewTurnsMotionAndForceAlike) {
     turned.settings.deviceTurn = {0.3, -0.5, 0.8};
     const Matrix3 axes = axesOf(turned.settings.deviceTurn);
     turned.device.maxForce = 8.5;
-    const auto asSeen = [&](const Vector3& place) -> Vector3 { return axes.transpose() * place; };
+    const auto asSeen = [&](const Vector3& position) -> Vector3 {
+        return axes.transpose() * position;
+    };
     turned.moveTo(asSeen(kDeviceAt4nm), 1500);
     const TickOutput one = straight.glideTo(kPressed, 4000);
     const TickOutput other = turned.glideTo(asSeen(kPressed), 4000);

@@ -1,7 +1,7 @@
 #include "core/Units.h"
 #include "core/haptics/HapticTick.h"
+#include "core/scene/BelievedModel.h"
 #include "core/scene/Scene.h"
-#include "core/scene/SceneTruth.h"
 #include "tests/support/TestScenes.h"
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@
 namespace asperity {
 namespace {
 
-/// A device, the tick and a simulated instrument, ticked one place of the device at a time.
+/// A device, the tick and a simulated instrument, ticked one position of the device at a time.
 class Bench {
 public:
     explicit Bench(const Scene& scene) : scene_(scene), afm_(scene.surface, truthOf(scene)) {
@@ -21,8 +21,8 @@ public:
         input_.timeStep = scene.timeStep();
     }
 
-    TickOutput moveTo(const Vector3& place) {
-        input_.device.position = place;
+    TickOutput moveTo(const Vector3& position) {
+        input_.device.position = position;
         input_.measurement = afm_.exchange(commandBase(scene_, input_, memory_).base);
         return tick(scene_, input_, memory_);
     }
@@ -79,8 +79,8 @@ TEST(PositionControl, TheTrueTipFollowsARasterInContact) {
 }
 
 /// Neither control can hold a tip where the lever is softer than the attraction: both jump from the
-/// same place of the tip, and tip control says that it lost it.
-TEST(PositionControl, SnapsInFromTheSamePlaceAndSaysSo) {
+/// same position of the tip, and tip control says that it lost it.
+TEST(PositionControl, SnapsInFromTheSamePositionAndSaysSo) {
     const Scene scene = buildScene(described(PositionControl::Tip), test::flatMap());
     const auto snapHeight = [&scene](PositionControl control, bool& lost) {
         Bench bench(scene);

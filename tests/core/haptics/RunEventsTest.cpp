@@ -1,4 +1,4 @@
-#include "core/haptics/RunEvents.h"
+#include "core/haptics/VirtualRun.h"
 
 #include <gtest/gtest.h>
 

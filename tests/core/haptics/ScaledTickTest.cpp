@@ -18,7 +18,7 @@ using test::ScaledScene;
 std::vector<Vector3> forcesOn(const ScaledScene& scene, double scale) {
     constexpr int kTicks = 120;  // of each of the three ways
     const Scene built = buildScene(scene.description, scene.map);
-    const double touch = touchHeight(built, scene.place.x(), scene.place.y());
+    const double touch = touchHeight(built, scene.position.x(), scene.position.y());
     TickMemory memory;
     ClosestPointTracker tracker;
     std::vector<Vector3> forces;
@@ -26,7 +26,7 @@ std::vector<Vector3> forcesOn(const ScaledScene& scene, double scale) {
         const double part = static_cast<double>(i % kTicks) / kTicks;
         const double down = i < kTicks ? part : (i < 2 * kTicks ? 1.0 : 1.0 - part);
         const double along = i < kTicks ? 0.0 : (i < 2 * kTicks ? part : 1.0);
-        const Vector3 base(scene.place.x() + 0.3 * along * scene.reach, scene.place.y(),
+        const Vector3 base(scene.position.x() + 0.3 * along * scene.reach, scene.position.y(),
                            touch + (1.0 - 2.0 * down) * scene.reach);
         const TickInput input{.device = {.position = base}, .timeStep = 1e-3};
         // A speed is no length: time is not scaled.

@@ -1,7 +1,7 @@
 #include "core/Units.h"
 #include "core/haptics/VirtualRun.h"
+#include "core/scene/BelievedModel.h"
 #include "core/scene/Scene.h"
-#include "core/scene/SceneTruth.h"
 #include "tests/support/SlowAfm.h"
 #include "tests/support/TestScenes.h"
 

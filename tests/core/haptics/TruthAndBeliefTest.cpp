@@ -1,7 +1,7 @@
 #include "core/Units.h"
 #include "core/haptics/VirtualRun.h"
+#include "core/scene/BelievedModel.h"
 #include "core/scene/Scene.h"
-#include "core/scene/SceneTruth.h"
 #include "tests/support/TestScenes.h"
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@
 namespace asperity {
 namespace {
 
-/// What the two lever signals tell of a force: Fy and Fz + kappa Fx (docs/theory.md 5.2).
+/// The two lever signals of a force: Fy and Fz + kappa Fx (docs/theory.md 5.2).
 struct SensedForce {
     double lateral = 0.0;  ///< Fy [N]
     double bending = 0.0;  ///< Fz + kappa Fx [N]

@@ -1,6 +1,5 @@
-#include "core/io/BufferedFile.h"
-
 #include "core/Error.h"
+#include "core/io/FileBytes.h"
 #include "tests/support/ScratchFolder.h"
 
 #include <gtest/gtest.h>

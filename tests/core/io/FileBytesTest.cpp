@@ -30,7 +30,7 @@ void touch(const std::filesystem::path& path) {
 
 }  // namespace
 
-TEST(FileBytes, AreReadFromAnyPlace) {
+TEST(FileBytes, AreReadFromAnyOffset) {
     const ScratchFolder folder;
     const FileBytes file(folder.write("digits", "0123456789"));
     std::array<char, 3> bytes{};

@@ -1,5 +1,3 @@
-#include "core/io/FileHash.h"
-
 #include "core/Error.h"
 #include "core/io/FileBytes.h"
 #include "tests/core/io/heightmap/RealScans.h"

@@ -26,7 +26,20 @@ TEST(MemoryLimit, IsHalfOfTheMachines) {
                 AllOf(HasSubstr("a.gsf: part: it takes 3 MB"), HasSubstr("at most 1 MB")));
 }
 
-/// What is compressed is refused before it is decoded, what lies open before it is copied.
+/// A stopped scan of usual size is one value; a file of several images counts as one.
+TEST(MemoryLimit, HasASecondOneForWhatAFileIsPackedIn) {
+    constexpr std::uint64_t kGiB = std::uint64_t{1} << 30U;
+    const auto refusal = [](std::uint64_t decoded, std::uint64_t packed) {
+        return refusalOf([&] { requireUsualPacking(decoded, packed, "a.png", "IDAT"); });
+    };
+    EXPECT_EQ(refusal(kGiB, 1), "");
+    EXPECT_EQ(refusal(32 * kGiB, kGiB / 2), "") << "as much as a large file may hold";
+    EXPECT_THAT(refusal(33 * kGiB, kGiB / 2),
+                AllOf(HasSubstr("a.png: IDAT: its images decode to 35.4 GB"),
+                      HasSubstr("of a file of 537 MB at most 34.4 GB are expected")));
+}
+
+/// Compressed data are refused before they are decoded, others before they are copied.
 TEST(MemoryLimit, HoldsForImages) {
     const ScratchFolder scratch;
     for (const char* const name : {"a.png", "a.exr", "a.gsf", "a.tiff"}) {

@@ -1,4 +1,4 @@
-#include "core/map/ChannelMatch.h"
+#include "core/map/MapComparison.h"
 
 #include <gtest/gtest.h>
 

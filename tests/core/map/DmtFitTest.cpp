@@ -1,4 +1,4 @@
-#include "core/map/DmtFit.h"
+#include "core/map/RetractCurve.h"
 
 #include <gtest/gtest.h>
 

@@ -103,9 +103,9 @@ TEST(FurtherContacts, OfABeadInAGrooveBearThoughTheyLieFarBehindTheFirst) {
     EXPECT_NEAR(exact.deeper, 119.3_nm, 0.1_nm);
     ASSERT_GT(exact.deeper - exact.shallower, 10.0_nm);
 
-    const Vector2 place(groove.middle() + kAside, 0.5 * groove.rows * groove.pitch);
+    const Vector2 position(groove.middle() + kAside, 0.5 * groove.rows * groove.pitch);
     const MapInstrument instrument(scene, false);
-    VerticalPath path(instrument, place);
+    VerticalPath path(instrument, position);
     const CycleStates states = runCycle(path, kLoad);
     ASSERT_TRUE(states.engaged);
     EXPECT_EQ(states.engaged->atSetpoint.state.points, 2);

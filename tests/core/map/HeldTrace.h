@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/map/VerticalPath.h"
+#include "core/map/JumpSearch.h"
 
 #include <Eigen/LU>
 
@@ -56,10 +56,10 @@ private:
     }
 
     [[nodiscard]] Vector2 missAt(const Vector3& tip) const {
-        return stateAt(tip).base.head<2>() - path_.place();
+        return stateAt(tip).base.head<2>() - path_.position();
     }
 
-    /// Moves the tip to the side until the base stands above its place.
+    /// Moves the tip to the side until the base stands above its position.
     State balanced() {
         constexpr double kNudge = 1e-13;
         constexpr double kThere = 1e-16;

@@ -1,7 +1,6 @@
 #include "core/map/JumpSearch.h"
 
 #include "core/Units.h"
-#include "core/map/Engagement.h"
 #include "tests/core/map/HeldTrace.h"
 #include "tests/core/map/MapCycle.h"
 #include "tests/support/TestScenes.h"
@@ -18,7 +17,8 @@ using test::kSetpoint;
 
 constexpr double kForceTolerance = 1e-3;  // of the force
 
-/// On a slope a lever that pulls bends to the side, and lets go before the law at the place does.
+/// On a slope a lever that pulls bends to the side, and lets go before the law at the position
+/// does.
 TEST(JumpSearch, PullsOffWhereTheLeverLosesItsEquilibrium) {
     SceneDescription description = test::plainScene();
     description.sample.material.elastic = {.youngsModulus = 70.0_GPa, .poissonRatio = 0.17};

@@ -1,4 +1,3 @@
-#include "core/map/LoopEnergy.h"
 
 #include "core/Units.h"
 #include "core/map/PixelCycle.h"

@@ -130,9 +130,9 @@ const MapPlan kComparedPlan{.grid = {.columns = 40, .rows = 25},
 std::vector<double> tilted(const std::vector<double>& heights) {
     std::vector<double> values = heights;
     for (std::size_t i = 0; i < values.size(); ++i) {
-        const Vector2 place =
-            kComparedPlan.place(static_cast<int>(i) / 40, static_cast<int>(i) % 40);
-        values[i] += 7e-9 + 0.1 * (place.x() - 10e-9) - 0.05 * (place.y() - 20e-9);
+        const Vector2 position =
+            kComparedPlan.position(static_cast<int>(i) / 40, static_cast<int>(i) % 40);
+        values[i] += 7e-9 + 0.1 * (position.x() - 10e-9) - 0.05 * (position.y() - 20e-9);
     }
     return values;
 }

@@ -1,8 +1,7 @@
-#include "core/map/MapDeviations.h"
-
 #include "core/Error.h"
-#include "core/map/MapRow.h"
-#include "core/uncertainty/PlaceBudgets.h"
+#include "core/map/MapPlan.h"
+#include "core/map/PixelCycle.h"
+#include "core/uncertainty/LandmarkBudgets.h"
 #include "tests/support/TestScenes.h"
 
 #include <gtest/gtest.h>
@@ -54,7 +53,8 @@ TEST(MapDeviations, AreThoseOfTheBudgetAtThePixelAndChangeNothingElse) {
         const std::vector<double> deviations = channelOf(plan, row, deviation);
         for (int column = 0; column < kGrid.columns; ++column) {
             const auto i = static_cast<std::size_t>(column);
-            const PlaceBudgets budgets = budgetsAt(scene, plan.place(1, column), plan.setpoint);
+            const LandmarkBudgets budgets =
+                budgetsAt(scene, plan.position(1, column), plan.setpoint);
             const Budget ofLaw = budgetOf(budgets, landmark).of(values[i], 0.0);
             EXPECT_NEAR(deviations[i], ofLaw.model(), 0.1 * ofLaw.model()) << "pressed there";
         }

@@ -29,18 +29,18 @@ TEST(MapPlan, IsByItselfEveryPixelOfTheScan) {
     EXPECT_EQ(plan.grid, (MapGrid{64, 64}));
     EXPECT_EQ(plan.setpoint, scene().description.setpoint);
     EXPECT_EQ(plan.quantities.size(), 14U);
-    EXPECT_NEAR(plan.place(0, 0).x(), 1.0_nm, 1e-20);
-    EXPECT_NEAR(plan.place(0, 0).y(), 127.0_nm, 1e-20);
-    EXPECT_NEAR(plan.place(63, 63).x(), 127.0_nm, 1e-20);
-    EXPECT_NEAR(plan.place(63, 63).y(), 1.0_nm, 1e-20);
+    EXPECT_NEAR(plan.position(0, 0).x(), 1.0_nm, 1e-20);
+    EXPECT_NEAR(plan.position(0, 0).y(), 127.0_nm, 1e-20);
+    EXPECT_NEAR(plan.position(63, 63).x(), 127.0_nm, 1e-20);
+    EXPECT_NEAR(plan.position(63, 63).y(), 1.0_nm, 1e-20);
 }
 
 TEST(MapPlan, OfARegionHasItsPixels) {
     const MapPlan plan =
         planMap(scene(), {.region = MapRegion{10.0_nm, 20.0_nm, 30.0_nm, 26.0_nm}});
     EXPECT_EQ(plan.grid, (MapGrid{10, 3}));
-    EXPECT_NEAR(plan.place(2, 9).x(), 29.0_nm, 1e-20);
-    EXPECT_NEAR(plan.place(2, 9).y(), 21.0_nm, 1e-20);
+    EXPECT_NEAR(plan.position(2, 9).x(), 29.0_nm, 1e-20);
+    EXPECT_NEAR(plan.position(2, 9).y(), 21.0_nm, 1e-20);
 }
 
 TEST(MapPlan, KeepsQuantitiesInTheOrderOfTheTable) {

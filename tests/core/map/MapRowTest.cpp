@@ -1,6 +1,5 @@
-#include "core/map/MapRow.h"
-
 #include "core/Units.h"
+#include "core/map/MapPlan.h"
 #include "tests/support/TestScenes.h"
 
 #include <gtest/gtest.h>
@@ -43,10 +42,10 @@ TEST(MapRow, HoldsTheQuantitiesOneAfterTheOther) {
     const std::vector<double> heights = mapRow(instrument, one, 1);
     ASSERT_EQ(values.size(), 3 * all.quantities.size());
     ASSERT_EQ(heights.size(), 3U);
-    const auto place =
+    const auto index =
         std::ranges::find(all.quantities, MapQuantity::Height) - all.quantities.begin();
     for (std::size_t column = 0; column < 3; ++column) {
-        EXPECT_EQ(values[3 * static_cast<std::size_t>(place) + column], heights[column]);
+        EXPECT_EQ(values[3 * static_cast<std::size_t>(index) + column], heights[column]);
     }
 }
 
@@ -64,7 +63,7 @@ TEST(MapRow, OfAFlatScanIsConstant) {
     }
 }
 
-/// Across the lever, along which nothing tells up from down: mount and friction are the same. The
+/// Across the lever, along which up is like down: mount and friction are the same. The
 /// surface is mirrored to the bit; the last digits of a cycle are not, since y from the lower edge
 /// and y from the upper edge round differently, and so do the sums of the spline at both.
 TEST(MapRow, OfAMirroredScanIsMirrored) {

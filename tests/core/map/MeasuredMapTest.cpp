@@ -1,4 +1,4 @@
-#include "core/map/MeasuredMap.h"
+#include "core/map/MapComparison.h"
 
 #include <gtest/gtest.h>
 
@@ -45,9 +45,9 @@ TEST(MeasuredMap, OnOtherPixelsIsLinearBetweenThem) {
             valuesAt(kMeasuredPlan, planeOver(kScan, columns, rows), kScan);
         for (int row = 0; row < 4; ++row) {
             for (int column = 0; column < 6; ++column) {
-                const Vector2 place = kMeasuredPlan.place(row, column);
+                const Vector2 position = kMeasuredPlan.position(row, column);
                 EXPECT_NEAR(values[static_cast<std::size_t>(6 * row + column)],
-                            tilt(place.x(), place.y()), 1e-21);
+                            tilt(position.x(), position.y()), 1e-21);
             }
         }
     }

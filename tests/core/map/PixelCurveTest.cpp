@@ -1,7 +1,6 @@
-#include "core/map/PixelCurve.h"
-
 #include "core/Units.h"
 #include "core/contact/laws/ForceCurve.h"
+#include "core/map/PixelCycle.h"
 #include "tests/core/map/MapCycle.h"
 #include "tests/support/TestScenes.h"
 
@@ -43,9 +42,9 @@ void expectSameValues(const MapValues& values, const MapValues& expected) {
 }
 
 /// What is read off the curve is what the map has there, to the bit.
-void expectCurveOfTheMap(const MapInstrument& instrument, const Vector2& place) {
-    const PixelCurve curve = pixelCurve(instrument, place, kSetpoint);
-    expectSameValues(curve.values, pixelCycle(instrument, place, kSetpoint));
+void expectCurveOfTheMap(const MapInstrument& instrument, const Vector2& position) {
+    const PixelCurve curve = pixelCurve(instrument, position, kSetpoint);
+    expectSameValues(curve.values, pixelCycle(instrument, position, kSetpoint));
     ASSERT_FALSE(curve.approach.empty());
     ASSERT_FALSE(curve.retract.empty());
     EXPECT_EQ(strongestPullOf(curve.retract), curve.values[MapQuantity::AdhesionForce]);
@@ -78,9 +77,9 @@ TEST(PixelCurve, OfASoftLeverShowsWhatTheMapHas) {
     description.probe.thickness = thicknessForStiffness(description.probe, 0.5);
     const Scene scene = buildScene(description, test::hillyMap());
     const MapInstrument instrument(scene, false);
-    const Vector2 place(61.0_nm, 67.0_nm);
-    expectCurveOfTheMap(instrument, place);
-    const PixelCurve curve = pixelCurve(instrument, place, kSetpoint);
+    const Vector2 position(61.0_nm, 67.0_nm);
+    expectCurveOfTheMap(instrument, position);
+    const PixelCurve curve = pixelCurve(instrument, position, kSetpoint);
     ASSERT_TRUE(curve.snapIn && curve.pullOff);
     EXPECT_LT(curve.snapIn->base, curve.pullOff->base) << "hysteresis";
 }

@@ -141,7 +141,7 @@ TEST(PixelCycle, WithoutAdhesionHasNoPull) {
                    1e-3, "Hertz has no error here");
 }
 
-/// The same place twice, and after other places: to the bit.
+/// The same position twice, and after other positions: to the bit.
 TEST(PixelCycle, DependsOnItsPlaceAlone) {
     const Scene scene = buildScene(test::plainScene(), test::hillyMap());
     const MapValues first = cycleOn(scene, kMiddle);

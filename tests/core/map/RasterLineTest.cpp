@@ -1,6 +1,5 @@
-#include "core/map/RasterLine.h"
-
 #include "core/Units.h"
+#include "core/map/MapPlan.h"
 #include "tests/core/map/MapCycle.h"
 #include "tests/support/TestScenes.h"
 

@@ -1,7 +1,7 @@
 #include "core/map/RetractCurve.h"
 
 #include "core/Units.h"
-#include "core/map/Engagement.h"
+#include "core/map/JumpSearch.h"
 #include "tests/core/map/MapCycle.h"
 #include "tests/support/TestScenes.h"
 

@@ -62,7 +62,7 @@ void expectSame(const MapValues& usual, const MapValues& other, const ScaledScen
 
 MapValues cycleOf(const ScaledScene& scene) {
     const Scene built = buildScene(scene.description, scene.map);
-    return pixelCycle(MapInstrument(built, false), scene.place, scene.description.setpoint);
+    return pixelCycle(MapInstrument(built, false), scene.position, scene.description.setpoint);
 }
 
 TEST(ScaledMap, HasTheSameCycleAtEveryScale) {

@@ -1,5 +1,5 @@
 #include "core/FormattedText.h"
-#include "core/map/MapInstrument.h"
+#include "core/map/JumpSearch.h"
 #include "core/map/PixelCycle.h"
 #include "tests/core/map/MapCycle.h"
 #include "tests/support/TestScenes.h"
@@ -48,7 +48,7 @@ Scene uniformScene(double modulus) {
     return buildScene(description, test::hillyMap());
 }
 
-/// What topography does to the curve is the same: a uniform sample of the material of the place
+/// What topography does to the curve is the same: a uniform sample of the material of the position
 /// gives all of it.
 TEST(SeveralMaterials, EachPixelIsThatOfAUniformSample) {
     constexpr std::array kQuantities{MapQuantity::PullOffForce,     MapQuantity::AdhesionForce,
@@ -58,10 +58,10 @@ TEST(SeveralMaterials, EachPixelIsThatOfAUniformSample) {
                                      MapQuantity::Stiffness,        MapQuantity::LateralForce};
     const Scene halved = halvedScene(6e9, 1.5e9);
     for (const bool truth : {false, true}) {
-        for (const Vector2& place : {Vector2(41e-9, 100e-9), Vector2(77e-9, 21e-9)}) {
-            const Scene uniform = uniformScene(place.y() > 64e-9 ? 6e9 : 1.5e9);
-            const MapValues values = cycleOn(halved, place, truth);
-            const MapValues expected = cycleOn(uniform, place, truth);
+        for (const Vector2& position : {Vector2(41e-9, 100e-9), Vector2(77e-9, 21e-9)}) {
+            const Scene uniform = uniformScene(position.y() > 64e-9 ? 6e9 : 1.5e9);
+            const MapValues values = cycleOn(halved, position, truth);
+            const MapValues expected = cycleOn(uniform, position, truth);
             for (const MapQuantity quantity : kQuantities) {
                 EXPECT_NEAR(values[quantity], expected[quantity],
                             1e-6 * std::abs(expected[quantity]))
@@ -108,15 +108,15 @@ TEST(SeveralMaterials, ATipPullsHardestWhereTheLeverHasTakenIt) {
         for (const auto& [left, right] : {std::pair(0.03, 0.09), std::pair(0.09, 0.03)}) {
             const Scene scene = slopedAdhesion(left, right, stiffness);
             const MapInstrument instrument(scene, false);
-            const Vector2 place(64e-9, 64e-9);
+            const Vector2 position(64e-9, 64e-9);
             const double aside = instrument.system().cantilever.compliance()(0, 2);
             double pull = 0.0;
             for (int i = 0; i < 200; ++i) {
-                const double share = (place.x() - aside * pull) / 128e-9;
+                const double share = (position.x() - aside * pull) / 128e-9;
                 pull = 1.5 * std::numbers::pi * instrument.system().tipRadius() *
                        std::lerp(left, right, share);
             }
-            const MapValues values = pixelCycle(instrument, place, kSetpoint);
+            const MapValues values = pixelCycle(instrument, position, kSetpoint);
             const std::string where = formatted("%g N/m, %g to %g J/m^2", stiffness, left, right);
             EXPECT_NEAR(values[MapQuantity::AdhesionForce], pull, 1e-3 * pull) << where;
             EXPECT_NEAR(values[MapQuantity::PullOffForce], pull, 6e-3 * pull) << where;

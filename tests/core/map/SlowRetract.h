@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/map/VerticalPath.h"
+#include "core/map/JumpSearch.h"
 
 #include <algorithm>
 

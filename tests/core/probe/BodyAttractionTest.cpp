@@ -1,8 +1,7 @@
-#include "core/probe/BodyAttraction.h"
-
 #include "core/Units.h"
-#include "core/contact/EffectiveRadius.h"
-#include "core/contact/laws/VanDerWaals.h"
+#include "core/contact/ContactState.h"
+#include "core/contact/laws/AttractiveTail.h"
+#include "core/probe/BodySum.h"
 #include "core/probe/ProbeSystem.h"
 #include "core/probe/TipEquilibrium.h"
 #include "core/surface/fit/BSplineFit.h"

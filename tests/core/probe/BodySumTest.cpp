@@ -1,9 +1,8 @@
 #include "core/probe/BodySum.h"
 
 #include "core/Units.h"
-#include "core/contact/EffectiveRadius.h"
-#include "core/contact/laws/VanDerWaals.h"
-#include "core/probe/BodyAttraction.h"
+#include "core/contact/ContactState.h"
+#include "core/contact/laws/AttractiveTail.h"
 #include "core/probe/ProbeSystem.h"
 #include "core/probe/TipEquilibrium.h"
 #include "core/surface/HeightMoments.h"
@@ -146,7 +145,7 @@ TEST(BodySum, AgreesWithTheDenseSumOverABump) {
     }
 }
 
-/// A film of bumps at random places, turned by an angle around the middle.
+/// A film of bumps at random positions, turned by an angle around the middle.
 double filmHeight(double x, double y, double angle) {
     const double u = x * std::cos(angle) - y * std::sin(angle);
     const double v = x * std::sin(angle) + y * std::cos(angle);
@@ -287,8 +286,8 @@ TEST_F(TipOnBump, OnAFlatSampleTheTermChangesNothing) {
     }
 }
 
-/// Along and up and down in contact: the force at a place does not depend on the way there but for
-/// what the gradient leaves out, and has no steps.
+/// Along and up and down in contact: the force at a position does not depend on the way there but
+/// for what the gradient leaves out, and has no steps.
 TEST_F(TipOnBump, AClosedLoopInContactReturnsToTheSameForces) {
     const ProbeSystem system = systemOn(sample_);
     EquilibriumMemory memory;

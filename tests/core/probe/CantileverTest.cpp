@@ -1,9 +1,7 @@
-#include "core/probe/Cantilever.h"
-
 #include "core/Error.h"
 #include "core/Units.h"
-#include "core/probe/CantileverShape.h"
-#include "core/probe/OpticalLever.h"
+#include "core/probe/CantileverModes.h"
+#include "core/probe/DetectorCalibration.h"
 #include "tests/core/probe/ReferenceLever.h"
 #include "tests/support/FloatingPointTraps.h"
 

@@ -1,5 +1,5 @@
 #include "core/Random.h"
-#include "core/probe/Sliding.h"
+#include "core/probe/ProbeSystem.h"
 #include "tests/core/probe/DecouplingSituations.h"
 
 #include <Eigen/Cholesky>
@@ -22,7 +22,7 @@ constexpr int kNoiseDraws = 10000;
 constexpr double kStandardErrors = 5.0;
 
 /// Where the tip touches and how it moves there.
-struct Place {
+struct NoisyTick {
     std::string name;
     double tilt = 0.0;
     double azimuth = 0.0;
@@ -36,13 +36,13 @@ Vector3 heading(double degrees, double speed = 1e-6) {
     return speed * Vector3(std::cos(degrees * pi / 180.0), std::sin(degrees * pi / 180.0), 0.0);
 }
 
-/// Regular places, and every kind of singular one that docs/theory.md 6.3 names.
-std::vector<Place> places() {
+/// Regular positions, and every kind of singular one that docs/theory.md 6.3 names.
+std::vector<NoisyTick> situations() {
     const Vector3 slope = Vector3(0.3, -0.2, 1.0).normalized();
     const Vector3 blind = Vector3(1.0, 0.0, -0.16).normalized();
     const double tilt = 12.0 * pi / 180.0;
     const auto flat = [](const std::string& name, const Vector3& velocity) {
-        return Place{.name = name, .velocity = velocity};
+        return NoisyTick{.name = name, .velocity = velocity};
     };
     return {
         flat("across the beam", heading(90.0)),
@@ -81,23 +81,23 @@ std::vector<Place> places() {
     };
 }
 
-Cantilever leverAt(const Place& place) {
+Cantilever leverAt(const NoisyTick& situation) {
     CantileverGeometry geometry = test::referenceLever("G1_k14");
-    geometry.mountTilt = place.tilt;
-    geometry.azimuth = place.azimuth;
+    geometry.mountTilt = situation.tilt;
+    geometry.azimuth = situation.azimuth;
     return Cantilever(geometry);
 }
 
-DecouplingInput inputAt(const Place& place) {
+DecouplingInput inputAt(const NoisyTick& situation) {
     return {.signals = {},
             .sigma = {test::kSignalNoise, test::kSignalNoise},
-            .normal = place.normal,
-            .velocity = place.velocity,
-            .frictionCoefficient = place.frictionCoefficient,
+            .normal = situation.normal,
+            .velocity = situation.velocity,
+            .frictionCoefficient = situation.frictionCoefficient,
             .shearStrength = 50_MPa,
             .contactArea = 2e-17,
-            .normalForceModel = place.normalForce,
-            .normalForceSigma = 0.2 * std::abs(place.normalForce) + 0.1_nN};
+            .normalForceModel = situation.normalForce,
+            .normalForceSigma = 0.2 * std::abs(situation.normalForce) + 0.1_nN};
 }
 
 /// A world that departs from the estimator's assumptions by as much as the estimator takes them to
@@ -168,11 +168,11 @@ Scatter scatterOfErrors(const Cantilever& lever, const ImperfectWorld& world,
 }
 
 TEST(DecouplingNoise, ScattersAsTheReportedCovarianceSays) {
-    ASSERT_GE(places().size(), 20U);
-    for (const Place& place : places()) {
-        SCOPED_TRACE(place.name);
-        const Cantilever lever = leverAt(place);
-        const DecouplingInput input = inputAt(place);
+    ASSERT_GE(situations().size(), 20U);
+    for (const NoisyTick& situation : situations()) {
+        SCOPED_TRACE(situation.name);
+        const Cantilever lever = leverAt(situation);
+        const DecouplingInput input = inputAt(situation);
         const Matrix3 covariance = estimateForce(lever, input).covariance;
         const Scatter scatter = scatterOfErrors(lever, ImperfectWorld(lever, input), covariance);
         for (int i = 0; i < 3; ++i) {
@@ -194,10 +194,10 @@ TEST(DecouplingNoise, ScattersAsTheReportedCovarianceSays) {
 /// Flags beyond three sigma are for what is wrong, not for noise: in a world as imperfect as the
 /// estimator takes it to be they stay rare.
 TEST(DecouplingNoise, HardlyEverRaisesAFlag) {
-    Place place;
-    place.velocity = heading(60.0);
-    const Cantilever lever = leverAt(place);
-    const ImperfectWorld world(lever, inputAt(place));
+    NoisyTick situation;
+    situation.velocity = heading(60.0);
+    const Cantilever lever = leverAt(situation);
+    const ImperfectWorld world(lever, inputAt(situation));
     Random random(12);
     int flagged = 0;
     for (int i = 0; i < kNoiseDraws; ++i) {
@@ -212,22 +212,22 @@ TEST(DecouplingNoise, HardlyEverRaisesAFlag) {
 
 /// A normal that is off by its deviation, in a world that is otherwise as imperfect as stated: the
 /// force belongs to the true normal, the estimate to the assumed one.
-double chiSquareOfTurnedNormals(const Place& place, double turned, double stated) {
+double chiSquareOfTurnedNormals(const NoisyTick& situation, double turned, double stated) {
     constexpr int kDraws = 4000;
-    const Cantilever lever = leverAt(place);
+    const Cantilever lever = leverAt(situation);
     Random random(13);
     double sum = 0.0;
     for (int i = 0; i < kDraws; ++i) {
-        const Vector3 first = place.normal.unitOrthogonal();
-        const Vector3 second = place.normal.cross(first);
-        Place truth = place;
-        truth.normal =
-            (place.normal + turned * random.normal() * first + turned * random.normal() * second)
-                .normalized();
+        const Vector3 first = situation.normal.unitOrthogonal();
+        const Vector3 second = situation.normal.cross(first);
+        NoisyTick truth = situation;
+        truth.normal = (situation.normal + turned * random.normal() * first +
+                        turned * random.normal() * second)
+                           .normalized();
         const ImperfectWorld world(lever, inputAt(truth));
         DecouplingInput input;
         const Vector3 force = world.draw(random, input);
-        input.normal = place.normal;
+        input.normal = situation.normal;
         input.normalDeviation = stated;
         const ForceEstimate estimate = estimateForce(lever, input);
         const Vector3 error = estimate.force - force;
@@ -236,14 +236,14 @@ double chiSquareOfTurnedNormals(const Place& place, double turned, double stated
     return sum / 3.0;
 }
 
-/// Places where the tip slides, one of them by a steep approach to a slope.
-std::vector<Place> slidingPlaces() {
-    std::vector<Place> sliding{{.name = "steep approach",
-                                .normal = Vector3(0.3, -0.2, 1.0).normalized(),
-                                .velocity = -1e-6 * Vector3::UnitZ()}};
-    for (const Place& place : places()) {
-        if (place.velocity.cross(place.normal).norm() > 1e-7) {
-            sliding.push_back(place);
+/// Positions where the tip slides, one of them by a steep approach to a slope.
+std::vector<NoisyTick> slidingSituations() {
+    std::vector<NoisyTick> sliding{{.name = "steep approach",
+                                    .normal = Vector3(0.3, -0.2, 1.0).normalized(),
+                                    .velocity = -1e-6 * Vector3::UnitZ()}};
+    for (const NoisyTick& situation : situations()) {
+        if (situation.velocity.cross(situation.normal).norm() > 1e-7) {
+            sliding.push_back(situation);
         }
     }
     return sliding;
@@ -251,15 +251,16 @@ std::vector<Place> slidingPlaces() {
 
 TEST(DecouplingNoise, CountsTheNormalsDeviation) {
     constexpr double kDegree = pi / 180.0;
-    ASSERT_GE(slidingPlaces().size(), 12U);
+    ASSERT_GE(slidingSituations().size(), 12U);
     double worstWithout = 0.0;
-    for (const Place& place : slidingPlaces()) {
+    for (const NoisyTick& situation : slidingSituations()) {
         for (const double deviation : {0.3 * kDegree, 1.0 * kDegree, 3.0 * kDegree}) {
-            SCOPED_TRACE(place.name + ", " + std::to_string(deviation));
-            const double stated = chiSquareOfTurnedNormals(place, deviation, deviation);
+            SCOPED_TRACE(situation.name + ", " + std::to_string(deviation));
+            const double stated = chiSquareOfTurnedNormals(situation, deviation, deviation);
             // 4,000 draws scatter by 0.013: five of these, and a turn's second order.
             EXPECT_NEAR(stated, 1.0, 0.1);
-            worstWithout = std::max(worstWithout, chiSquareOfTurnedNormals(place, deviation, 0.0));
+            worstWithout =
+                std::max(worstWithout, chiSquareOfTurnedNormals(situation, deviation, 0.0));
         }
     }
     EXPECT_GT(worstWithout, 10.0) << "the normal taken for exact";
@@ -267,22 +268,22 @@ TEST(DecouplingNoise, CountsTheNormalsDeviation) {
 }
 
 TEST(DecouplingNoise, WithAnExactNormalIsAsBeforeToTheBit) {
-    for (const Place& place : places()) {
-        DecouplingInput input = inputAt(place);
-        const ForceEstimate before = estimateForce(leverAt(place), input);
+    for (const NoisyTick& situation : situations()) {
+        DecouplingInput input = inputAt(situation);
+        const ForceEstimate before = estimateForce(leverAt(situation), input);
         input.normalDeviation = 1e-300;  // goes through every term, and adds nothing
-        const ForceEstimate after = estimateForce(leverAt(place), input);
-        EXPECT_EQ(before.force, after.force) << place.name;
-        EXPECT_EQ(before.covariance, after.covariance) << place.name;
+        const ForceEstimate after = estimateForce(leverAt(situation), input);
+        EXPECT_EQ(before.force, after.force) << situation.name;
+        EXPECT_EQ(before.covariance, after.covariance) << situation.name;
     }
 }
 
 TEST(DecouplingNoise, RefusesANormalWithoutDirection) {
-    const Place place = places().front();
+    const NoisyTick situation = situations().front();
     for (const double deviation : {-1e-3, 1.5, std::nan("")}) {
-        DecouplingInput input = inputAt(place);
+        DecouplingInput input = inputAt(situation);
         input.normalDeviation = deviation;
-        EXPECT_EQ(estimateForce(leverAt(place), input).kind, DecouplingCase::InvalidInput);
+        EXPECT_EQ(estimateForce(leverAt(situation), input).kind, DecouplingCase::InvalidInput);
     }
 }
 

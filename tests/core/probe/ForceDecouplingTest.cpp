@@ -2,8 +2,7 @@
 
 #include "core/Random.h"
 #include "core/Units.h"
-#include "core/probe/PlanarForce.h"
-#include "core/probe/Sliding.h"
+#include "core/probe/ProbeSystem.h"
 #include "tests/core/probe/DecouplingSituations.h"
 
 #include <Eigen/Geometry>

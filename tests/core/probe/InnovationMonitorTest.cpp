@@ -1,7 +1,7 @@
 #include "core/probe/InnovationMonitor.h"
 
 #include "core/Random.h"
-#include "core/probe/Sliding.h"
+#include "core/probe/ProbeSystem.h"
 #include "tests/core/probe/DecouplingSituations.h"
 
 #include <gtest/gtest.h>
@@ -92,8 +92,7 @@ TEST(InnovationMonitor, FindsAWrongFrictionLawAndItsError) {
     int first = -1;
     InnovationVerdict verdict;
     for (int i = 0; i < 1000; ++i) {
-        verdict =
-            instrument.tick(instrument.situation.force + 3_nN * slip());  // 9 nN in place of 6
+        verdict = instrument.tick(instrument.situation.force + 3_nN * slip());  // 9 nN instead of 6
         EXPECT_FALSE(verdict.modelContradicted);
         first = first < 0 && verdict.estimateInconsistent ? i : first;
     }

@@ -1,6 +1,5 @@
-#include "core/probe/LeverResonance.h"
-
 #include "core/Error.h"
+#include "core/probe/SimulatedAfm.h"
 #include "tests/core/contact/laws/ContactCases.h"
 #include "tests/support/ReferenceTable.h"
 
@@ -19,7 +18,7 @@ namespace {
 using std::numbers::pi;
 using test::ReferenceTable;
 
-/// Rounding of the row: the phase w0 t is known to half a unit in the last place, and turns into
+/// Rounding of the row: the phase w0 t is known to half a unit in the last position, and turns into
 /// that share of the motion which has not yet died out.
 double phaseRounding(double phase, double qualityFactor) {
     return 4.0 * std::numeric_limits<double>::epsilon() * phase *

@@ -11,7 +11,7 @@ namespace asperity {
 namespace {
 
 constexpr Elastic kTip{.youngsModulus = 169e9, .poissonRatio = 0.27};
-constexpr PlaceMaterial kUsual{
+constexpr LocalMaterial kUsual{
     .youngsModulus = 2e9, .workOfAdhesion = 0.05, .frictionCoefficient = 0.3};
 
 /// Two pixels of 10 nm side by side.
@@ -30,7 +30,7 @@ MaterialField fieldOf(MaterialMaps maps) { return {std::move(maps), kUsual, 0.4,
 TEST(MaterialField, IsLinearBetweenPixelsAndTheUsualOneWithoutAMap) {
     const MaterialField field =
         fieldOf({.youngsModulus = pair(1e9, 3e9), .workOfAdhesion = nullptr, .friction = nullptr});
-    const PlaceMaterial between = field.at(12.5e-9, 3e-9);
+    const LocalMaterial between = field.at(12.5e-9, 3e-9);
     EXPECT_NEAR(between.youngsModulus, 2.5e9, 1.0);
     EXPECT_EQ(between.workOfAdhesion, kUsual.workOfAdhesion);
     EXPECT_EQ(between.frictionCoefficient, kUsual.frictionCoefficient);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/probe/Cantilever.h"
+#include "core/probe/CantileverModes.h"
 #include "tests/support/ReferenceTable.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "core/probe/Sliding.h"
+#include "core/probe/ProbeSystem.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "core/probe/StaleSignals.h"
+#include "core/probe/InnovationMonitor.h"
 
 #include <gtest/gtest.h>
 

@@ -1,10 +1,9 @@
-#include "core/probe/ThermalNoise.h"
-
 #include "core/Error.h"
 #include "core/Units.h"
 #include "core/probe/CantileverModes.h"
+#include "core/probe/SimulatedAfm.h"
+#include "core/scene/BelievedModel.h"
 #include "core/scene/Scene.h"
-#include "core/scene/SceneTruth.h"
 #include "tests/core/probe/ReferenceLever.h"
 #include "tests/support/AllocationCounter.h"
 #include "tests/support/TestScenes.h"
@@ -74,9 +73,9 @@ double power(const std::vector<double>& values, double phasePerSample) {
     for (std::size_t start = 0; start + kPiece <= values.size(); start += kPiece) {
         std::complex<double> amplitude;
         for (std::size_t i = 0; i < kPiece; ++i) {
-            const auto place = static_cast<double>(i);
-            const double window = 1.0 - std::cos(2.0 * pi * place / kPiece);
-            amplitude += values[start + i] * window * std::polar(1.0, -phasePerSample * place);
+            const auto position = static_cast<double>(i);
+            const double window = 1.0 - std::cos(2.0 * pi * position / kPiece);
+            amplitude += values[start + i] * window * std::polar(1.0, -phasePerSample * position);
         }
         sum += std::norm(amplitude);
     }

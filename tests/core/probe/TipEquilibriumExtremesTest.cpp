@@ -37,7 +37,7 @@ void expectStateOrStatus(const TipState& state) {
     EXPECT_TRUE(state.contact.solved() || !state.converged);
 }
 
-TEST(TipEquilibriumExtremes, ABaseAtAnOddPlaceIsSolvedOrNamed) {
+TEST(TipEquilibriumExtremes, ABaseAtAnOddPositionIsSolvedOrNamed) {
     for (const HeightMap& map : {test::flatMap(), test::hillyMap(), test::ridgedMap(20.0_nm)}) {
         const Scene scene = buildScene(test::plainScene(), map);
         for (const double odd : kOddNumbers) {
@@ -55,7 +55,7 @@ TEST(TipEquilibriumExtremes, ABaseAtAnOddPlaceIsSolvedOrNamed) {
     }
 }
 
-TEST(TipEquilibriumExtremes, NoNumberIsNoPlace) {
+TEST(TipEquilibriumExtremes, NoNumberIsNoPosition) {
     const Scene scene = buildScene(test::plainScene(), test::flatMap());
     EquilibriumMemory memory;
     memory.deflection = Vector3(0.0, 0.0, 1.0_nm);

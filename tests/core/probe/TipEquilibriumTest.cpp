@@ -1,8 +1,8 @@
 #include "core/probe/TipEquilibrium.h"
 
 #include "core/Units.h"
+#include "core/scene/BelievedModel.h"
 #include "core/scene/Scene.h"
-#include "core/scene/SceneTruth.h"
 #include "tests/support/StorageError.h"
 #include "tests/support/TestScenes.h"
 
@@ -126,7 +126,7 @@ bool mayStillLackPoint(const Scene& scene, double height) {
 TEST(TipEquilibrium, ADoubtAboutMissedContactsLastsUntilTheTipIsFree) {
     const Scene scene = frictionless(test::flatMap());
     const double compliance = scene.belief.cantilever.compliance()(2, 2);
-    // As far as so many necks hold it together.
+    // As far as this many necks hold it together.
     const double held = -scene.belief.contact.pullOffApproach(kMaxContactPoints * compliance);
     EXPECT_TRUE(mayStillLackPoint(scene, -2.0_nm));
     EXPECT_TRUE(mayStillLackPoint(scene, 0.9 * held));
@@ -140,7 +140,7 @@ TEST(TipEquilibrium, WhereNothingAdheresThereIsNoDoubtAboutMissedContacts) {
     EXPECT_FALSE(mayStillLackPoint(buildScene(description, test::flatMap()), -2.0_nm));
 }
 
-/// Ground whose curvature changes within a contact, as that of a grainy film.
+/// A sample whose curvature changes within a contact, as that of a grainy film.
 HeightMap grainyMap() {
     HeightMap map = test::flatMap();
     for (int row = 0; row < map.rows; ++row) {
@@ -195,15 +195,15 @@ PullOff pullOffAt(const Scene& scene, double x, double y) {
 }
 
 /// Where the lever bends to the side the contact point moves with the force, and with it the
-/// effective radius: in the last tick of a pull-off the bond broke at one place and held at the
+/// effective radius: in the last tick of a pull-off the bond broke at one position and held at the
 /// other, and no equilibrium was found, although the free tip has one.
 TEST(TipEquilibrium, IsFoundThroughAPullOff) {
     SceneDescription description = test::plainScene();
     description.tip.radius = 30.0_nm;
     const Scene scene = buildScene(description, grainyMap());
-    for (int place = 0; place < 100; ++place) {
-        const double x = 30.0_nm + 6.1_nm * (place % 10);
-        const double y = 32.0_nm + 5.3_nm * (place / 10);
+    for (int index = 0; index < 100; ++index) {
+        const double x = 30.0_nm + 6.1_nm * (index % 10);
+        const double y = 32.0_nm + 5.3_nm * (index / 10);
         const PullOff pulled = pullOffAt(scene, x, y);
         EXPECT_TRUE(pulled.isFree) << x << ", " << y;
         EXPECT_LE(pulled.unsolved, 1) << "the search slows down at the very end of the branch";
@@ -238,7 +238,7 @@ TEST(TipEquilibrium, RestsOnBothFlanksOfAGrooveItDoesNotFit) {
         ASSERT_TRUE(state.converged);
         EXPECT_EQ(state.points, 2);
         expectBalanced(scene, base, state);
-        // Held at the same place by a rigid lever, the sample pushes the same way.
+        // Held at the same position by a rigid lever, the sample pushes the same way.
         const TipState held = heldTip(scene.surface, scene.belief, {.position = state.tip}, memory);
         EXPECT_LT((held.force - state.force).norm(), 1e-6 * state.force.norm());
         EXPECT_GT(state.force.z(), 1.0_nN);

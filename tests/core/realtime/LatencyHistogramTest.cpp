@@ -1,4 +1,4 @@
-#include "core/realtime/LatencyHistogram.h"
+#include "core/realtime/PacedThread.h"
 
 #include <gtest/gtest.h>
 

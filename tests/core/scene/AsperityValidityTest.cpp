@@ -1,9 +1,8 @@
-#include "core/scene/AsperityValidity.h"
-
 #include "core/Units.h"
-#include "core/contact/laws/VanDerWaals.h"
+#include "core/contact/laws/AttractiveTail.h"
 #include "core/probe/TipEquilibrium.h"
 #include "core/scene/Scene.h"
+#include "core/scene/TipValidity.h"
 #include "tests/support/TestScenes.h"
 
 #include <gtest/gtest.h>

@@ -1,9 +1,6 @@
-#include "core/scene/AttractionValidity.h"
-
 #include "core/Units.h"
 #include "core/contact/laws/AttractiveTail.h"
-#include "core/contact/laws/VanDerWaals.h"
-#include "core/scene/LawRange.h"
+#include "core/scene/TipValidity.h"
 
 #include <gtest/gtest.h>
 

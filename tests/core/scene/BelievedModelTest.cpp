@@ -4,7 +4,6 @@
 #include "core/contact/laws/FilmTable.h"
 #include "core/scene/ModelTerm.h"
 #include "core/scene/Scene.h"
-#include "core/scene/SceneTruth.h"
 #include "tests/support/TestScenes.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "core/scene/ContactValidity.h"
+#include "core/scene/TipValidity.h"
 
 #include <gtest/gtest.h>
 

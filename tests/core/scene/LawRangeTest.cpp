@@ -1,8 +1,6 @@
-#include "core/scene/LawRange.h"
-
 #include "core/Units.h"
-#include "core/contact/maugis/MaugisUnits.h"
-#include "core/scene/ContactValidity.h"
+#include "core/contact/maugis/MaugisDugdale.h"
+#include "core/scene/TipValidity.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,5 @@
-#include "core/scene/SampleHardness.h"
-
 #include "core/Units.h"
+#include "core/scene/SampleMaterials.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,4 @@
-#include "core/scene/SceneChange.h"
-
+#include "core/scene/Scene.h"
 #include "core/scene/SceneFields.h"
 #include "tests/core/scene/FieldTexts.h"
 
@@ -57,7 +56,7 @@ TEST(SceneChange, EveryKeyOfAScanOrShapeMakesTheSurfaceAnew) {
             field.set(after, *number + 1e-9);
         } else if (const auto* const on = std::get_if<bool>(&now)) {
             field.set(after, !*on);
-        } else if (field.input == SceneInput::Places) {
+        } else if (field.input == SceneInput::Positions) {
             field.set(after, std::string("1 2, 3 4, 5 7"));
         } else if (field.refusal != nullptr && field.input == SceneInput::Text) {
             field.set(after, std::string(test::textOf(field)));

@@ -37,7 +37,7 @@ SceneValue anotherValue(const SceneField& field, const SceneValue& now) {
     switch (field.input) {
     case SceneInput::Steps:
         return std::string("plane, zero");
-    case SceneInput::Places:
+    case SceneInput::Positions:
         return std::string("10 20, 30 40, 50 10");
     default:
         return std::string(field.refusal == nullptr ? "another" : test::textOf(field));

@@ -3,7 +3,6 @@
 #include "core/Error.h"
 #include "core/Units.h"
 #include "core/scene/BelievedModel.h"
-#include "core/scene/SceneTruth.h"
 #include "core/surface/fit/BSplineFit.h"
 #include "tests/support/TestScenes.h"
 
@@ -52,7 +51,7 @@ TEST(Scene, LevelsTheMapAndKeepsWhatItRemoved) {
     EXPECT_NEAR(scene.surface.at(60.0_nm, 60.0_nm).dx, 0.0, 3.0 * rounding / map.pitchX);
 }
 
-/// What pictures hatch and the flag filled_pixel tells.
+/// What pictures hatch and the flag filled_pixel means.
 TEST(Scene, ScarsThatLevelingRemovedHoldNoData) {
     HeightMap map = test::slopedMap(0.0);
     ASSERT_GE(map.columns, 16);

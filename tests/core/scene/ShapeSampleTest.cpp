@@ -5,7 +5,6 @@
 #include "core/probe/TipEquilibrium.h"
 #include "core/scene/Scene.h"
 #include "core/surface/deformation/ContactHeight.h"
-#include "core/surface/deformation/HighestPlace.h"
 #include "tests/support/TestScenes.h"
 
 #include <gtest/gtest.h>
@@ -94,7 +93,7 @@ TEST(ShapeSample, ASlopeIsTouchedAcrossIt) {
 TEST(ShapeSample, RunsStartOnTopOfIt) {
     for (const ShapeDescription& shape : {kBall, kRod}) {
         const Scene scene = sceneOf(shape);
-        EXPECT_NEAR(highestPlace(scene.surface, 0.03).height, 2.0 * kRadius, 1e-5_nm);
+        EXPECT_NEAR(highestPoint(scene.surface, 0.03).height, 2.0 * kRadius, 1e-5_nm);
         const double touch =
             tipContactHeight(scene.surface, 0.5 * shape.size, 0.5 * shape.size, 15.0_nm);
         EXPECT_NEAR(touch, 2.0 * kRadius + 15.0_nm, 1e-5_nm);

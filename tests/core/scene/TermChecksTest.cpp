@@ -1,8 +1,7 @@
-#include "core/scene/TermChecks.h"
-
 #include "core/Error.h"
 #include "core/Units.h"
 #include "core/scene/ModelTerm.h"
+#include "core/scene/SceneDescription.h"
 #include "tests/support/TestScenes.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "core/scene/FlagOrder.h"
+#include "core/scene/Validity.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "core/studies/Pareto.h"
+#include "core/studies/TradeOffStudy.h"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 #include "core/Units.h"
 #include "core/scene/BelievedModel.h"
 #include "core/scene/Scene.h"
-#include "core/studies/Composition.h"
+#include "core/studies/TickStudy.h"
 #include "tests/support/TestScenes.h"
 
 #include <gtest/gtest.h>

@@ -151,7 +151,7 @@ TEST(BSplineSurface, IsSmoothAcrossSpansAndPastTheOutermostPixelCenters) {
     }
 }
 
-TEST(BSplineSurface, ClampsPlacesOutsideTheScanToItsEdge) {
+TEST(BSplineSurface, ClampsPositionsOutsideTheScanToItsEdge) {
     const BSplineSurface surface = fitSurface(randomMap(9, 8));
     EXPECT_EQ(surface.at(-1.0_um, 5.0_nm).height, surface.at(0.0, 5.0_nm).height);
     EXPECT_EQ(surface.at(1.0e300, 5.0_nm).height, surface.at(surface.sizeX(), 5.0_nm).height);

@@ -1,4 +1,3 @@
-#include "core/surface/fit/CoarserSurface.h"
 
 #include "core/surface/HeightMap.h"
 #include "core/surface/fit/BSplineFit.h"

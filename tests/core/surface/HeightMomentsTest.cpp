@@ -21,7 +21,7 @@ BSplineSurface wavySurface(int columns, int rows) {
     return fitSurface(std::move(map));
 }
 
-/// By 8 x 8 places a pixel.
+/// By 8 x 8 positions a pixel.
 HeightSpread sampledSpread(const BSplineSurface& surface, int level, int row, int column) {
     constexpr int kFiner = 8;
     const int side = kFiner << static_cast<unsigned>(level);

@@ -1,7 +1,6 @@
-#include "core/surface/InvalidPixels.h"
-
 #include "core/Error.h"
 #include "core/Units.h"
+#include "core/surface/HeightMap.h"
 #include "core/surface/synthetic/SyntheticSurface.h"
 #include "tests/support/DoubleLimits.h"
 

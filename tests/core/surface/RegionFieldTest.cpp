@@ -1,7 +1,6 @@
-#include "core/surface/RegionField.h"
-
 #include "core/Error.h"
 #include "core/Units.h"
+#include "core/surface/PixelField.h"
 
 #include <gtest/gtest.h>
 
@@ -19,7 +18,7 @@ RegionField field() {
     return {{20.0_nm, 30.0_nm, 30.0_nm, 20.0_nm}, 3, 2, {1.0F, 2.0F, kNone, 4.0F, 5.0F, 6.0F}, "N"};
 }
 
-TEST(RegionField, APlaceHasTheValueOfItsPixel) {
+TEST(RegionField, APositionHasTheValueOfItsPixel) {
     EXPECT_EQ(field().at(20.1_nm, 49.9_nm), 1.0) << "the top row is the far one";
     EXPECT_EQ(field().at(29.9_nm, 40.1_nm), 1.0);
     EXPECT_EQ(field().at(30.1_nm, 45.0_nm), 2.0);

@@ -1,9 +1,7 @@
-#include "core/surface/Residual.h"
-
 #include "core/Error.h"
 #include "core/Random.h"
 #include "core/Units.h"
-#include "core/surface/InvalidPixels.h"
+#include "core/surface/HeightMap.h"
 #include "core/surface/fit/BSplineFit.h"
 #include "core/surface/fit/GaussianFilter.h"
 #include "core/surface/synthetic/SyntheticSurface.h"

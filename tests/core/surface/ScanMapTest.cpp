@@ -1,6 +1,6 @@
 #include "core/Error.h"
 #include "core/Units.h"
-#include "core/surface/InvalidPixels.h"
+#include "core/surface/HeightMap.h"
 #include "core/surface/fit/BSplineFit.h"
 #include "core/surface/leveling/Leveling.h"
 #include "core/surface/synthetic/SyntheticSurface.h"

@@ -1,6 +1,5 @@
-#include "core/surface/SurfaceRay.h"
-
 #include "core/Units.h"
+#include "core/surface/BSplineSurface.h"
 #include "core/surface/fit/BSplineFit.h"
 
 #include <gtest/gtest.h>
@@ -31,9 +30,9 @@ BSplineSurface flatSurface() {
     return surfaceOf([](double, double) { return 0.0; });
 }
 
-/// A ray through a place of the world that comes from 1 um away.
-SurfaceRay through(const Vector3& place, const Vector3& towards) {
-    return {.origin = place - 1e-6 * towards.normalized(), .direction = towards};
+/// A ray through a position of the world that comes from 1 um away.
+SurfaceRay through(const Vector3& position, const Vector3& towards) {
+    return {.origin = position - 1e-6 * towards.normalized(), .direction = towards};
 }
 
 TEST(SurfaceRay, MeetsAPlaneWhereItIs) {
@@ -41,10 +40,10 @@ TEST(SurfaceRay, MeetsAPlaneWhereItIs) {
     const BSplineSurface surface = surfaceOf([slope](double x, double) { return slope * x; });
     for (const Vector3& towards : {Vector3(0.0, 0.0, -1.0), Vector3(1.0, 0.3, -0.8),
                                    Vector3(-0.7, 0.9, -0.9), Vector3(0.2, -1.0, -0.25)}) {
-        const Vector3 place(50.0_nm, 71.0_nm, slope * 50.0_nm);
-        const auto hit = firstHit(surface, through(place, towards), kLow, kHigh);
+        const Vector3 position(50.0_nm, 71.0_nm, slope * 50.0_nm);
+        const auto hit = firstHit(surface, through(position, towards), kLow, kHigh);
         ASSERT_TRUE(hit) << towards.transpose();
-        EXPECT_LT((*hit - place).norm(), 1e-15) << towards.transpose();
+        EXPECT_LT((*hit - position).norm(), 1e-15) << towards.transpose();
     }
 }
 

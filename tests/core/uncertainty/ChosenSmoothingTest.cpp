@@ -1,6 +1,6 @@
 #include "core/Random.h"
 #include "core/scene/Scene.h"
-#include "core/uncertainty/PlaceBudgets.h"
+#include "core/uncertainty/LandmarkBudgets.h"
 #include "tests/support/TestScenes.h"
 
 #include <gtest/gtest.h>
@@ -38,8 +38,8 @@ HeightMap noisyBall(double noise, std::uint64_t seed) {
     return map;
 }
 
-/// Root mean square of the adhesion's relative error at 9 places of 20 scans: on a soft lever JKR's
-/// is 1.5 pi w R_eff.
+/// Root mean square of the adhesion's relative error at 9 positions of 20 scans: on a soft lever
+/// JKR's is 1.5 pi w R_eff.
 double adhesionError(double noise, std::optional<double> smoothing) {
     SceneDescription description = ballScene();
     description.sample.smoothingPixels = smoothing;
@@ -52,7 +52,7 @@ double adhesionError(double noise, std::optional<double> smoothing) {
         const Scene scene = buildScene(description, noisyBall(noise, seed));
         for (const double x : {24e-9, 32e-9, 40e-9}) {
             for (const double y : {24e-9, 32e-9, 40e-9}) {
-                const PlaceBudgets budgets = budgetsAt(scene, Vector2(x, y), 1e-9);
+                const LandmarkBudgets budgets = budgetsAt(scene, Vector2(x, y), 1e-9);
                 const double error =
                     (budgetOf(budgets, Landmark::AdhesionForce).value / truth) - 1.0;
                 sum += error * error;

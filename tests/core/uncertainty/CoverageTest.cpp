@@ -1,6 +1,6 @@
 #include "core/Random.h"
 #include "core/map/PixelCycle.h"
-#include "core/uncertainty/PlaceBudgets.h"
+#include "core/uncertainty/LandmarkBudgets.h"
 #include "tests/support/TestScenes.h"
 
 #include <gtest/gtest.h>
@@ -26,32 +26,32 @@ const Vector2 kCenter(30e-9, 30e-9);  // of scan and sample
 const Vector2 kAside(3e-9, 0.0);      // where the tip goes down, from the middle
 
 /// A sample, and what a scan of it is taken for.
-struct Ground {
+struct Sample {
     const char* name;
     double (*height)(const Vector2& fromMiddle);  ///< [m]
     std::optional<ShapeDescription> shape = {};   ///< that is exactly this one
     bool eroded = false;                          ///< whether its scan is
 };
 
-double sphere(const Vector2& place) {
+double sphere(const Vector2& position) {
     constexpr double kRadius = 60e-9;
-    return std::sqrt((kRadius * kRadius) - place.squaredNorm());
+    return std::sqrt((kRadius * kRadius) - position.squaredNorm());
 }
 
 /// Grains 40 nm apart; radii of curvature from 27 nm on.
-double film(const Vector2& place) {
+double film(const Vector2& position) {
     constexpr double kWave = 2.0 * std::numbers::pi / 40e-9;
-    return 1.5e-9 * std::cos((kWave * place.x()) + 0.7) * std::cos((kWave * place.y()) - 0.4);
+    return 1.5e-9 * std::cos((kWave * position.x()) + 0.7) * std::cos((kWave * position.y()) - 0.4);
 }
 
 /// 20 nm of radius at its top, on a plane.
-double particle(const Vector2& place) {
+double particle(const Vector2& position) {
     constexpr double kWidth = 9e-9;
-    return 4e-9 * std::exp(-0.5 * place.squaredNorm() / (kWidth * kWidth));
+    return 4e-9 * std::exp(-0.5 * position.squaredNorm() / (kWidth * kWidth));
 }
 
-const std::array<Ground, 5> kGrounds{
-    {{"flat", [](const Vector2& /*place*/) { return 0.0; },
+const std::array<Sample, 5> kSamples{
+    {{"flat", [](const Vector2& /*position*/) { return 0.0; },
       ShapeDescription{.kind = ShapeKind::Plane, .size = kSide}},
      {"sphere", sphere,
       ShapeDescription{.kind = ShapeKind::Sphere, .radius = 60e-9, .size = kSide}},
@@ -70,32 +70,32 @@ constexpr std::array<Compared, 5> kCompared{
      {Landmark::Stiffness, MapQuantity::Stiffness},
      {Landmark::NormalForce, std::nullopt}}};
 
-SceneDescription believed(const Ground& ground) {
+SceneDescription believed(const Sample& sample) {
     SceneDescription scene = test::plainScene();
     scene.choices.law = ContactLaw::Maugis;
     scene.sample.smoothingPixels = 1.0;
     scene.sample.imagingTipRadius = kImagingTip;
-    scene.sample.erode = ground.eroded;
+    scene.sample.erode = sample.eroded;
     scene.setpoint = kSetpoint;
     return scene;
 }
 
-/// Height at which the apex of a tip touches the ground above a place, both from the middle: the
+/// Height at which the apex of a tip touches the sample above a position, both from the middle: the
 /// point where it touches is a radius of the tip, along the normal, from its center.
-double touchedBy(double tipRadius, const Ground& ground, const Vector2& place) {
+double touchedBy(double tipRadius, const Sample& sample, const Vector2& position) {
     constexpr double kStep = 1e-11;  // [m]
     constexpr int kIterations = 30;  // at most half of the error is left by each
-    Vector2 contact = place;
+    Vector2 contact = position;
     Vector3 normal = Vector3::UnitZ();
     for (int i = 0; i < kIterations; ++i) {
         const auto slope = [&](const Vector2& way) {
-            return (ground.height(contact + kStep * way) - ground.height(contact - kStep * way)) /
+            return (sample.height(contact + kStep * way) - sample.height(contact - kStep * way)) /
                    (2.0 * kStep);
         };
         normal = Vector3(-slope(Vector2::UnitX()), -slope(Vector2::UnitY()), 1.0).normalized();
-        contact = place - tipRadius * normal.head<2>();
+        contact = position - tipRadius * normal.head<2>();
     }
-    return ground.height(contact) + tipRadius * (normal.z() - 1.0);
+    return sample.height(contact) + tipRadius * (normal.z() - 1.0);
 }
 
 HeightMap mapOf(int pixels, const auto& heightAt) {
@@ -112,14 +112,14 @@ HeightMap mapOf(int pixels, const auto& heightAt) {
 
 /// What the instrument really is.
 struct Truth {
-    const Ground& ground;
+    const Sample& sample;
     SceneDescription scene;
     double heightScale = 1.0;   ///< true height per shown one
     double lateralScale = 1.0;  ///< true length per shown one
     double imagingTip = 0.0;    ///< [m]
 
     /// Draws each input from its stated deviation.
-    Truth(const Ground& of, Random& random) : ground(of), scene(believed(of)) {
+    Truth(const Sample& of, Random& random) : sample(of), scene(believed(of)) {
         const Uncertainty given = scene.uncertainty;
         const auto factor = [&random](double deviation) {
             return std::exp(random.normal() * std::log1p(deviation));
@@ -137,22 +137,22 @@ struct Truth {
         scene.sample.smoothingPixels = 0.0;
         scene.sample.imagingTipRadius = 0.0;
         scene.sample.erode = false;
-        scene.sample.shape = ground.shape;
+        scene.sample.shape = sample.shape;
     }
 
-    /// What the microscope shows of the ground.
+    /// What the microscope shows of the sample.
     [[nodiscard]] HeightMap scan(Random& random) const {
         return mapOf(kPixels, [&](const Vector2& shown) {
-            return (touchedBy(imagingTip, ground, lateralScale * shown) / heightScale) +
+            return (touchedBy(imagingTip, sample, lateralScale * shown) / heightScale) +
                    (kNoise * random.normal());
         });
     }
 
-    /// The run on the ground itself, which the tip's apex touches where the scan has it.
+    /// The run on the sample itself, which the tip's apex touches where the scan has it.
     [[nodiscard]] MapValues values() const {
         constexpr int kFine = 120;  // of half a nanometer
         const Scene real =
-            ground.shape ? buildScene(scene) : buildScene(scene, mapOf(kFine, ground.height));
+            sample.shape ? buildScene(scene) : buildScene(scene, mapOf(kFine, sample.height));
         return pixelCycle(MapInstrument(real, false), kCenter + (lateralScale * kAside),
                           scene.setpoint);
     }
@@ -183,15 +183,15 @@ struct Coverage {
 
 using Coverages = std::array<Coverage, kCompared.size()>;
 
-Coverages coverageOf(const Ground& ground, int scans) {
+Coverages coverageOf(const Sample& sample, int scans) {
     Coverages coverage;
     Random random(43);
     for (int i = 0; i < scans; ++i) {
-        const Truth truth(ground, random);
-        const Scene scene = buildScene(believed(ground), truth.scan(random));
-        const Vector2 place = kCenter + kAside;
-        const MapValues shown = pixelCycle(MapInstrument(scene, false), place, kSetpoint);
-        const PlaceBudgets budgets = budgetsAt(scene, place, kSetpoint);
+        const Truth truth(sample, random);
+        const Scene scene = buildScene(believed(sample), truth.scan(random));
+        const Vector2 position = kCenter + kAside;
+        const MapValues shown = pixelCycle(MapInstrument(scene, false), position, kSetpoint);
+        const LandmarkBudgets budgets = budgetsAt(scene, position, kSetpoint);
         const MapValues real = truth.values();
         for (std::size_t k = 0; k < kCompared.size(); ++k) {
             const auto [landmark, quantity] = kCompared[k];
@@ -201,7 +201,7 @@ Coverages coverageOf(const Ground& ground, int scans) {
         }
     }
     for (std::size_t k = 0; k < kCompared.size(); ++k) {
-        std::cout << ground.name << ", " << nameOf(kCompared[k].landmark) << ": "
+        std::cout << sample.name << ", " << nameOf(kCompared[k].landmark) << ": "
                   << coverage[k].held << " of " << scans << ", width over scatter "
                   << coverage[k].widthOverScatter() << '\n';
     }
@@ -230,12 +230,12 @@ int mostMisses(int count, double miss, double chance) {
 /// high: 50 of 50 is what one interval in 13 shows.
 TEST(Coverage, OfFiftyScansOfEach) {
     constexpr int kScans = 50;
-    const double chance = 0.5e-4 / (kGrounds.size() * kCompared.size());
+    const double chance = 0.5e-4 / (kSamples.size() * kCompared.size());
     const int misses = mostMisses(kScans, 0.08, chance);
     EXPECT_EQ(misses, 15);
-    for (const Ground& ground : kGrounds) {
-        SCOPED_TRACE(ground.name);
-        for (const Coverage& one : coverageOf(ground, kScans)) {
+    for (const Sample& sample : kSamples) {
+        SCOPED_TRACE(sample.name);
+        for (const Coverage& one : coverageOf(sample, kScans)) {
             EXPECT_GE(one.held, kScans - misses);
             EXPECT_LT(one.widthOverScatter(), 1.3 / 0.55);
         }
@@ -245,15 +245,15 @@ TEST(Coverage, OfFiftyScansOfEach) {
 class CoverageLong : public ::testing::TestWithParam<std::size_t> {};
 
 TEST_P(CoverageLong, OfAThousandScans) {
-    const Ground& ground = kGrounds.at(GetParam());
-    for (const Coverage& one : coverageOf(ground, 1000)) {
+    const Sample& sample = kSamples.at(GetParam());
+    for (const Coverage& one : coverageOf(sample, 1000)) {
         EXPECT_GE(one.held, 920);
         EXPECT_LE(one.held, 980);
         EXPECT_LT(one.widthOverScatter(), 1.3);
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(, CoverageLong, ::testing::Range<std::size_t>(0, kGrounds.size()));
+INSTANTIATE_TEST_SUITE_P(, CoverageLong, ::testing::Range<std::size_t>(0, kSamples.size()));
 
 }  // namespace
 }  // namespace asperity

@@ -1,4 +1,4 @@
-#include "core/uncertainty/ForceBudget.h"
+#include "core/uncertainty/CycleBudgets.h"
 
 #include <gtest/gtest.h>
 

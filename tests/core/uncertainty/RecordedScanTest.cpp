@@ -1,5 +1,4 @@
-#include "core/uncertainty/RecordedScan.h"
-
+#include "core/uncertainty/FitResponse.h"
 #include "tests/support/TestScenes.h"
 
 #include <gtest/gtest.h>
@@ -49,12 +48,12 @@ TEST(RecordedScan, IsWhatWasThereBeforeTheErosion) {
     const HeightMap map = fineHills();
     const Scene eroded = buildScene(imagedScene(true), map);
     const Scene whole = buildScene(imagedScene(false), map);
-    for (const Vector2& place :
+    for (const Vector2& position :
          {Vector2(16e-9, 14e-9), Vector2(31.3e-9, 20.1e-9), Vector2(25e-9, 25e-9)}) {
-        const Relief expected = reliefOf(whole.surface.at(place.x(), place.y()));
-        const Relief itself = reliefOf(eroded.surface.at(place.x(), place.y()));
-        expectNear(RecordedScan(whole).reliefAt(place.x(), place.y()), expected, 1e-12);
-        expectNear(RecordedScan(eroded).reliefAt(place.x(), place.y()), expected, 0.0055);
+        const Relief expected = reliefOf(whole.surface.at(position.x(), position.y()));
+        const Relief itself = reliefOf(eroded.surface.at(position.x(), position.y()));
+        expectNear(RecordedScan(whole).reliefAt(position.x(), position.y()), expected, 1e-12);
+        expectNear(RecordedScan(eroded).reliefAt(position.x(), position.y()), expected, 0.0055);
         EXPECT_GT((itself - expected).cwiseAbs().maxCoeff(), 1.1e6) << "of curvatures [1/m]";
     }
 }
@@ -65,26 +64,26 @@ TEST(RecordedScan, LiesAlongTheNormal) {
     state.closest.point = Vector3(50e-9, 60e-9, 0.0);
     state.closest.normal = Vector3(-0.6, 0.0, 0.8);
     const Scene eroded = buildScene(imagedScene(true), test::slopedMap(0.1));
-    const RecordedPlaces places = recordedPlaces(eroded, state);
-    EXPECT_NEAR(places.touched.x(), 44e-9, 1e-15);
-    EXPECT_NEAR(places.touched.y(), 60e-9, 1e-15);
-    EXPECT_EQ(places.shown, places.touched);
+    const RecordedPositions positions = recordedPositions(eroded, state);
+    EXPECT_NEAR(positions.touched.x(), 44e-9, 1e-15);
+    EXPECT_NEAR(positions.touched.y(), 60e-9, 1e-15);
+    EXPECT_EQ(positions.shown, positions.touched);
 }
 
 /// A tip of 15 nm on the surface is one of 5 nm on what a tip of 10 nm recorded of it.
 TEST(RecordedScan, ShowsWhereATipTouchesTheSurfaceUnderIt) {
     const Scene whole = buildScene(imagedScene(false), test::hillyMap());
     TipState state;
-    const Vector2 place(37e-9, 90e-9);
-    const HeightSample sample = whole.surface.at(place.x(), place.y());
-    state.closest.point = Vector3(place.x(), place.y(), sample.height);
+    const Vector2 position(37e-9, 90e-9);
+    const HeightSample sample = whole.surface.at(position.x(), position.y());
+    state.closest.point = Vector3(position.x(), position.y(), sample.height);
     state.closest.normal = sample.normal();
-    const RecordedPlaces places = recordedPlaces(whole, state);
-    EXPECT_EQ(places.shown, place);
-    const Vector3 there = whole.surface.at(places.touched.x(), places.touched.y()).normal();
-    const Vector2 center = place + (15e-9 * sample.normal().head<2>());
-    EXPECT_LT((places.touched + (5e-9 * there.head<2>()) - center).norm(), 1e-14);
-    EXPECT_GT((places.touched - place).norm(), 1e-9);
+    const RecordedPositions positions = recordedPositions(whole, state);
+    EXPECT_EQ(positions.shown, position);
+    const Vector3 there = whole.surface.at(positions.touched.x(), positions.touched.y()).normal();
+    const Vector2 center = position + (15e-9 * sample.normal().head<2>());
+    EXPECT_LT((positions.touched + (5e-9 * there.head<2>()) - center).norm(), 1e-14);
+    EXPECT_GT((positions.touched - position).norm(), 1e-9);
 }
 
 }  // namespace

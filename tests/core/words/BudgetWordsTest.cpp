@@ -53,9 +53,10 @@ TEST(BudgetWords, SayThatAPartIsNotKnown) {
     EXPECT_EQ(budgetText(byNoise, "N"),
               "2.17 nN ± 0.019 (noise) ± ? (model and calibration: several contacts at once)");
     EXPECT_EQ(mostBy(byNoise), "not known");
-    EXPECT_EQ(unknownText(byNoise, "pull-off force"),
-              "what model and calibration leave open in the pull-off force is not known: several "
-              "contacts at once");
+    EXPECT_EQ(
+        unknownText(byNoise, "pull-off force"),
+        "the uncertainty of the pull-off force from model and calibration is not known: several "
+        "contacts at once");
     EXPECT_EQ(unknownText(pullOff(), "pull-off force"), "");
 }
 
@@ -74,7 +75,7 @@ TEST(BudgetWords, SayThatTermsLeftOutWereNotJudged) {
     EXPECT_EQ(budgetText(budget, "N"),
               "16.9 nN ± 0.2 (noise) ± 4 (heights, smoothing) ± ? (terms left out)");
     EXPECT_EQ(unknownText(budget, "work"),
-              "what the terms left out change in the work is not known");
+              "the effect of the terms left out on the work is not known");
     budget.isLeftOutJudged = true;
     budget.leftOut = std::numeric_limits<double>::quiet_NaN();
     EXPECT_EQ(budgetText(budget, "N"),
@@ -95,7 +96,7 @@ TEST(BudgetWords, NameRoughnessThatNoiseMayHide) {
     budget.hidden = 5e-9;
     EXPECT_EQ(resolutionText(budget, "pull-off force", 0.2),
               "noise of the heights hides roughness that may move the pull-off force by 30 %; the "
-              "stated deviations do not hold it");
+              "stated deviations do not include it");
 }
 
 TEST(BudgetWords, NameTheLargerOfWhatSmoothingMovesAndWhatNoiseHides) {
@@ -106,7 +107,7 @@ TEST(BudgetWords, NameTheLargerOfWhatSmoothingMovesAndWhatNoiseHides) {
     budget.hidden = 5e-9;
     EXPECT_EQ(resolutionText(budget, "work", 0.05),
               "noise of the heights hides roughness that may move the work by 30 %; the stated "
-              "deviations do not hold it");
+              "deviations do not include it");
 }
 
 }  // namespace

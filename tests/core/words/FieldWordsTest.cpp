@@ -1,4 +1,4 @@
-#include "core/words/FieldWords.h"
+#include "core/words/SceneWords.h"
 
 #include <gtest/gtest.h>
 

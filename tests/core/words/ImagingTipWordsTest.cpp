@@ -1,8 +1,7 @@
-#include "core/words/ImagingTipWords.h"
-
 #include "core/Units.h"
 #include "core/scene/Scene.h"
 #include "core/surface/imaging/TipErosion.h"
+#include "core/words/SceneWords.h"
 #include "tests/support/TestScenes.h"
 
 #include <gtest/gtest.h>
@@ -26,10 +25,11 @@ TEST(ImagingTipWords, IsSpokenOfInEveryScene) {
     EXPECT_TRUE(says(imagingTipNote(scannedRidges(0.0, false)), kScanHoldsItsTip));
     EXPECT_TRUE(says(imagingTipNote(scannedRidges(20.0_nm, false)), kScanHoldsItsTip));
     EXPECT_TRUE(says(imagingTipNote(scannedRidges(20.0_nm, false)), "% of the pixels"));
-    EXPECT_TRUE(says(imagingTipNote(scannedRidges(20.0_nm, true)), "taken out by erosion"));
+    EXPECT_TRUE(says(imagingTipNote(scannedRidges(20.0_nm, true)), "removed by erosion"));
     EXPECT_TRUE(says(imagingTipNote(scannedRidges(1.0_nm, true)), "narrower than a pixel"));
-    EXPECT_TRUE(says(imagingTipWords(scannedRidges(0.0, false)), "Holds the imaging tip's shape"));
-    EXPECT_TRUE(says(imagingTipWords(scannedRidges(20.0_nm, true)), "taken out"));
+    EXPECT_TRUE(
+        says(imagingTipWords(scannedRidges(0.0, false)), "Contains the imaging tip's shape"));
+    EXPECT_TRUE(says(imagingTipWords(scannedRidges(20.0_nm, true)), "removed"));
 }
 
 /// The window said of an exact sphere that it holds the shape of a tip.

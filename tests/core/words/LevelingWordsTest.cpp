@@ -1,4 +1,4 @@
-#include "core/words/LevelingWords.h"
+#include "core/words/SceneWords.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -26,7 +26,7 @@ TEST(LevelingWords, CountSeveralStepsAndSayWhatEachRemoved) {
                        {.step = LevelingStep::Scars, .pixels = 1234},
                        {.step = LevelingStep::Scars},
                        {.step = LevelingStep::Zero, .plane = {.mean = -12e-9}}}),
-        ElementsAre("leveling, step 1 of 7: plane through three places with slopes +0.5 along x "
+        ElementsAre("leveling, step 1 of 7: plane through three points with slopes +0.5 along x "
                     "and -0.25 along y removed; they lie at height 0",
                     "leveling, step 2 of 7: plane of the prevailing facets with slopes +0.5 along "
                     "x and -0.25 along y and the mean removed",

@@ -17,14 +17,15 @@ QuantityErrors errorOf(JudgedQuantity quantity, double error) {
 }
 
 TEST(ModelErrorText, NamesTheWorstQuantityAndWhatTheLawMisses) {
-    SceneNeeds needs{.measured = true,
-                     .wholeErrors = errorOf(JudgedQuantity::PullOffForce, 0.002),
-                     .lawErrors = errorOf(JudgedQuantity::PullOffForce, 0.052)};
+    RequiredTerms needs{.measured = true,
+                        .wholeErrors = errorOf(JudgedQuantity::PullOffForce, 0.002),
+                        .lawErrors = errorOf(JudgedQuantity::PullOffForce, 0.052)};
     needs.wholeErrors[JudgedQuantity::Stiffness] = 0.05;
     needs.lawMisses = {ModelTerm::SphereCorrection};
-    EXPECT_EQ(modelErrorText(needs),
-              "within 5.4 % (pull-off force): 0.2 % by what is left out, 5.2 % by what no contact "
-              "law combines with the rest (sphere correction)");
+    EXPECT_EQ(
+        modelErrorText(needs),
+        "within 5.4 % (pull-off force): 0.2 % by omitted terms, 5.2 % by terms that no contact "
+        "law combines (sphere correction)");
     needs.wholeErrors[JudgedQuantity::Stiffness] = 0.06;
     EXPECT_EQ(modelErrorText(needs), "within 6 % (contact stiffness)");
 }
@@ -39,7 +40,7 @@ TEST(ModelErrorText, DoesNotRoundAnErrorToNone) {
         return modelErrorText(
             {.measured = true, .wholeErrors = errorOf(JudgedQuantity::RunForce, error)});
     };
-    EXPECT_EQ(textOf(0.0), "no error by what is left out");
+    EXPECT_EQ(textOf(0.0), "no error by omitted terms");
     EXPECT_EQ(textOf(1e-7), "within 0.01 % (rms force of a run)");
     EXPECT_EQ(textOf(2.96), "within 300 % (rms force of a run)");
 }
@@ -56,7 +57,7 @@ TEST(ModelErrorText, RoundsUp) {
 }
 
 TEST(ModelNote, ListsWhatIsLeftOutButForWhatTheLawMisses) {
-    SceneNeeds needs{.tolerance = 0.05, .lawMisses = {ModelTerm::SphereCorrection}};
+    RequiredTerms needs{.tolerance = 0.05, .lawMisses = {ModelTerm::SphereCorrection}};
     EXPECT_EQ(modelNote(needs), "model: error not measured (tolerance 5 %), nothing left out");
     needs.terms = {{.term = ModelTerm::SphereCorrection, .on = false},
                    {.term = ModelTerm::Friction, .on = false},
@@ -164,7 +165,7 @@ TEST(TermWords, SayWhyThereIsNoSuchQuantity) {
 }
 
 TEST(TermWords, TellOfTheSurfaceWhatTheContactsShowed) {
-    SceneNeeds needs{.measured = true};
+    RequiredTerms needs{.measured = true};
     const auto why = [&needs](ModelTerm term) { return whyOf({.term = term}, needs); };
     EXPECT_EQ(why(ModelTerm::OutsideDisplacement), "no contact in the sampled runs");
     EXPECT_EQ(why(ModelTerm::HalfSpaceSolve), "no contact in the sampled runs");
@@ -179,7 +180,7 @@ TEST(TermWords, TellOfTheSurfaceWhatTheContactsShowed) {
 }
 
 TEST(TermWords, NameWhatTookThePlaceOfATermThatMatters) {
-    SceneNeeds needs{.full = {.law = ContactLaw::HertzFilm}, .tolerance = 0.05};
+    RequiredTerms needs{.full = {.law = ContactLaw::HertzFilm}, .tolerance = 0.05};
     TermNeed adhesion = factAbout(ModelTerm::Adhesion, 6e-9, 1e-9);
     adhesion.effect = 0.3;
     EXPECT_EQ(whyOf(adhesion, needs),

@@ -1,4 +1,4 @@
-#include "core/words/ScaleWords.h"
+#include "core/words/DeviceWords.h"
 
 #include <gtest/gtest.h>
 

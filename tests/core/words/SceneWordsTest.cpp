@@ -64,8 +64,8 @@ TEST(SceneWords, SayByWhatAScanIsSmoothed) {
     scene.curvatureNoise = 1.0 / scene.description.tip.radius;
     EXPECT_EQ(smoothingNote(scene),
               "smoothing: none, as the scene states; 30 pm of height noise; the tip touches the "
-              "highest of noisy places first: pull-off and stiffness come out too low, on ground "
-              "blunter than the tip by more than their deviations say");
+              "highest of noisy points first: pull-off and stiffness are too low; on surfaces "
+              "blunter than the tip by more than the stated deviations");
     scene.description.sample.smoothingPixels = 1.0;
     EXPECT_NE(smoothingNote(scene).find("too low"), std::string::npos) << "too little";
     scene.curvatureNoise = 0.09 / scene.description.tip.radius;

@@ -4,7 +4,6 @@
 #include "core/words/DeviceWords.h"
 #include "hardware/DeviceRegistry.h"
 #include "hardware/spacemouse/SpaceMouse.h"
-#include "hardware/spacemouse/SpaceMouseDriver.h"
 #include "tests/hardware/Eventually.h"
 #include "tests/hardware/VirtualSpaceMouse.h"
 #include "tests/support/ScratchFolder.h"
@@ -130,7 +129,7 @@ private:
     uid_t self_;
 };
 
-// umockdev gives its nodes to everybody; a file stands for one that the system gives to root alone.
+// umockdev gives its nodes to everybody; a file replaces one that the system gives to root alone.
 TEST_F(HidapiWithVirtualDevice, NamesTheRulesFileWhenPermissionIsMissing) {
     const ScratchFolder folder;
     const std::string path = folder.write("hidraw0", "");

@@ -1,4 +1,4 @@
-#include "hardware/spacemouse/SpaceMouseReports.h"
+#include "hardware/spacemouse/SpaceMouse.h"
 
 #include <gtest/gtest.h>
 

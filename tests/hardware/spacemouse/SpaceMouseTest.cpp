@@ -13,7 +13,7 @@ const Vector3 kStart(1e-6, 2e-6, 3e-6);
 constexpr double kSpeed = 100e-9;  // [m/s]
 constexpr int kFull = 350;         // [count]
 
-/// How fast the device goes, as a share of the full speed.
+/// Speed of the device, as a share of the full speed.
 Vector3 velocityShare(SpaceMouse& mouse) {
     const Vector3 from = mouse.advance(0.0).position;
     return (mouse.advance(1.0).position - from) / kSpeed;

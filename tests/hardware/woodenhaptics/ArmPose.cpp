@@ -1,6 +1,6 @@
 #include "tests/hardware/woodenhaptics/ArmPose.h"
 
-#include "core/io/scene/WoodenHapticsFile.h"
+#include "core/io/scene/DeviceFiles.h"
 #include "tests/support/Places.h"
 
 #include <cmath>

@@ -6,11 +6,11 @@
 
 namespace asperity::test {
 
-/// Whether the device says that it waits for its handle to be put into the rest pose.
+/// Returns whether the device says that it waits for its handle to be put into the rest pose.
 bool waitsForCalibration(const WoodenHaptics& device);
 
-/// As an operator does who sees that a device waits for it: then tells it that it is in its rest
-/// pose.
+/// As an operator does who sees that a device waits for it: then reports to it that it is in its
+/// rest pose.
 /// @param speak has the device send a reading, where it does not do so by itself
 /// @return whether it is connected in the end
 bool calibrateWhenItWaits(

@@ -1,7 +1,7 @@
 #include "tests/hardware/woodenhaptics/CoupledTip.h"
 
 #include "core/Units.h"
-#include "core/scene/SceneTruth.h"
+#include "core/scene/BelievedModel.h"
 #include "tests/support/TestScenes.h"
 
 namespace asperity::test {

@@ -18,7 +18,7 @@ public:
 
     /// The loop's latest tick.
     [[nodiscard]] const TickSample& now() { return loop.snapshot().sample; }
-    /// Whether the operator feels the tip.
+    /// Returns whether the operator feels the tip.
     [[nodiscard]] bool engaged() {
         const Snapshot& latest = loop.snapshot();
         return latest.statistics.ticks > 0 && latest.sample.output.forceState == ForceState::On;

@@ -19,7 +19,7 @@ namespace {
 
 using Events = std::vector<MotorEvent>;
 
-/// Whether the latest messages all drive the motors.
+/// Returns whether the latest messages all drive the motors.
 bool isDriven(const VirtualWoodenHaptics& device) {
     constexpr std::ptrdiff_t kMessages = 10;
     const Events events = device.events();
@@ -28,13 +28,13 @@ bool isDriven(const VirtualWoodenHaptics& device) {
                        [](MotorEvent event) { return event == MotorEvent::Drive; });
 }
 
-/// Whether the firmware has heard nothing for so long that it cut the motors.
+/// Returns whether the firmware has heard nothing for so long that it cut the motors.
 bool isCut(const VirtualWoodenHaptics& device) {
     const Events events = device.events();
     return !events.empty() && events.back() == MotorEvent::Cut;
 }
 
-/// Whether anything drove the motors from an event on.
+/// Returns whether anything drove the motors from an event on.
 bool droveSince(const VirtualWoodenHaptics& device, std::size_t begin) {
     const Events events = device.events();
     return std::find(events.begin() + static_cast<std::ptrdiff_t>(begin), events.end(),

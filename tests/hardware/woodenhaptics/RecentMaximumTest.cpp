@@ -1,4 +1,4 @@
-#include "hardware/woodenhaptics/RecentMaximum.h"
+#include "hardware/woodenhaptics/WoodenHaptics.h"
 
 #include <gtest/gtest.h>
 

@@ -15,7 +15,7 @@ using std::chrono::milliseconds;
 constexpr double kTimeOut = 0.5;           // of the firmware without a message [s]
 constexpr double kDeviceStep = 0.1e-3;     // of the handle in a millisecond [m]
 constexpr std::size_t kReportSize = 64;    // [byte]
-constexpr std::size_t kCurrentsBegin = 1;  // in a message: after the place of the report id
+constexpr std::size_t kCurrentsBegin = 1;  // in a message: after the report id
 constexpr std::size_t kCurrentsEnd = 7;
 
 // 64 bytes in, 64 bytes out, for what the vendor likes.

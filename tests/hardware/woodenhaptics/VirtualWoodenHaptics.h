@@ -7,7 +7,7 @@
 
 namespace asperity::test {
 
-/// What happened to the motors of the device.
+/// Events of the motors of the device.
 enum class MotorEvent : std::uint8_t {
     Zero,   ///< a message with zero currents
     Drive,  ///< a message with currents

@@ -1,4 +1,4 @@
-#include "hardware/woodenhaptics/WoodenHapticsReports.h"
+#include "hardware/woodenhaptics/WoodenHapticsModel.h"
 
 #include <gtest/gtest.h>
 

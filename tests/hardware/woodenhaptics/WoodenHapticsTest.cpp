@@ -37,7 +37,7 @@ Report readingReport(const Vector3& handle, bool button = false) {
     return report;
 }
 
-/// What makes the handle push like this where it is.
+/// Returns the message that makes the handle push like this where it is.
 Report currentsFor(const Vector3& handle, const Vector3& force) {
     const Vector3 angles = jointAngles(shippedDevice(), countsAt(handle));
     const auto message =
@@ -47,7 +47,7 @@ Report currentsFor(const Vector3& handle, const Vector3& force) {
     return {message.report().begin(), message.report().end()};
 }
 
-/// A driver at a device in memory that speaks whenever it is told to.
+/// A driver at a device in memory that answers on demand.
 class WoodenHapticsDevice : public ::testing::Test {
 protected:
     WoodenHapticsDevice() {

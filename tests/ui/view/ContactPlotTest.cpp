@@ -81,14 +81,14 @@ TEST_F(ContactPlotTest, TurnsItsPlaneWithoutAnotherSnapshot) {
 TEST_F(ContactPlotTest, PointsAtThePlaceUnderThePointerAlongThePlane) {
     plot.setAzimuth(std::numbers::pi / 2.0);
     plot.showSnapshot(moments.deep);
-    QSignalSpy hovered(&plot, &ContactPlot::placeHovered);
+    QSignalSpy hovered(&plot, &ContactPlot::positionHovered);
     const QPointF pixel = plot.toPixel({10.0_nm, 0.0});
     QMouseEvent move(QEvent::MouseMove, pixel, Qt::NoButton, Qt::NoButton, Qt::NoModifier);
     QApplication::sendEvent(&plot, &move);
     ASSERT_EQ(hovered.count(), 1);
     EXPECT_NEAR(hovered[0][0].toDouble(), plot.section()->axis.x(), 1e-15);
     EXPECT_NEAR(hovered[0][1].toDouble(), plot.section()->axis.y() + 10.0_nm, 1e-13);
-    QSignalSpy left(&plot, &ContactPlot::placeLeft);
+    QSignalSpy left(&plot, &ContactPlot::pointerLeft);
     QMouseEvent out(QEvent::MouseMove, QPointF(2.0, 2.0), Qt::NoButton, Qt::NoButton,
                     Qt::NoModifier);
     QApplication::sendEvent(&plot, &out);

@@ -1,7 +1,7 @@
 #include "ui/view/ContactShape.h"
 
 #include "core/Units.h"
-#include "core/deformation/ContactPatch.h"
+#include "core/deformation/ContactDeformation.h"
 #include "core/deformation/HalfSpaceModel.h"
 #include "tests/support/TestScenes.h"
 #include "tests/ui/view/ViewMoments.h"

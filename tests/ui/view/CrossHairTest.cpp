@@ -11,7 +11,7 @@ namespace asperity::test {
 
 namespace {
 
-/// A place of the surface that the tip leaves alone, and one in its dent.
+/// A position of the surface that the tip leaves alone, and one in its dent.
 const Vector2 kAside(80.0_nm, 50.0_nm);
 
 }  // namespace
@@ -29,17 +29,17 @@ TEST_F(ZoomViewTest, FindsThePlaceUnderThePointer) {
                 settle();
                 const double y =
                     side == ViewDirection::Front ? view->window()->bottom + 1.0_nm : 60.0_nm;
-                const Vector3 place(58.0_nm, y, hilly.surface.at(58.0_nm, y).height);
-                const auto found = view->placeAt(view->onScreen(place));
+                const Vector3 position(58.0_nm, y, hilly.surface.at(58.0_nm, y).height);
+                const auto found = view->positionAt(view->onScreen(position));
                 ASSERT_TRUE(found) << heightScale << " " << static_cast<int>(side);
-                EXPECT_NEAR(found->x(), place.x(), 1e-12) << heightScale;
+                EXPECT_NEAR(found->x(), position.x(), 1e-12) << heightScale;
                 if (side == ViewDirection::Top) {
-                    EXPECT_NEAR(found->y(), place.y(), 1e-12) << heightScale;
+                    EXPECT_NEAR(found->y(), position.y(), 1e-12) << heightScale;
                 }
             }
         }
     }
-    EXPECT_FALSE(view->placeAt({3.0, 3.0})) << "the backdrop";
+    EXPECT_FALSE(view->positionAt({3.0, 3.0})) << "the backdrop";
     view->setScene(nullptr);
 }
 
@@ -49,7 +49,7 @@ TEST_F(ZoomViewTest, FindsThePlaceInTheDentWhereItHasGone) {
         moments.deep.sample.output.model.closest.point.head<2>() + Vector2(1.0_nm, -2.0_nm);
     const double displacement = view->reading(rest)->value;
     EXPECT_GT(displacement, 0.1_nm);
-    const auto found = view->placeAt(view->onScreen({rest.x(), rest.y(), -displacement}));
+    const auto found = view->positionAt(view->onScreen({rest.x(), rest.y(), -displacement}));
     ASSERT_TRUE(found);
     EXPECT_LT((*found - rest).norm(), 0.02_nm);
 }
@@ -77,8 +77,8 @@ TEST_F(ZoomViewTest, DrawsTheCrossHairWhereItPoints) {
     view->showCrossHair(kAside);
     const QImage with = pictureOf(moments.away);
     // The line is one pixel wide and mixes with what is below it.
-    const auto redAt = [&](const QImage& picture, const Vector3& place) {
-        const QPoint center = view->onScreen(place).toPoint();
+    const auto redAt = [&](const QImage& picture, const Vector3& position) {
+        const QPoint center = view->onScreen(position).toPoint();
         int most = 0;
         for (int dy = -2; dy <= 2; ++dy) {
             for (int dx = -2; dx <= 2; ++dx) {
@@ -113,8 +113,8 @@ TEST_F(ZoomViewTest, TheCrossHairCostsNoFrameWhileSnapshotsCome) {
 
 TEST_F(ZoomViewTest, SaysWhereThePointerIs) {
     pictureOf(moments.away);
-    QSignalSpy hovered(view.get(), &ZoomView::placeHovered);
-    QSignalSpy left(view.get(), &ZoomView::placeLeft);
+    QSignalSpy hovered(view.get(), &ZoomView::positionHovered);
+    QSignalSpy left(view.get(), &ZoomView::pointerLeft);
     const QPointF pixel = view->onScreen({kAside.x(), kAside.y(), 0.0});
     QTest::mouseMove(view.get(), pixel.toPoint());
     ASSERT_TRUE(eventually([&] { return hovered.count() >= 1; }));

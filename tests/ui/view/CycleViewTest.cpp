@@ -1,6 +1,6 @@
 // A whole cycle as the view draws it: approach, snap-in, dent, neck, pull-off.
 #include "core/Units.h"
-#include "core/scene/SceneTruth.h"
+#include "core/scene/BelievedModel.h"
 #include "tests/support/TestScenes.h"
 #include "tests/ui/view/ViewMoments.h"
 #include "ui/view/ContactShape.h"
@@ -77,7 +77,7 @@ protected:
     [[nodiscard]] Seen seen(const TickSample& sample) const {
         const Vector3 apex = apexOf(tipContact(scene, sample.output.model));
         return {.tip = apex.z(),
-                .apex = picture.drawnPlace(apex).y(),
+                .apex = picture.drawnPosition(apex).y(),
                 .scale = picture.metersPerPixel(kHeight)};
     }
 
@@ -97,7 +97,7 @@ protected:
         return all;
     }
 
-    /// Lowest place of all that is drawn of the sample, world [m].
+    /// Lowest position of all that is drawn of the sample, world [m].
     double bottomOfBlock() {
         picture.showTerrain(camera, TerrainDetail::Coarse);
         window->GetRenderers()->InitTraversal();
@@ -143,8 +143,8 @@ TEST_P(Cycle, TheBlockHoldsTheDentAndTheViewBoth) {
     const ContactShape shape(
         scene, state, windowAround(state.tip.head<2>(), reach, picture.frame()->window()), 65);
     EXPECT_LT(bottomOfBlock(), shape.lowest() - 0.04 * picture.frame()->halfWidth());
-    for (const Vector3& place : {shape.contactPoint(), Vector3(apexOf(shape.contact()))}) {
-        const Vector2 drawn = picture.drawnPlace(place);
+    for (const Vector3& position : {shape.contactPoint(), Vector3(apexOf(shape.contact()))}) {
+        const Vector2 drawn = picture.drawnPosition(position);
         EXPECT_GT(drawn.y(), 0.05 * kHeight);
         EXPECT_LT(drawn.y(), 0.95 * kHeight);
     }

@@ -1,6 +1,5 @@
-#include "ui/view/GestureWidget.h"
-
 #include "tests/vtkplugins/NeedsDisplay.h"
+#include "ui/view/PixelView.h"
 
 #include <QWheelEvent>
 #include <QtTest>

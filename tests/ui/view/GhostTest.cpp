@@ -52,7 +52,7 @@ struct GhostTest : ZoomViewTest {
         EXPECT_NEAR(lowestChange(with, without), row, kNear);
         EXPECT_NEAR(lowestChange(with, without, &color), row, kNear) << "outline";
     }
-    /// The row of the lowest place of a tip's ball as it is seen: obliquely, below its apex.
+    /// The row of the lowest position of a tip's ball as it is seen: obliquely, below its apex.
     [[nodiscard]] double ballRow(const Vector3& apex) const {
         const double radius = scene->belief.tipRadius();
         return view->onScreen(apex + radius * (Vector3::UnitZ() - view->camera().up())).y();

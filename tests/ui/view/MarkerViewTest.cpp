@@ -5,7 +5,7 @@ namespace asperity::test {
 
 namespace {
 
-/// Pixels within a square about a place that differ in two pictures.
+/// Pixels within a square about a position that differ in two pictures.
 int changedNear(const QImage& one, const QImage& other, const QPoint& center, int half) {
     int count = 0;
     for (int y = center.y() - half; y <= center.y() + half; ++y) {
@@ -21,12 +21,12 @@ int changedNear(const QImage& one, const QImage& other, const QPoint& center, in
 }  // namespace
 
 TEST_F(ZoomViewTest, DrawsTheMarkersInItsWindowWithTheirNames) {
-    const Vector3 place(80.0_nm, 50.0_nm, 0.0);
+    const Vector3 position(80.0_nm, 50.0_nm, 0.0);
     view->setOptions({.axes = false, .scaleBars = false});
     const QImage without = pictureOf(moments.away);
-    const QPoint center = view->onScreen(place).toPoint();
+    const QPoint center = view->onScreen(position).toPoint();
     // The run's own description is the one that is shown: a marker may come while it is.
-    scene->description.markers = {{"grain", place.x(), place.y()}, {"far", -1.0, -1.0}};
+    scene->description.markers = {{"grain", position.x(), position.y()}, {"far", -1.0, -1.0}};
     const QImage with = pictureOf(moments.away);
     EXPECT_GT(changedNear(with, without, center, 8), 8) << "its cross";
     const QPoint name = center + QPoint(30, 0);

@@ -3,7 +3,7 @@
 #include "core/Error.h"
 #include "tests/support/TestScenes.h"
 #include "tests/ui/view/ViewMoments.h"
-#include "ui/Theme.h"
+#include "ui/widgets/Theme.h"
 
 #include <gtest/gtest.h>
 

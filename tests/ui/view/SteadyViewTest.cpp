@@ -1,6 +1,6 @@
 #include "core/Units.h"
-#include "ui/view/DrapedGrid.h"
-#include "ui/view/ForceScale.h"
+#include "ui/view/ForceLayer.h"
+#include "ui/view/TerrainLayer.h"
 
 #include <gtest/gtest.h>
 
@@ -27,10 +27,10 @@ TEST(ForceScale, ALargerForceHasALongerArrowThatFitsItsRoom) {
 TEST(DrapedGrid, LinesLieAtRoundPlacesBetweenTheEdges) {
     const double spacing = gridSpacing(80.0_nm);
     EXPECT_DOUBLE_EQ(spacing, 2.0_nm);
-    const std::vector<double> places = gridPlaces(-4.0_nm, 5.0_nm, spacing);
-    ASSERT_EQ(places.size(), 4U);
-    EXPECT_NEAR(places.front(), -2.0_nm, 1e-20);
-    EXPECT_NEAR(places.back(), 4.0_nm, 1e-20);
+    const std::vector<double> positions = gridPositions(-4.0_nm, 5.0_nm, spacing);
+    ASSERT_EQ(positions.size(), 4U);
+    EXPECT_NEAR(positions.front(), -2.0_nm, 1e-20);
+    EXPECT_NEAR(positions.back(), 4.0_nm, 1e-20);
 }
 
 }  // namespace asperity

@@ -18,7 +18,7 @@ namespace asperity {
 
 namespace {
 
-const TerrainPlace kPlace{
+const TerrainArea kArea{
     .window = {.left = 20.0_nm, .right = 100.0_nm, .bottom = 20.0_nm, .top = 100.0_nm},
     .hole = {.left = 45.0_nm, .right = 75.0_nm, .bottom = 40.0_nm, .top = 70.0_nm},
     .patch = {.left = 44.0_nm, .right = 76.0_nm, .bottom = 39.0_nm, .top = 71.0_nm}};
@@ -26,7 +26,7 @@ const TerrainPlace kPlace{
 const SurfaceColors kColors;
 const TerrainStyle kStyle{.colors = kColors, .space = {}, .shading = {ViewCamera(), {}, {}}};
 
-/// Whether any visible triangle or line covers the place, seen from above.
+/// Whether any visible triangle or line covers the position, seen from above.
 class SeenFromAbove {
 public:
     explicit SeenFromAbove(vtkRenderer* renderer) : renderer_(renderer) {}
@@ -95,7 +95,7 @@ TEST(TerrainLayer, CoversItsWindowButForTheHole) {
     vtkNew<vtkRenderer> renderer;
     TerrainLayer terrain(renderer);
     EXPECT_EQ(SeenFromAbove(renderer).areaOfStrips(), 0.0);
-    terrain.setPlace(scene.surface, kPlace);
+    terrain.setArea(scene.surface, kArea);
     for (const TerrainDetail detail : {TerrainDetail::Coarse, TerrainDetail::Fine}) {
         terrain.show(detail, kStyle);
         EXPECT_NEAR(SeenFromAbove(renderer).areaOfStrips(), 5500e-18, 1e-20);
@@ -110,13 +110,13 @@ TEST(TerrainLayer, HasNoWallWhereTheHoleLiesAtItsEdge) {
     TerrainLayer terrain(renderer);
     terrain.setBottom(-10.0_nm);
     const auto wallArea = [&](const ScanWindow& hole) {
-        terrain.setPlace(scene.surface, {.window = kPlace.window, .hole = hole, .patch = hole});
+        terrain.setArea(scene.surface, {.window = kArea.window, .hole = hole, .patch = hole});
         terrain.show(TerrainDetail::Fine, kStyle);
         return SeenFromAbove(renderer).areaFromTheSide();
     };
     const double whole = 2.0 * 80.0_nm * 10.0_nm;
     const double cell = 80.0_nm / 159.0 * 10.0_nm;
-    EXPECT_NEAR(wallArea(kPlace.hole), whole, 1e-6 * whole);
+    EXPECT_NEAR(wallArea(kArea.hole), whole, 1e-6 * whole);
     const ScanWindow atEdge{20.0_nm, 50.0_nm, 40.0_nm, 70.0_nm};
     EXPECT_NEAR(wallArea(atEdge), whole - 30.0_nm * 10.0_nm, 1.5 * cell);
     const ScanWindow atCorner{70.0_nm, 100.0_nm, 20.0_nm, 50.0_nm};
@@ -127,7 +127,7 @@ TEST(TerrainLayer, IsCoarseOrFineAsAsked) {
     const Scene scene = test::hillyScene();
     vtkNew<vtkRenderer> renderer;
     TerrainLayer terrain(renderer);
-    terrain.setPlace(scene.surface, kPlace);
+    terrain.setArea(scene.surface, kArea);
     terrain.show(TerrainDetail::Coarse, kStyle);
     EXPECT_LE(SeenFromAbove(renderer).points(), 80 * 80);
     terrain.show(TerrainDetail::Fine, kStyle);
@@ -138,7 +138,7 @@ TEST(TerrainLayer, KnowsTheHeightsInItsWindow) {
     const Scene scene = test::hillyScene();
     vtkNew<vtkRenderer> renderer;
     TerrainLayer terrain(renderer);
-    terrain.setPlace(scene.surface, kPlace);
+    terrain.setArea(scene.surface, kArea);
     EXPECT_NEAR(terrain.heightRange()[0], -6.0_nm, 0.1_nm);
     EXPECT_NEAR(terrain.heightRange()[1], 6.0_nm, 0.1_nm);
 }

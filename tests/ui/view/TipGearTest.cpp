@@ -1,7 +1,6 @@
-#include "ui/view/TipGear.h"
-
 #include "core/Units.h"
-#include "ui/view/TipOutline.h"
+#include "ui/view/TipLayer.h"
+#include "ui/view/ViewFrame.h"
 #include "vtkplugins/module/vtkAspTipSource.h"
 
 #include <vtkNew.h>
@@ -28,7 +27,7 @@ TEST(TipGear, DrawsOnlyTheLowestPartOfATipThatWouldFillTheFrame) {
     EXPECT_GT(blunt.headroom(), 0.5 * blunt.halfWidth) << "for the arrow";
 }
 
-/// Widest place of a drawn tip at its end [m].
+/// Widest position of a drawn tip at its end [m].
 double drawnRadius(const RoundTip& tip, double reach, double height) {
     vtkNew<vtkAspTipSource> source;
     source->SetRadius(tip.radius);

@@ -25,7 +25,7 @@ struct UndersideTest : ZoomViewTest {
     }
     void TearDown() override { view->setScene(nullptr); }
 
-    /// What is seen at places of the scan beside the tip.
+    /// What is seen at positions of the scan beside the tip.
     std::vector<QColor> seenFrom(ViewDirection side) {
         view->lookFrom(side);
         const QImage picture = pictureOf(momentsOf(*hills).away);

@@ -24,11 +24,11 @@ const FrameBox kBox{.middle = {500.0_nm, 300.0_nm, 20.0_nm},
                     .above = 6.0_nm,
                     .tipTop = 45.0_nm};
 
-/// Where a place is seen: -1 ... 1 from left to right and from bottom to top.
-Vector2 seenAt(const ViewCamera& view, const Vector3& place) {
+/// Where a position is seen: -1 ... 1 from left to right and from bottom to top.
+Vector2 seenAt(const ViewCamera& view, const Vector3& position) {
     vtkNew<vtkCamera> camera;
     view.apply(camera, kBox, kAspect);
-    const Vector3 arm = place - Vector3(camera->GetFocalPoint());
+    const Vector3 arm = position - Vector3(camera->GetFocalPoint());
     const double halfHeight = camera->GetParallelScale();
     return {arm.dot(view.right()) / (halfHeight * kAspect), arm.dot(view.up()) / halfHeight};
 }

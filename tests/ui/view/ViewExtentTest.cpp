@@ -1,6 +1,5 @@
-#include "ui/view/ViewExtent.h"
-
 #include "core/Units.h"
+#include "ui/view/ViewCamera.h"
 
 #include <gtest/gtest.h>
 

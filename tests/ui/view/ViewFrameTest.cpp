@@ -10,9 +10,9 @@ namespace {
 
 constexpr double kSlack = 0.35;
 
-bool contains(const ScanWindow& window, const Vector2& place) {
-    return place.x() >= window.left && place.x() <= window.right && place.y() >= window.bottom &&
-           place.y() <= window.top;
+bool contains(const ScanWindow& window, const Vector2& position) {
+    return position.x() >= window.left && position.x() <= window.right &&
+           position.y() >= window.bottom && position.y() <= window.top;
 }
 
 }  // namespace

@@ -1,7 +1,7 @@
 #include "tests/ui/view/ViewMoments.h"
 
-#include "core/haptics/RunEvents.h"
-#include "core/scene/SceneTruth.h"
+#include "core/haptics/VirtualRun.h"
+#include "core/scene/BelievedModel.h"
 #include "tests/support/TestScenes.h"
 
 #include <optional>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/haptics/Snapshot.h"
+#include "core/haptics/VirtualRun.h"
 #include "core/scene/Scene.h"
 
 namespace asperity::test {

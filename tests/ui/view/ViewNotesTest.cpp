@@ -1,4 +1,4 @@
-#include "ui/view/ViewNotes.h"
+#include "ui/view/ViewLabels.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,12 +1,10 @@
-#include "ui/view/ViewScale.h"
-
 #include "core/Units.h"
 #include "tests/support/TestScenes.h"
 #include "tests/ui/view/ViewMoments.h"
 #include "tests/ui/view/WindowAround.h"
 #include "ui/view/ContactShape.h"
-#include "ui/view/ForceScale.h"
-#include "ui/view/TipOutline.h"
+#include "ui/view/ForceLayer.h"
+#include "ui/view/ViewFrame.h"
 
 #include <gtest/gtest.h>
 

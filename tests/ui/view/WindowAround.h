@@ -5,12 +5,12 @@
 
 namespace asperity::test {
 
-/// The square part of a scan within `reach` of a place along x and y [m].
-[[nodiscard]] inline ScanWindow windowAround(const Vector3& place, double reach) {
-    return {.left = place.x() - reach,
-            .right = place.x() + reach,
-            .bottom = place.y() - reach,
-            .top = place.y() + reach};
+/// The square part of a scan within `reach` of a position along x and y [m].
+[[nodiscard]] inline ScanWindow windowAround(const Vector3& position, double reach) {
+    return {.left = position.x() - reach,
+            .right = position.x() + reach,
+            .bottom = position.y() - reach,
+            .top = position.y() + reach};
 }
 
 }  // namespace asperity::test

@@ -2,7 +2,7 @@
 
 #include "tests/support/TestScenes.h"
 #include "tests/ui/view/ViewMoments.h"
-#include "ui/view/TipOutline.h"
+#include "ui/view/ViewFrame.h"
 
 #include <vtkGenericOpenGLRenderWindow.h>
 
@@ -159,9 +159,9 @@ TEST(ZoomPictureScale, StaysWhileTheTipIsInContact) {
     };
     const ViewMoments moments = momentsOf(scene);
     const double size = scene.surface.sizeX();
-    const double place = moments.deep.sample.output.model.tip.x();
-    const Vector3 toLowEnd(0.1 * size - place, 0.0, 0.0);
-    const Vector3 toStep(0.5 * size - place, 0.0, 0.0);
+    const double position = moments.deep.sample.output.model.tip.x();
+    const Vector3 toLowEnd(0.1 * size - position, 0.0, 0.0);
+    const Vector3 toStep(0.5 * size - position, 0.0, 0.0);
     const double before = show(movedBy(moments.deep, toLowEnd));
     EXPECT_EQ(show(movedBy(moments.deep, toStep)), before);
     ASSERT_EQ(moments.away.sample.output.model.contact.contactRadius, 0.0);

@@ -51,8 +51,8 @@ protected:
         QTest::mouseRelease(view.get(), Qt::RightButton, Qt::NoModifier, {110, 100});
     }
 
-    [[nodiscard]] QColor colorAt(const QImage& picture, const Vector3& place) const {
-        return picture.pixelColor(view->onScreen(place).toPoint());
+    [[nodiscard]] QColor colorAt(const QImage& picture, const Vector3& position) const {
+        return picture.pixelColor(view->onScreen(position).toPoint());
     }
 
     /// Unit, level.

@@ -182,9 +182,9 @@ TEST_F(ZoomViewTest, LeavesNoCrackInTheSurface) {
     const Vector3 closest = moments.deep.sample.output.model.closest.point;
     for (int step = 10; step < 490; ++step) {
         const double part = step / 500.0;
-        const Vector3 place(std::lerp(window.left, window.right, part),
-                            std::lerp(window.bottom, window.top, 0.3), closest.z());
-        EXPECT_GT(difference(colorAt(picture, place), background), 20) << part;
+        const Vector3 position(std::lerp(window.left, window.right, part),
+                               std::lerp(window.bottom, window.top, 0.3), closest.z());
+        EXPECT_GT(difference(colorAt(picture, position), background), 20) << part;
     }
 }
 

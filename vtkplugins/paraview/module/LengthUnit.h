@@ -6,8 +6,8 @@
 
 namespace asperity {
 
-/// What 1 stands for in the lengths that ParaView gets. It shades a surface given in meters
-/// wrongly: its normals underflow in single precision.
+/// Unit of the lengths that ParaView gets. It shades a surface given in meters wrongly: its normals
+/// underflow in single precision.
 class LengthUnit {
 public:
     explicit LengthUnit(double meters) : meters_(meters) {}

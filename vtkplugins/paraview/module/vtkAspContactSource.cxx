@@ -8,8 +8,8 @@
 #include "vtkplugins/module/vtkAspPatchSource.h"
 #include "vtkplugins/module/vtkAspTipSource.h"
 #include "vtkplugins/paraview/module/AlgorithmProgress.h"
-#include "vtkplugins/paraview/module/ContactAtPlace.h"
 #include "vtkplugins/paraview/module/LengthUnit.h"
+#include "vtkplugins/paraview/module/LocalContact.h"
 
 #include <vtkDataArray.h>
 #include <vtkDoubleArray.h>
@@ -45,7 +45,7 @@ void scalePoints(vtkPolyData& data, const asperity::LengthUnit& unit) {
     }
 }
 
-void fillSurface(const asperity::ContactAtPlace& contact, const asperity::LengthUnit& unit,
+void fillSurface(const asperity::LocalContact& contact, const asperity::LengthUnit& unit,
                  vtkPolyData& output) {
     vtkNew<vtkAspPatchSource> source;
     source->SetPatch(contact.patch);
@@ -59,7 +59,7 @@ void fillSurface(const asperity::ContactAtPlace& contact, const asperity::Length
 }
 
 /// From the apex: no wider than the surface below it, which would else be hidden [m].
-double shownTipHeight(const asperity::ContactAtPlace& contact) {
+double shownTipHeight(const asperity::LocalContact& contact) {
     constexpr double kHeight = 3.0;      // in tip radii
     constexpr double kWidthShare = 0.8;  // of the surface's
     const double radius = contact.tip.radius;
@@ -68,7 +68,7 @@ double shownTipHeight(const asperity::ContactAtPlace& contact) {
                          : std::min(kHeight * radius, contact.halfWidth);
 }
 
-void fillTip(const asperity::ContactAtPlace& contact, const asperity::LengthUnit& unit,
+void fillTip(const asperity::LocalContact& contact, const asperity::LengthUnit& unit,
              vtkPolyData& output) {
     const asperity::Vector3 center =
         contact.state.tip + contact.tip.radius * asperity::Vector3::UnitZ();
@@ -95,7 +95,7 @@ void addNumbers(const char* name, std::initializer_list<double> numbers, vtkPoly
 }
 
 /// @param metersPerNewton 0: as long as half of the surface is wide
-void fillForce(const asperity::ContactAtPlace& contact, const asperity::LengthUnit& unit,
+void fillForce(const asperity::LocalContact& contact, const asperity::LengthUnit& unit,
                double metersPerNewton, vtkPolyData& output) {
     const asperity::TipState& state = contact.state;
     const asperity::Vector3& force = state.force;
@@ -158,17 +158,17 @@ void vtkAspContactSource::Compute(vtkInformationVector* output) {
     asperity::AlgorithmProgress progress(*this);
     const asperity::Scene scene =
         asperity::sceneOnSample(asperity::sceneFromInput(this->SceneFile), &progress).scene;
-    asperity::ContactRequest request{.place = {},
+    asperity::ContactRequest request{.position = {},
                                      .setpoint = {},
                                      .halfWidth = unit.toMeters(this->HalfWidth),
                                      .samples = this->Samples};
     if (this->Place[0] >= 0.0 && this->Place[1] >= 0.0) {
-        request.place = {unit.toMeters(this->Place[0]), unit.toMeters(this->Place[1])};
+        request.position = {unit.toMeters(this->Place[0]), unit.toMeters(this->Place[1])};
     }
     if (this->Setpoint != 0.0) {
         request.setpoint = this->Setpoint;
     }
-    const asperity::ContactAtPlace contact = asperity::contactAt(scene, request);
+    const asperity::LocalContact contact = asperity::contactAt(scene, request);
     constexpr double kNanonewton = 1e-9;
     fillSurface(contact, unit, *vtkPolyData::GetData(output, kSurface));
     fillTip(contact, unit, *vtkPolyData::GetData(output, kTip));

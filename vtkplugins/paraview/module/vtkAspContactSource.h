@@ -5,7 +5,7 @@
 
 #include <vtkPolyDataAlgorithm.h>
 
-/// A tip that has approached to a setpoint at a place of a scene, by the believed model. Three
+/// A tip that has approached to a setpoint at a position of a scene, by the believed model. Three
 /// outputs, world frame, lengths in LengthUnit:
 /// 0, the deformed surface around the contact, point scalars "displacement", into the sample;
 /// 1, the tip;
@@ -20,7 +20,7 @@ public:
     vtkTypeMacro(vtkAspContactSource, vtkPolyDataAlgorithm)
     void PrintSelf(ostream& os, vtkIndent indent) override;
 
-    /// A scene, or a height map, which stands for a scene with defaults.
+    /// A scene, or a height map, which means a scene with defaults.
     vtkSetFilePathMacro(SceneFile);
     vtkGetFilePathMacro(SceneFile);
 
@@ -32,7 +32,7 @@ public:
     vtkSetMacro(Setpoint, double);
     vtkGetMacro(Setpoint, double);
 
-    /// What 1 stands for in lengths [m].
+    /// Unit of lengths [m].
     vtkSetMacro(LengthUnit, double);
     vtkGetMacro(LengthUnit, double);
 

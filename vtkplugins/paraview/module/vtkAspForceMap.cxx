@@ -4,7 +4,7 @@
 #include "core/ShareOut.h"
 #include "core/io/loading/SceneOnSample.h"
 #include "core/io/scene/SceneFile.h"
-#include "core/map/MapRow.h"
+#include "core/map/MapPlan.h"
 #include "vtkplugins/paraview/module/AlgorithmProgress.h"
 #include "vtkplugins/paraview/module/GivenHeights.h"
 
@@ -71,7 +71,7 @@ std::vector<vtkSmartPointer<vtkDoubleArray>> addArrays(const asperity::MapPlan& 
     return arrays;
 }
 
-/// @param file of the scene; null or empty: the scene that a height map alone stands for
+/// @param file of the scene; null or empty: the scene of a height map alone
 asperity::Scene sceneOn(std::variant<asperity::HeightMap, asperity::ScanMap> heights,
                         const char* file, asperity::Progress& progress) {
     const bool isNamed = file && *file;

@@ -5,8 +5,8 @@
 
 #include <vtkImageAlgorithm.h>
 
-/// What a force volume of the input, a height map, would show: the map that `asperity map` computes
-/// (docs/maps.md), an array for each quantity. The input's lower left pixel begins at the corner of
+/// Map that a force volume of the input, a height map, would show, as `asperity map` computes it
+/// (docs/maps.md): an array for each quantity. The input's lower left pixel begins at the corner of
 /// the scan. Lengths are in LengthUnit, as in the input; all else is in SI units.
 ///
 /// The surface is fitted to the whole scan. So each rank asks for all of the input, fits it, and
@@ -39,11 +39,11 @@ public:
     vtkSetVector2Macro(Grid, int);
     vtkGetVector2Macro(Grid, int);
 
-    /// Whether the simulated true instrument is mapped, in place of the model.
+    /// True to map the simulated true instrument, instead of the model.
     vtkSetMacro(Truth, bool);
     vtkGetMacro(Truth, bool);
 
-    /// What 1 stands for in lengths of input and output [m].
+    /// Unit of lengths of input and output [m].
     vtkSetMacro(LengthUnit, double);
     vtkGetMacro(LengthUnit, double);
 

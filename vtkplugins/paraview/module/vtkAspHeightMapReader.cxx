@@ -1,7 +1,7 @@
 #include "vtkplugins/paraview/module/vtkAspHeightMapReader.h"
 
 #include "core/Error.h"
-#include "core/io/heightmap/MissingScale.h"
+#include "core/io/heightmap/ImageScale.h"
 #include "core/io/heightmap/ScanFile.h"
 #include "vtkplugins/paraview/module/LengthUnit.h"
 

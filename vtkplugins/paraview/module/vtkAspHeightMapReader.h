@@ -22,7 +22,7 @@ public:
 
     vtkSetFilePathMacro(FileName);
     vtkGetFilePathMacro(FileName);
-    /// Whether the content, whatever the name, is of a known type.
+    /// Returns whether the content, whatever the name, is of a known type.
     int CanReadFile(const char* name);
 
     /// Name of the channel; empty: the one that a lab user expects.
@@ -31,7 +31,7 @@ public:
     /// Names of the height channels, the default one first; empty before the file is known.
     vtkStringArray* GetChannels();
 
-    /// What 1 stands for in lengths [m].
+    /// Unit of lengths [m].
     vtkSetMacro(LengthUnit, double);
     vtkGetMacro(LengthUnit, double);
 

@@ -1,4 +1,3 @@
-#include "core/io/hdf5/reader/ContentWriter.h"
 #include "core/io/hdf5/reader/Hdf5Walk.h"
 
 #include <cstdio>

@@ -1,11 +1,10 @@
 #include "core/io/TextValue.h"
 #include "core/io/heightmap/HeaderFields.h"
 #include "core/io/heightmap/HeightMapFormat.h"
-#include "core/io/heightmap/NumberRange.h"
+#include "core/io/heightmap/NumberRow.h"
 #include "core/io/heightmap/PhysicalUnit.h"
 #include "core/io/heightmap/SampleRows.h"
 #include "core/io/heightmap/ScanImage.h"
-#include "core/io/heightmap/ScanOrigin.h"
 
 #include <algorithm>
 #include <bit>
@@ -24,8 +23,8 @@ namespace {
 
 constexpr std::string_view kFirstKey = "fileformat";
 constexpr std::string_view kWideFirst{"f\0i\0l\0e\0", 8};
-constexpr std::size_t kUsualHeader = 2048;    // [characters]
-constexpr long long kMaxHeader = 1LL << 20U;  // [characters]
+constexpr std::size_t kUsualHeader = 2048;       // [characters]
+constexpr long long kMaxBcrHeader = 1LL << 20U;  // [characters]
 constexpr double kBcrNoData = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInt16NoData = 32767.0;
 constexpr double kFloatNoData = 1.7e38;  // and above
@@ -83,8 +82,8 @@ private:
     void readHeader() {
         if (fields_.find("headersize") != nullptr) {
             const long long characters = fields_.integer("headersize");
-            if (characters < 1 || characters > kMaxHeader) {
-                fields_.fail("headersize", "expected 1 to " + std::to_string(kMaxHeader) +
+            if (characters < 1 || characters > kMaxBcrHeader) {
+                fields_.fail("headersize", "expected 1 to " + std::to_string(kMaxBcrHeader) +
                                                ", found " + std::to_string(characters));
             }
             headerSize_ = static_cast<std::size_t>(characters);
@@ -119,7 +118,7 @@ private:
             .size = checkedImageSize(columns, rows, bytes_.name(), "xpixels, ypixels"),
             .type = isFloat_ ? SampleType::Float32 : SampleType::Int16,
             .order = isLittle ? ByteOrder::Little : ByteOrder::Big,
-            .place = headerSize_ * bytesPerCharacter()};
+            .offset = headerSize_ * bytesPerCharacter()};
         requireSamples(bytes_, layout, "heights");
         return layout;
     }

@@ -1,11 +1,11 @@
 #include "core/Error.h"
 #include "core/io/ByteReader.h"
+#include "core/io/MemoryLimit.h"
 #include "core/io/TextValue.h"
 #include "core/io/heightmap/HeightMapFormat.h"
 #include "core/io/heightmap/PhysicalUnit.h"
 #include "core/io/heightmap/SampleRows.h"
 #include "core/io/heightmap/ScanImage.h"
-#include "core/io/heightmap/ScanOrigin.h"
 #include "core/io/heightmap/WholeImages.h"
 #include "core/io/heightmap/ZlibStream.h"
 
@@ -18,7 +18,7 @@
 #include <vector>
 
 // Digital Surf .sur (MountainsMap): a header of 512 bytes, a comment, a private zone, the samples,
-// perhaps packed by zlib. Source: docs/formats.md 15. No real file was at hand: what is read here
+// perhaps packed by zlib. Source: docs/formats.md 15. No real file was available: what is read here
 // is what the layout says.
 
 namespace asperity {
@@ -29,7 +29,7 @@ constexpr std::string_view kDigitalSurfMagic = "DIGITAL SURF";
 constexpr std::string_view kCompressedMagic = "DSCOMPRESSED";
 constexpr std::size_t kHeader = 512;
 
-// Places in the header [bytes]
+// Offsets in the header [bytes]
 constexpr std::size_t kDigitalSurfVersion = 16;
 constexpr std::size_t kObject = 18;
 constexpr std::size_t kObjectName = 20;
@@ -60,13 +60,13 @@ struct PackedStream {
 /// One object of a file: header, comment, private zone and samples.
 class DigitalSurfObject {
 public:
-    /// @param place of its header, which begins with a mark [bytes]
-    DigitalSurfObject(const ByteSource& bytes, std::uint64_t place)
+    /// @param offset of its header, which begins with a mark [bytes]
+    DigitalSurfObject(const ByteSource& bytes, std::uint64_t offset)
         : bytes_(bytes)
-        , place_(place)
-        , header_(static_cast<std::size_t>(std::min<std::uint64_t>(kHeader, bytes.size() - place)),
+        , offset_(offset)
+        , header_(static_cast<std::size_t>(std::min<std::uint64_t>(kHeader, bytes.size() - offset)),
                   '\0') {
-        bytes_.read(place, header_);
+        bytes_.read(offset, header_);
         refuseRelatives();
         findSamples();
     }
@@ -75,7 +75,7 @@ public:
         const std::string name = text(kZAxis, kTextLength);
         return name.empty() ? "Untitled" : name;
     }
-    /// Where the next one would begin; beyond the end of the file where that is truncated.
+    /// Returns the offset of the next one; beyond the end of the file where that is truncated.
     [[nodiscard]] std::uint64_t end() const { return end_; }
     [[nodiscard]] std::string version() const {
         return std::to_string(number<std::int16_t>(kDigitalSurfVersion));
@@ -101,7 +101,7 @@ private:
 
     void refuseRelatives() const {
         if (!header_.starts_with(kDigitalSurfMagic) && !isCompressed()) {
-            fail("byte " + std::to_string(place_), "expected 'DIGITAL SURF' or 'DSCOMPRESSED'");
+            fail("byte " + std::to_string(offset_), "expected 'DIGITAL SURF' or 'DSCOMPRESSED'");
         }
         if (header_.size() < kHeader) {
             fail("header", "it has 512 bytes, but the file has fewer; it is truncated");
@@ -125,27 +125,28 @@ private:
                                              number<std::int32_t>(kDigitalSurfRows), bytes_.name(),
                                              "bytes 108 to 115"),
                     .type = bits == 16 ? SampleType::Int16 : SampleType::Int32,
-                    .place = place_ + kHeader + number<std::uint16_t>(kCommentSize) +
-                             std::uint64_t{number<std::uint16_t>(kPrivateSize)}};
+                    .offset = offset_ + kHeader + number<std::uint16_t>(kCommentSize) +
+                              std::uint64_t{number<std::uint16_t>(kPrivateSize)}};
         if (isCompressed()) {
             findStreams();
         } else {
-            end_ = samples_.place + samples_.bytes();
+            end_ = samples_.offset + samples_.bytes();
         }
     }
 
     /// The number of the streams, of each the bytes that it holds and those that it has, and the
     /// streams.
     void findStreams() {
-        constexpr std::uint32_t kMostStreams = 65536;
-        const auto count = numberIn<std::uint32_t>(bytes_, {samples_.place, sizeof(std::uint32_t)});
-        if (count < 1 || count > kMostStreams) {
-            fail("byte " + std::to_string(samples_.place),
-                 "expected 1 to " + std::to_string(kMostStreams) + " compressed streams, found " +
+        constexpr std::uint32_t kMaxStreams = 65536;
+        const auto count =
+            numberIn<std::uint32_t>(bytes_, {samples_.offset, sizeof(std::uint32_t)});
+        if (count < 1 || count > kMaxStreams) {
+            fail("byte " + std::to_string(samples_.offset),
+                 "expected 1 to " + std::to_string(kMaxStreams) + " compressed streams, found " +
                      std::to_string(count));
         }
         constexpr std::uint64_t kEntry = 2 * sizeof(std::uint32_t);
-        const std::uint64_t list = samples_.place + sizeof(count);
+        const std::uint64_t list = samples_.offset + sizeof(count);
         const std::string entries = bytesOf(bytes_, {list, count * kEntry});
         end_ = list + entries.size();
         std::uint64_t held = 0;
@@ -177,9 +178,10 @@ private:
                               ", but the file has " + std::to_string(bytes_.size()) +
                               "; it is truncated");
         }
+        requireUsualPacking(samples_.bytes(), bytes_.size(), bytes_.name(), "image");
         for (const PackedStream& each : streams_) {
             if (!mayUnpackTo(each.packed.count, each.size)) {
-                fail("byte " + std::to_string(each.packed.place),
+                fail("byte " + std::to_string(each.packed.offset),
                      "no zlib stream of " + std::to_string(each.packed.count) + " bytes holds " +
                          std::to_string(each.size) + "; the file is damaged");
             }
@@ -191,13 +193,13 @@ private:
             return rowsOf(bytes_, samples_);
         }
         SampleLayout layout = samples_;
-        layout.place = 0;
+        layout.offset = 0;
         return rowsOfDecoded(
             [&bytes = bytes_, streams = streams_] {
                 std::string samples;
                 for (const PackedStream& each : streams) {
                     appendUnpacked(samples, bytes, each.packed, each.size,
-                                   "byte " + std::to_string(each.packed.place));
+                                   "byte " + std::to_string(each.packed.offset));
                 }
                 return samples;
             },
@@ -258,34 +260,34 @@ private:
     }
 
     template <typename Number>
-    [[nodiscard]] Number number(std::size_t place) const {
-        return littleEndian<Number>(header_.data() + place);
+    [[nodiscard]] Number number(std::size_t offset) const {
+        return littleEndian<Number>(header_.data() + offset);
     }
 
     /// Filled up with NUL bytes or blanks.
-    [[nodiscard]] std::string text(std::size_t place, std::size_t length) const {
-        const std::string_view all = std::string_view(header_).substr(place, length);
+    [[nodiscard]] std::string text(std::size_t offset, std::size_t length) const {
+        const std::string_view all = std::string_view(header_).substr(offset, length);
         return toUtf8(trimmed(all.substr(0, all.find('\0'))));
     }
 
-    [[noreturn]] void fail(const std::string& place, const std::string& what) const {
-        throw InputError(bytes_.name(), place, what);
+    [[noreturn]] void fail(const std::string& location, const std::string& what) const {
+        throw InputError(bytes_.name(), location, what);
     }
 
     const ByteSource& bytes_;
-    std::uint64_t place_;
+    std::uint64_t offset_;
     std::string header_;
     SampleLayout samples_;               ///< in the file, or as they are unpacked
     std::vector<PackedStream> streams_;  ///< of a compressed object
     std::uint64_t end_ = 0;
 };
 
-bool hasMark(const ByteSource& bytes, std::uint64_t place) {
+bool hasMark(const ByteSource& bytes, std::uint64_t offset) {
     std::string mark(kDigitalSurfMagic.size(), '\0');
-    if (place > bytes.size() || mark.size() > bytes.size() - place) {
+    if (offset > bytes.size() || mark.size() > bytes.size() - offset) {
         return false;
     }
-    bytes.read(place, mark);
+    bytes.read(offset, mark);
     return mark == kDigitalSurfMagic || mark == kCompressedMagic;
 }
 
@@ -308,30 +310,30 @@ StoredScan readDigitalSurf(const ByteSource& bytes) {
     StoredScan result;
     WholeImages images;
     std::string version;
-    std::uint64_t place = 0;
+    std::uint64_t offset = 0;
     std::size_t count = 0;
     do {
-        requireImages(++count, bytes.name(), "byte " + std::to_string(place));
-        const DigitalSurfObject object(bytes, place);
-        place = object.end();
+        requireImages(++count, bytes.name(), "byte " + std::to_string(offset));
+        const DigitalSurfObject object(bytes, offset);
+        offset = object.end();
         version = object.version();
         try {
             StoredChannel image = object.read();
             image.channel.name = uniqueName(result, image.channel.name);
             result.channels.push_back(std::move(image));
         } catch (const InputError& error) {
-            if (place <= bytes.size()) {
+            if (offset <= bytes.size()) {
                 throw;
             }
             images.leaveOut(object.name(), error);
         }
-    } while (hasMark(bytes, place));
+    } while (hasMark(bytes, offset));
     images.finish(result);
-    if (place < bytes.size()) {
+    if (offset < bytes.size()) {
         throw InputError(bytes.name(), "bytes 334 to 337",
                          "with the comment and the private zone that the header names, the "
                          "samples end at byte " +
-                             std::to_string(place) + ", but the file has " +
+                             std::to_string(offset) + ", but the file has " +
                              std::to_string(bytes.size()));
     }
     result.notes.emplace_back(

@@ -2,7 +2,7 @@
 #include "core/io/heightmap/exr/ExrWriter.h"
 
 #include "core/Error.h"
-#include "core/io/heightmap/HeightMapEncoders.h"
+#include "core/io/heightmap/HeightMapWriter.h"
 
 #include <OpenEXR/IexErrnoExc.h>
 #include <OpenEXR/ImfChannelList.h>
@@ -24,7 +24,7 @@ namespace asperity {
 
 namespace {
 
-/// What a file says of itself whatever its channels.
+/// Returns the header, without the channels.
 Imf::Header commonHeader(const HeightRows& map, const HeightMapMeta& meta) {
     Imf::Header header(map.columns, map.rows);
     header.compression() = Imf::ZIP_COMPRESSION;
@@ -67,7 +67,7 @@ Imf::Header headerOfImages(std::span<const WrittenImage> images) {
     return header;
 }
 
-/// A row of a channel on its way into the file.
+/// A row of a channel that is written next.
 class ExrLine {
 public:
     explicit ExrLine(int columns) : values_(static_cast<std::size_t>(columns)) {}
@@ -103,7 +103,7 @@ void writeLines(const std::filesystem::path& target, const Imf::Header& header,
     } catch (const Iex::ErrnoExc&) {
         throw Error(kStoppedHalfWay);  // its own words name the temporary file
     }
-    finish(stream);  // the library writes the places of the lines last, and hides that it cannot
+    finish(stream);  // the library writes the offsets of the lines last, and hides that it cannot
 }
 
 }  // namespace

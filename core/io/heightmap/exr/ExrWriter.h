@@ -7,7 +7,7 @@ namespace asperity {
 /// Attribute: before the name of a channel, in a file of several: its unit.
 inline constexpr const char* kExrUnitOf = "unit of ";
 
-/// As HeightMapFormat::write.
+/// See HeightMapFormat::write.
 void writeExr(const std::filesystem::path& target, const HeightRows& map, const HeightMapMeta& meta,
               Progress* progress);
 

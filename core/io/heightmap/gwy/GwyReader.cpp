@@ -1,17 +1,18 @@
 #include "core/Error.h"
+#include "core/PrintableText.h"
 #include "core/io/ByteReader.h"
 #include "core/io/TextValue.h"
 #include "core/io/heightmap/HeightMapFormat.h"
 #include "core/io/heightmap/PhysicalUnit.h"
 #include "core/io/heightmap/SampleRows.h"
 #include "core/io/heightmap/ScanImage.h"
-#include "core/io/heightmap/ScanOrigin.h"
 #include "core/io/heightmap/WholeImages.h"
-#include "core/io/heightmap/gwy/GwyObject.h"
 #include "core/io/heightmap/gwy/GwyWriter.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <optional>
+#include <string>
 
 // Gwyddion's own files: one container whose keys are paths; /N/data is image N.
 // Source: Gwyddion user guide, "Gwyddion native file format"; docs/formats.md 1.
@@ -20,13 +21,170 @@ namespace asperity {
 
 namespace {
 
+/// One named value of a serialized Gwyddion object. The value stays in the source.
+struct GwyComponent {
+    std::string name;
+    char type = 0;   ///< one of b c i q d s o, in capitals an array
+    ByteSpan value;  ///< of a string without the NUL, of an array the items
+};
+
+/// A serialized object: a class name and a block of components.
+struct GwyObject {
+    std::string className;
+    ByteSpan components;
+};
+
+/// Walks through the components of an object, one level deep: what is inside a component that
+/// nobody asks for is skipped by its size, so depth and unknown classes cost nothing.
+/// Source: Gwyddion user guide, "Gwyddion native file format"; docs/formats.md 1.
+class GwyComponents {
+public:
+    /// @param source must outlive this
+    GwyComponents(const GwyObject& object, const ByteSource& source)
+        : reader_(source, object.components) {}
+
+    /// The next component; empty at the end. @throw InputError when it does not fit
+    [[nodiscard]] std::optional<GwyComponent> next();
+    /// Returns the name of the component that was asked for last, as far as it could be read.
+    [[nodiscard]] const std::string& name() const { return name_; }
+
+private:
+    ByteSpan takeValue(char type);
+    ByteSpan takeArray(char type);
+
+    ByteReader reader_;
+    std::string name_;
+};
+
+/// Limit of a title or a unit: the rest is cut off.
+constexpr std::uint64_t kGwyMaxText = 65536;
+
+/// Bytes of one value of a type with a fixed size; 0: no such type.
+std::uint64_t valueSize(char type) {
+    switch (type) {
+    case 'b':
+    case 'c':
+    case 'C':
+        return 1;
+    case 'i':
+    case 'I':
+        return 4;
+    case 'q':
+    case 'Q':
+    case 'd':
+    case 'D':
+        return 8;
+    default:
+        return 0;
+    }
+}
+
+void requireType(const GwyComponent& component, char type, const ByteSource& source) {
+    if (component.type == type) {
+        return;
+    }
+    throw InputError(source.name(), "byte " + std::to_string(component.value.offset),
+                     "the component '" + toUtf8(component.name) + "' has the type '" +
+                         toUtf8({&component.type, 1}) + "'; expected '" + type + "'");
+}
+
+/// Reads an object at the reader's offset. @throw InputError when it does not fit
+GwyObject takeGwyObject(ByteReader& reader) {
+    GwyObject object;
+    object.className = reader.takeName("a class name");
+    const auto size = reader.takeNumber<std::uint32_t>("an object's size");
+    object.components = reader.take(size, "an object");
+    return object;
+}
+
+std::optional<GwyComponent> GwyComponents::next() {
+    if (reader_.atEnd()) {
+        return std::nullopt;
+    }
+    GwyComponent component;
+    name_.clear();
+    component.name = name_ = reader_.takeName("a component's name");
+    component.type = reader_.takeNumber<char>("a component's type");
+    component.value = takeValue(component.type);
+    return component;
+}
+
+ByteSpan GwyComponents::takeValue(char type) {
+    if (type == 's') {
+        return reader_.takeString("a text");
+    }
+    if (type == 'o') {
+        const std::uint64_t start = reader_.offset();
+        (void)takeGwyObject(reader_);
+        return {start, reader_.offset() - start};
+    }
+    if (type >= 'A' && type <= 'Z') {
+        return takeArray(type);
+    }
+    const std::uint64_t size = valueSize(type);
+    if (size == 0) {
+        reader_.fail("unknown type of component; the file is damaged");
+    }
+    return reader_.take(size, "a value");
+}
+
+ByteSpan GwyComponents::takeArray(char type) {
+    const std::uint64_t count = reader_.takeNumber<std::uint32_t>("an array's length");
+    if (const std::uint64_t size = valueSize(type); size != 0) {
+        return reader_.take(count * size, "an array");
+    }
+    if (type != 'S' && type != 'O') {
+        reader_.fail("unknown type of array; the file is damaged");
+    }
+    const std::uint64_t start = reader_.offset();
+    for (std::uint64_t i = 0; i < count; ++i) {
+        if (type == 'S') {
+            (void)reader_.takeString("a text");
+        } else {
+            (void)takeGwyObject(reader_);
+        }
+    }
+    return {start, reader_.offset() - start};
+}
+
+/// The values, checked to have the type that the format prescribes. @throw InputError otherwise
+std::int32_t gwyInteger(const GwyComponent& component, const ByteSource& source) {
+    requireType(component, 'i', source);
+    return numberIn<std::int32_t>(source, component.value);
+}
+
+double gwyNumber(const GwyComponent& component, const ByteSource& source) {
+    requireType(component, 'd', source);
+    return numberIn<double>(source, component.value);
+}
+
+std::string gwyText(const GwyComponent& component, const ByteSource& source) {
+    requireType(component, 's', source);
+    const ByteSpan& value = component.value;
+    constexpr std::uint64_t kCharacter = 4;
+    const std::string text =
+        bytesOf(source, {value.offset, std::min(value.count, kGwyMaxText + kCharacter)});
+    return toUtf8(utf8Start(text, kGwyMaxText));
+}
+
+ByteSpan gwyNumbers(const GwyComponent& component, const ByteSource& source) {
+    requireType(component, 'D', source);
+    return component.value;
+}
+
+GwyObject gwyObject(const GwyComponent& component, const ByteSource& source) {
+    requireType(component, 'o', source);
+    ByteReader reader(source, component.value);
+    return takeGwyObject(reader);
+}
+
 constexpr std::string_view kGwyMagic = "GWYP";
 constexpr std::string_view kOldMagic = "GWYO";
 
 /// Stacks have some hundred.
 constexpr std::size_t kGwyMaxImages = 1024;
 
-/// What the container holds about one image.
+/// The container's components of one image.
 struct ImageParts {
     std::optional<GwyObject> data;
     std::optional<GwyObject> mask;
@@ -46,7 +204,7 @@ struct DataField {
     ByteSpan values;  ///< doubles, top row first
 
     [[nodiscard]] ReadRow rows(const ByteSource& source) const {
-        return rowsOf(source, {.size = size, .type = SampleType::Float64, .place = values.place});
+        return rowsOf(source, {.size = size, .type = SampleType::Float64, .offset = values.offset});
     }
 };
 
@@ -130,8 +288,8 @@ private:
         }
     }
 
-    /// What the file's end cuts. An image whose mask is cut is not whole: masks hold pixels without
-    /// data, which importers fill.
+    /// Leaves out an image that the file's end cuts. One whose mask is cut is not whole: masks hold
+    /// pixels without data, which importers fill.
     void leaveOutCut(const std::string& name, const InputError& error) {
         if (!name.empty()) {
             images_.leaveOut(toUtf8(name), error);
@@ -182,7 +340,7 @@ private:
         }
     }
 
-    /// Whether an image is left out because there are too many.
+    /// Returns whether an image is left out because there are too many.
     bool isBeyond(long long image) {
         const bool isBeyond = parts_.size() == kGwyMaxImages && !parts_.contains(image);
         isCut_ = isCut_ || isBeyond;
@@ -192,7 +350,7 @@ private:
     [[nodiscard]] GwyObject field(const GwyComponent& component) const {
         GwyObject object = gwyObject(component, bytes_);
         if (object.className != "GwyDataField") {
-            throw InputError(file_, place(object),
+            throw InputError(file_, location(object),
                              "'" + toUtf8(component.name) + "' is no GwyDataField");
         }
         return object;
@@ -226,11 +384,11 @@ private:
     }
 
     static void addProvenance(ScanChannel& channel, const DataField& data,
-                              const std::string& place) {
+                              const std::string& location) {
         assumeMeters(channel);
-        settleSize(channel, place + ", xreal and yreal");
+        settleSize(channel, location + ", xreal and yreal");
         channel.provenance.push_back(
-            scaleProvenance(data.unit.factor, channel.unit, place + ", si_unit_z"));
+            scaleProvenance(data.unit.factor, channel.unit, location + ", si_unit_z"));
         channel.provenance.push_back(
             {"orientation", "the top row is stored first", "the same in every .gwy file"});
     }
@@ -239,7 +397,7 @@ private:
     DataField maskOf(ScanChannel& channel, const GwyObject& object) const {
         DataField mask = readField(object);
         if (mask.size.columns != channel.map.columns || mask.size.rows != channel.map.rows) {
-            throw InputError(file_, place(object),
+            throw InputError(file_, location(object),
                              "the mask of '" + channel.name + "' has another size than its image");
         }
         std::ptrdiff_t marked = 0;
@@ -291,9 +449,9 @@ private:
                 field.values = gwyNumbers(*part, bytes_);
             }
         }
-        field.size = checkedImageSize(columns, rows, file_, place(object));
+        field.size = checkedImageSize(columns, rows, file_, location(object));
         if (field.values.count / sizeof(double) != field.size.pixels()) {
-            throw InputError(file_, place(object),
+            throw InputError(file_, location(object),
                              std::to_string(columns) + " x " + std::to_string(rows) +
                                  " pixels are promised, but there are " +
                                  std::to_string(field.values.count / sizeof(double)));
@@ -320,15 +478,15 @@ private:
         while (const std::optional<GwyComponent> part = components.next()) {
             if (part->type == 's') {
                 metadata.set(toUtf8(part->name),
-                             toUtf8(std::string_view(texts).substr(part->value.place - whole.place,
-                                                                   part->value.count)));
+                             toUtf8(std::string_view(texts).substr(
+                                 part->value.offset - whole.offset, part->value.count)));
             }
         }
         return metadata;
     }
 
-    static std::string place(const GwyObject& object) {
-        return "byte " + std::to_string(object.components.place);
+    static std::string location(const GwyObject& object) {
+        return "byte " + std::to_string(object.components.offset);
     }
 
     const ByteSource& bytes_;

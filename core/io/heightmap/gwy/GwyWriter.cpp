@@ -2,7 +2,7 @@
 
 #include "core/Error.h"
 #include "core/io/ByteReader.h"
-#include "core/io/heightmap/HeightMapEncoders.h"
+#include "core/io/heightmap/HeightMapWriter.h"
 
 #include <fstream>
 #include <limits>
@@ -16,8 +16,8 @@ namespace asperity {
 
 namespace {
 
-/// Serialized objects on their way into a file, nothing of which stays in memory. An object's size
-/// stands before what it holds, and is put there when the object ends.
+/// Writes serialized objects into a file, keeping none in memory. An object's size
+/// is written before its content, and is put there when the object ends.
 class GwyStream {
 public:
     explicit GwyStream(std::ofstream& stream) : stream_(stream) {}
@@ -31,7 +31,7 @@ public:
         component(name, 'o');
         begin(className);
     }
-    /// Of what began last.
+    /// Ends the object that began last.
     void end() {
         const std::streampos here = stream_.tellp();
         const auto size = here - begins_.back() - std::streamoff{sizeof(std::uint32_t)};
@@ -93,7 +93,7 @@ private:
     }
 
     std::ofstream& stream_;
-    std::vector<std::streampos> begins_;  ///< places of the sizes of objects that have not ended
+    std::vector<std::streampos> begins_;  ///< offsets of the sizes of objects that have not ended
 };
 
 /// @param unit empty: none
@@ -103,7 +103,7 @@ void writeUnit(GwyStream& stream, std::string_view name, std::string_view unit) 
     stream.end();
 }
 
-/// What a field has before its values; of a size that is not known, nothing.
+/// Writes a field's size before its values; none where it is not known.
 void writeGeometry(GwyStream& stream, const WrittenImage& image) {
     stream.integer("xres", image.rows.columns);
     stream.integer("yres", image.rows.rows);
@@ -116,7 +116,7 @@ void writeGeometry(GwyStream& stream, const WrittenImage& image) {
     writeUnit(stream, "si_unit_xy", image.lateralUnit);
 }
 
-/// An image on its way into the container, as number N.
+/// An image for the container, as number N.
 class ImageWriter {
 public:
     ImageWriter(GwyStream& stream, const WrittenImage& image, std::size_t number)
@@ -178,7 +178,7 @@ private:
     std::string prefix_;  ///< of the keys of its parts
 };
 
-/// So large that nothing need be written to tell that it does not fit.
+/// Checks the size before anything is written.
 void requireFit(std::span<const WrittenImage> images) {
     double bytes = 0.0;
     for (const WrittenImage& image : images) {

@@ -4,11 +4,11 @@
 
 namespace asperity {
 
-/// As HeightMapFormat::writeAll.
+/// See HeightMapFormat::writeAll.
 void writeGwyImages(const std::filesystem::path& target, std::span<const WrittenImage> images,
                     Progress* progress);
 
-/// As HeightMapFormat::write.
+/// See HeightMapFormat::write.
 void writeGwy(const std::filesystem::path& target, const HeightRows& map, const HeightMapMeta& meta,
               Progress* progress);
 

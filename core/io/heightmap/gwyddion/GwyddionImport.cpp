@@ -1,6 +1,6 @@
 #include "core/Error.h"
-#include "core/PrivateFolder.h"
 #include "core/ProgramRun.h"
+#include "core/TemporaryFile.h"
 #include "core/io/FileBytes.h"
 #include "core/io/TextValue.h"
 #include "core/io/heightmap/GwyddionScan.h"
@@ -82,7 +82,7 @@ std::string lettersOf(std::string_view text) {
     return letters;
 }
 
-/// Whether the unit "A" of such a channel is the ångström.
+/// Returns whether the unit "A" of such a channel is the ångström.
 bool namesHeight(const std::string& channel) {
     const std::string name = lowerCase(channel);
     return name.find("topograph") != std::string::npos ||
@@ -137,7 +137,7 @@ void takeOwnUnit(StoredChannel& stored) {
         scaleProvenance(stored.factor, own->base, "the unit in the file's metadata"));
 }
 
-/// What an interferometer calls phase is the surface itself, in meters.
+/// Marks an interferometer's phase as the surface itself, in meters.
 void markSurface(ScanChannel& channel, const Identification& found) {
     if (found.module == "metropro" && lowerCase(channel.name).starts_with("phase") &&
         channel.isHeight()) {

@@ -6,15 +6,15 @@
 
 namespace asperity {
 
-/// What `gwyddion --identify` finds a file to be.
+/// Type of a file by `gwyddion --identify`.
 struct Identification {
     std::string name;    ///< for people: "Nearly raw raster data (NRRD) files (.nrrd)"
     std::string module;  ///< "nrrdfile"
     int score = 0;       ///< 100: certain
 
-    /// Whether the format decides, and not a guess by size or file name.
+    /// Returns whether the format decides, and not a guess by size or file name.
     [[nodiscard]] bool isCertain() const { return score >= 50; }
-    /// Whether it is a picture of at most 8 bits a color, whose values are no heights.
+    /// Returns whether it is a picture of at most 8 bits a color, whose values are no heights.
     [[nodiscard]] bool isPicture() const;
 };
 

@@ -3,9 +3,7 @@
 #include "core/io/heightmap/HeightMapFormat.h"
 #include "core/io/heightmap/PhysicalUnit.h"
 #include "core/io/heightmap/ScanImage.h"
-#include "core/io/heightmap/ScanOrigin.h"
 #include "core/io/heightmap/WholeImages.h"
-#include "core/io/heightmap/igor/AsylumChannel.h"
 #include "core/io/heightmap/igor/IgorWave.h"
 
 #include <algorithm>
@@ -33,7 +31,7 @@ public:
             .size = checkedImageSize(wave_.counts[0], wave_.counts[1], bytes_.name(), "dimensions"),
             .type = wave_.type,
             .order = wave_.order,
-            .place = wave_.place,
+            .offset = wave_.offset,
             .bottomFirst = true};
         StoredScan result;
         result.texts.add(note_);
@@ -45,7 +43,7 @@ public:
                             image.channel.name)) {
                 result.channels.push_back(std::move(image));
             }
-            samples.place += samples.bytes();
+            samples.offset += samples.bytes();
         }
         whole.finish(result);
         if (const auto angle = note_.find("ScanAngle"); angle != note_.end()) {
@@ -84,7 +82,7 @@ private:
                std::ranges::any_of(wave_.labels[2], isAsylumLabel);
     }
 
-    /// Without labels nobody can tell a single image from force curves; several are no curves.
+    /// Without labels nobody can discern a single image from force curves; several are no curves.
     void refuseCut() const {
         if (wave_.cut && wave_.counts[2] == 0) {
             throw InputError(*wave_.cut);
@@ -115,9 +113,9 @@ private:
     }
 
     [[nodiscard]] StoredChannel channelOf(int layer, const SampleLayout& samples) const {
-        const auto place = static_cast<std::size_t>(layer) + 1;
+        const auto index = static_cast<std::size_t>(layer) + 1;
         const std::vector<std::string>& labels = wave_.labels[2];
-        const std::string label = place < labels.size() ? labels[place] : std::string();
+        const std::string label = index < labels.size() ? labels[index] : std::string();
         ScanChannel channel;
         channel.name = label.empty() ? nameOf(layer) : label;
         channel.direction = directionFromName(label);

@@ -1,15 +1,16 @@
 #include "core/io/heightmap/igor/IgorWave.h"
 
-#include "core/Error.h"
 #include "core/io/ByteReader.h"
 #include "core/io/TextValue.h"
+#include "core/io/heightmap/HeaderFields.h"
 
 #include <algorithm>
-#include <optional>
+#include <string_view>
 #include <utility>
 
 // Igor binary wave: a header of 64 bytes, one of 320 for the wave, the numbers, then formula, note,
 // units and labels. Source: docs/formats.md 6.
+// Channels of Asylum Research instruments. Source: docs/formats.md 6.
 
 namespace asperity {
 
@@ -23,7 +24,7 @@ constexpr std::uint64_t kWaveMaxText = std::uint64_t{1} << 18U;
 constexpr std::uint64_t kFooter = 1024;
 constexpr int kImageVersion = 5;
 
-// Places in the first header and, from 64 on, in that of the wave.
+// Offsets in the first header and, from 64 on, in that of the wave.
 constexpr std::size_t kWaveSize = 4;
 constexpr std::size_t kFormulaSize = 8;
 constexpr std::size_t kNoteSize = 12;
@@ -54,25 +55,25 @@ public:
     [[nodiscard]] bool isWhole() const { return bytes_.size() == kHeaders; }
 
     template <typename Number>
-    [[nodiscard]] Number at(std::size_t place) const {
-        const char* const from = bytes_.data() + place;
+    [[nodiscard]] Number at(std::size_t offset) const {
+        const char* const from = bytes_.data() + offset;
         return order_ == ByteOrder::Little ? littleEndian<Number>(from) : bigEndian<Number>(from);
     }
 
     /// Text up to its first NUL.
-    [[nodiscard]] std::string text(std::size_t place, std::size_t length) const {
-        const std::string_view all = std::string_view(bytes_).substr(place, length);
+    [[nodiscard]] std::string text(std::size_t offset, std::size_t length) const {
+        const std::string_view all = std::string_view(bytes_).substr(offset, length);
         return toUtf8(all.substr(0, all.find('\0')));
     }
 
-    /// Whether the numbers of 16 bits in the first bytes add up to 0.
+    /// Returns whether the numbers of 16 bits in the first bytes add up to 0.
     [[nodiscard]] bool sumsToZero(std::size_t length) const {
         if (bytes_.size() < length) {
             return false;
         }
         unsigned sum = 0;
-        for (std::size_t place = 0; place < length; place += 2) {
-            sum += at<std::uint16_t>(place);
+        for (std::size_t offset = 0; offset < length; offset += 2) {
+            sum += at<std::uint16_t>(offset);
         }
         return (sum & 0xFFFFU) == 0;
     }
@@ -156,7 +157,7 @@ private:
             fail("type", "no type of numbers has the code " + std::to_string(code));
         }
         wave_.type = *type;
-        wave_.place = kHeaders;
+        wave_.offset = kHeaders;
         const std::uint64_t expected = kWaveHeader + countOfNumbers() * sizeOf(*type);
         const std::uint64_t stated = size(kWaveSize);
         if (stated < expected) {
@@ -231,13 +232,13 @@ private:
 
     /// No note of an instrument comes near the limit; what is beyond is left out.
     [[nodiscard]] std::string textIn(const ByteSpan& span) const {
-        return bytesOf(bytes_, {span.place, std::min(span.count, kWaveMaxText)});
+        return bytesOf(bytes_, {span.offset, std::min(span.count, kWaveMaxText)});
     }
 
-    [[nodiscard]] std::uint64_t size(std::size_t place) const {
-        const auto stated = header_.at<std::int32_t>(place);
+    [[nodiscard]] std::uint64_t size(std::size_t offset) const {
+        const auto stated = header_.at<std::int32_t>(offset);
         if (stated < 0) {
-            fail("byte " + std::to_string(place), "a size of " + std::to_string(stated));
+            fail("byte " + std::to_string(offset), "a size of " + std::to_string(stated));
         }
         return static_cast<std::uint64_t>(stated);
     }
@@ -259,8 +260,8 @@ private:
         return span;
     }
 
-    [[noreturn]] void fail(const std::string& place, const std::string& what) const {
-        throw InputError(bytes_.name(), place, what);
+    [[noreturn]] void fail(const std::string& location, const std::string& what) const {
+        throw InputError(bytes_.name(), location, what);
     }
 
     const ByteSource& bytes_;
@@ -268,6 +269,39 @@ private:
     std::uint64_t end_ = 0;  ///< of what is read so far
     IgorWave wave_;
 };
+
+constexpr std::array<std::pair<std::string_view, const char*>, 8> kAsylumUnits{
+    {{"Height", "m"},
+     {"ZSensor", "m"},
+     {"Deflection", "m"},
+     {"Amplitude", "m"},
+     {"Phase", "deg"},
+     {"Current", "A"},
+     {"Frequency", "Hz"},
+     {"Potential", "V"}}};
+
+/// "HeightTraceMod1" → "HeightTrace": images that were changed after the scan.
+std::string_view withoutChanges(std::string_view label) {
+    const std::size_t mark = label.rfind("Mod");
+    const bool numbered = mark != std::string_view::npos && mark > 0 && mark + 3 < label.size() &&
+                          label.find_first_not_of("0123456789", mark + 3) == std::string_view::npos;
+    return numbered ? label.substr(0, mark) : label;
+}
+
+/// "NapPotentialRetrace" → "Potential"
+std::string signalOf(std::string_view label) {
+    label = withoutChanges(label);
+    for (const std::string_view direction : {"Retrace", "Trace"}) {
+        if (label.ends_with(direction)) {
+            label.remove_suffix(direction.size());
+            break;
+        }
+    }
+    if (label.starts_with("Nap")) {
+        label.remove_prefix(3);
+    }
+    return std::string(label);
+}
 
 }  // namespace
 
@@ -288,5 +322,36 @@ bool startsAsIgorWave(const ByteSource& bytes) {
 }
 
 IgorWave readIgorWave(const ByteSource& bytes) { return WaveReader(bytes).read(); }
+
+std::map<std::string, std::string> parseAsylumNote(const std::string& note) {
+    std::map<std::string, std::string> fields;
+    for (const std::string_view line : linesOf(note)) {
+        const std::size_t colon = line.find(':');
+        if (colon != std::string_view::npos && colon > 0) {
+            fields.emplace(toUtf8(trimmed(line.substr(0, colon))),
+                           toUtf8(trimmed(line.substr(colon + 1))));
+        }
+    }
+    return fields;
+}
+
+bool isAsylumLabel(const std::string& label) {
+    const std::string_view image = withoutChanges(label);
+    return image.ends_with("Trace") || image.ends_with("Retrace");
+}
+
+std::string asylumUnit(const std::string& label, const std::map<std::string, std::string>& note) {
+    const std::string signal = signalOf(label);
+    const auto said = note.find(signal + "Unit");
+    if (said != note.end()) {
+        return said->second;
+    }
+    for (const auto& [name, unit] : kAsylumUnits) {
+        if (signal.starts_with(name)) {
+            return unit;
+        }
+    }
+    return {};
+}
 
 }  // namespace asperity

@@ -1,11 +1,12 @@
 #pragma once
 
 #include "core/Error.h"
-#include "core/io/ByteSource.h"
+#include "core/io/ByteReader.h"
 #include "core/io/heightmap/SampleRows.h"
 
 #include <array>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -24,21 +25,34 @@ struct IgorWave {
     std::array<double, kDimensions> starts{};        ///< in the dimension's unit
     std::string unit;                                ///< of the numbers, as it is written
     std::array<std::string, kDimensions> dimensionUnits;
-    /// Of each dimension: the label of the dimension itself, then those of its elements.
+    /// Labels for each dimension: that of the dimension itself, then those of its elements.
     std::array<std::vector<std::string>, kDimensions> labels;
-    std::string note;         ///< as it is stored
-    std::uint64_t place = 0;  ///< of the first number [bytes]
-    /// Why the file is truncated, with or behind the numbers; what it lost is empty here.
+    std::string note;          ///< as it is stored
+    std::uint64_t offset = 0;  ///< of the first number [bytes]
+    /// Reason why the file is truncated, with or behind the numbers; what it lost is empty here.
     std::optional<InputError> cut;
     std::string footer;  ///< end of what follows the wave, at most 1 KiB; Asylum's has a text
 };
 
-/// Whether a file starts as an Igor binary wave of any version, damaged or not.
+/// Returns whether a file starts as an Igor binary wave of any version, damaged or not.
 [[nodiscard]] bool startsAsIgorWave(const ByteSource& bytes);
 
 /// @throw InputError when the wave has one dimension, texts or complex numbers, or anything does
 /// not
 ///        fit together
 [[nodiscard]] IgorWave readIgorWave(const ByteSource& bytes);
+
+/// Returns the entries in the note of an Asylum Research wave, by key.
+/// @param note `key: value` lines that end with CR; of several with one key the first one counts
+[[nodiscard]] std::map<std::string, std::string> parseAsylumNote(const std::string& note);
+
+/// Returns whether a label names an image of an Asylum file: "HeightTrace", "PhaseRetraceMod1".
+[[nodiscard]] bool isAsylumLabel(const std::string& label);
+
+/// The unit of a channel, whose numbers are in SI units: what the note says ("UserIn0Unit"), else
+/// by its name; empty when neither is known.
+/// @param label "HeightTrace", "NapPhase2Retrace", "UserIn0TraceMod1"
+[[nodiscard]] std::string asylumUnit(const std::string& label,
+                                     const std::map<std::string, std::string>& note);
 
 }  // namespace asperity

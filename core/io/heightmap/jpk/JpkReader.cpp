@@ -1,11 +1,11 @@
 #include "core/Error.h"
-#include "core/Utf8.h"
+#include "core/PrintableText.h"
+#include "core/io/MemoryLimit.h"
 #include "core/io/TextValue.h"
 #include "core/io/heightmap/ImageScale.h"
 #include "core/io/heightmap/PhysicalUnit.h"
-#include "core/io/heightmap/ScanOrigin.h"
+#include "core/io/heightmap/ScanImage.h"
 #include "core/io/heightmap/WholeImages.h"
-#include "core/io/heightmap/jpk/JpkImage.h"
 #include "core/io/heightmap/jpk/JpkSlot.h"
 #include "core/io/heightmap/tiff/TiffImage.h"
 
@@ -21,7 +21,7 @@ namespace asperity {
 
 namespace {
 
-// Of the whole scan.
+// Tags of the whole scan.
 constexpr std::uint16_t kJpkVersion = 0x8000;
 constexpr std::uint16_t kJpkOriginX = 0x8040;
 constexpr std::uint16_t kJpkOriginY = 0x8041;
@@ -38,12 +38,12 @@ constexpr std::array<std::pair<const char*, std::uint16_t>, 9> kTexts = {{{"vers
                                                                           {"user", 0x8009},
                                                                           {"instrument", 0x8016},
                                                                           {"mode", 0x8052}}};
-// Of a channel.
+// Tags of a channel.
 constexpr std::uint16_t kChannel = 0x8050;
 constexpr std::uint16_t kRetrace = 0x8051;
 constexpr std::uint16_t kFancyName = 0x8052;
 
-/// Of a text that is kept.
+/// Limit of a text that is kept.
 constexpr std::size_t kJpkMaxText = 4096;
 
 class JpkReader {
@@ -88,6 +88,8 @@ private:
                            " bits");
         }
         const TiffImage image = tiffImage(directory, *type);
+        decoded_ += image.decodedBytes();
+        requireUsualPacking(decoded_, bytes_.size(), bytes_.name(), directory.name());
         const JpkSlot slot = defaultJpkSlot(directory);
         StoredChannel stored{.channel = channelOf(directory, image.size),
                              .readRow = rowsOf(directory, image, !isReflected_)};
@@ -178,6 +180,7 @@ private:
     std::vector<TiffDirectory> directories_;
     const TiffDirectory& scan_;
     bool isReflected_ = false;
+    std::uint64_t decoded_ = 0;  ///< bytes of the channels so far
     StoredScan result_;
 };
 

@@ -18,7 +18,7 @@ constexpr std::uint16_t kMultiplier = 0x80A4;
 constexpr std::uint16_t kSlotOffset = 0x80A5;
 constexpr std::uint16_t kSlotNoData = 0x80AA;
 constexpr std::int64_t kStep = 0x30;
-/// So many slots have room among the tags.
+/// Number of slots that have room among the tags.
 constexpr std::int64_t kMaxSlots = (0xFFFF - kSlotNoData) / kStep + 1;
 
 std::uint16_t tagOf(std::uint16_t first, std::int64_t slot) {

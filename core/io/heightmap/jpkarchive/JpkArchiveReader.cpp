@@ -1,9 +1,8 @@
 #include "core/Error.h"
 #include "core/io/heightmap/HeightMapFormat.h"
 #include "core/io/heightmap/SampleRows.h"
-#include "core/io/heightmap/jpk/JpkImage.h"
+#include "core/io/heightmap/jpk/JpkSlot.h"
 #include "core/io/zip/ZipArchive.h"
-#include "core/io/zip/ZipDirectory.h"
 
 #include <algorithm>
 #include <memory>

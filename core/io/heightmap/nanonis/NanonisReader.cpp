@@ -5,7 +5,6 @@
 #include "core/io/heightmap/PhysicalUnit.h"
 #include "core/io/heightmap/SampleRows.h"
 #include "core/io/heightmap/ScanImage.h"
-#include "core/io/heightmap/ScanOrigin.h"
 #include "core/io/heightmap/WholeImages.h"
 
 #include <algorithm>
@@ -57,7 +56,7 @@ public:
         requireFloats();
         samples_ = {.size = imageSize(),
                     .order = ByteOrder::Big,
-                    .place = markAfter(header.end),
+                    .offset = markAfter(header.end),
                     .bottomFirst = isUpward()};
         result_.texts.add(tags_.texts());
         const std::vector<Signal> signals = listedSignals();
@@ -99,16 +98,16 @@ private:
     }
 
     /// Only line ends lie between the last tag and the mark of the samples.
-    [[nodiscard]] std::uint64_t markAfter(std::uint64_t place) const {
-        constexpr std::uint64_t kMost = 64;
-        std::string text(std::min(kMost, bytes_.size() - place), '\0');
-        bytes_.read(place, text);
+    [[nodiscard]] std::uint64_t markAfter(std::uint64_t offset) const {
+        constexpr std::uint64_t kMax = 64;
+        std::string text(std::min(kMax, bytes_.size() - offset), '\0');
+        bytes_.read(offset, text);
         const std::size_t found = text.find(kDataMark);
         if (found == std::string::npos) {
-            throw InputError(file_, "byte " + std::to_string(place),
+            throw InputError(file_, "byte " + std::to_string(offset),
                              "expected the bytes 1A 04 before the samples");
         }
-        return place + found + kDataMark.size();
+        return offset + found + kDataMark.size();
     }
 
     /// "FLOAT MSBFIRST"; of files that say LSBFIRST the samples have the highest byte first, too.
@@ -200,7 +199,7 @@ private:
     [[nodiscard]] bool holdsOneImageEach(const std::vector<Signal>& signals) const {
         const bool foreign = tags_.text("ACQ_TIME") == "N/A" ||
                              lowerCase(tags_.text("SCAN_TIME")).starts_with("nan");
-        return foreign && bytes_.size() - samples_.place == signals.size() * samples_.bytes();
+        return foreign && bytes_.size() - samples_.offset == signals.size() * samples_.bytes();
     }
 
     /// In degrees. Nanonis counts it clockwise; its size alone matters here.
@@ -231,7 +230,7 @@ private:
                                           "the image is backward"});
         }
         const SampleLayout samples = samples_;
-        samples_.place += samples_.bytes();
+        samples_.offset += samples_.bytes();
         if (!images_.holds(bytes_, samples, "image '" + channel.name + "'", channel.name)) {
             return;
         }

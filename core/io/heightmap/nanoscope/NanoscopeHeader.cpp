@@ -1,7 +1,6 @@
 #include "core/io/heightmap/nanoscope/NanoscopeHeader.h"
 
 #include "core/Error.h"
-#include "core/io/TextValue.h"
 
 #include <cmath>
 

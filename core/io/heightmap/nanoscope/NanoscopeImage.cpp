@@ -4,15 +4,90 @@
 #include "core/SiFormat.h"
 #include "core/io/TextValue.h"
 #include "core/io/heightmap/PhysicalUnit.h"
-#include "core/io/heightmap/nanoscope/NanoscopeLists.h"
 
+#include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
+#include <string_view>
 #include <utility>
+
+// Source: docs/formats.md 3.
 
 namespace asperity {
 
 namespace {
+
+struct ListedFactor {
+    NanoscopeList list;
+    std::string_view key;  ///< empty: none
+    bool divides = false;
+};
+
+/// Parts of the scale of an image that has none of its own.
+struct OldKind {
+    std::string_view name;  ///< "Image data"
+    std::string_view zScale;
+    std::string_view unit;
+    double factor;
+    std::array<ListedFactor, 3> listed;
+};
+
+constexpr double kNano = 1e-9;
+constexpr double kPerCount = 2.0 / 65536.0;  ///< counts reach from -max to max
+constexpr ListedFactor kNone{NanoscopeList::Scan, ""};
+constexpr ListedFactor kInputMax{NanoscopeList::Controller, "In1 max"};
+constexpr ListedFactor kInput{NanoscopeList::Scanner, "In sensitivity"};
+constexpr ListedFactor kDetector{NanoscopeList::Scan, "Detect sens.", true};
+
+constexpr std::array<OldKind, 6> kOldKinds{
+    {{"Height",
+      "Z scale height",
+      "m",
+      kNano* kPerCount,
+      {{{NanoscopeList::Controller, "Z max"}, {NanoscopeList::Scanner, "Z sensitivity"}, kNone}}},
+     {"Deflection", "Z scale defl", "m", kNano* kPerCount, {{kInputMax, kInput, kDetector}}},
+     {"Amplitude", "Z scale ampl", "m", kNano* kPerCount, {{kInputMax, kInput, kDetector}}},
+     {"Current", "Z scale amplitude", "A", kNano * 2.0 / 32768.0, {{kInputMax, kInput, kNone}}},
+     {"Frequency", "Z scale freq", "Hz", 25e6 / 32768.0, {{kNone, kNone, kNone}}},
+     {"Phase", "Z scale phase", "deg", 180.0 / 65536.0, {{kNone, kNone, kNone}}}}};
+
+std::optional<double> numberOf(const std::string* text) {
+    const std::optional<LeadingNumber> number =
+        text == nullptr ? std::nullopt : parseLeadingNumber(*text);
+    return number && std::isfinite(number->value) ? std::optional(number->value) : std::nullopt;
+}
+
+std::optional<OldScale> statedScale(const std::string& text) {
+    const std::optional<LeadingNumber> number = parseLeadingNumber(text);
+    if (!number || !std::isfinite(number->value)) {
+        return std::nullopt;
+    }
+    const PhysicalUnit unit = parseUnit(number->rest.substr(0, number->rest.find('(')));
+    return OldScale{number->value * unit.factor, unit.base, ", Z scale"};
+}
+
+std::optional<OldScale> scaleOfKind(const OldKind& kind, const NanoscopeSection& image,
+                                    const FindInList& findInList) {
+    const std::optional<double> own = numberOf(image.find(kind.zScale));
+    if (!own) {
+        return std::nullopt;
+    }
+    OldScale scale{kind.factor * *own, std::string(kind.unit), ", " + std::string(kind.zScale)};
+    for (const ListedFactor& each : kind.listed) {
+        if (each.key.empty()) {
+            continue;
+        }
+        const std::string key(each.key);
+        const std::optional<double> number = numberOf(findInList(each.list, key));
+        if (!number || (each.divides && *number == 0.0)) {
+            return std::nullopt;
+        }
+        scale.fullScale *= each.divides ? 1.0 / *number : *number;
+        scale.source += ", " + key;
+    }
+    return scale;
+}
 
 /// From this version on samples have 32 bits, whatever "Bytes/pixel" says.
 constexpr unsigned kFirstWideVersion = 0x09200000;
@@ -29,7 +104,7 @@ std::string productUnit(const std::string& sensitivity, const std::string& hard)
     return hard.empty() ? sensitivity : sensitivity + " " + hard;
 }
 
-/// Whether an aspect ratio is none of a square. Gwyddion looks at the number before the colon.
+/// Returns whether it is the ratio of no square. Gwyddion looks at the number before the colon.
 bool isNonSquare(const std::string* text) {
     if (text == nullptr || *text == "1:1") {
         return false;
@@ -50,9 +125,21 @@ long long leadingCount(const std::string* text) {
 
 }  // namespace
 
+std::optional<OldScale> oldNanoscopeScale(const NanoscopeSection& image,
+                                          const FindInList& findInList) {
+    if (const std::string* const stated = image.find("Z scale")) {
+        return statedScale(*stated);
+    }
+    const std::string* const name = image.find("Image data");
+    const auto* const kind = std::ranges::find_if(kOldKinds, [name](const OldKind& each) {
+        return name != nullptr && lowerCase(each.name) == lowerCase(*name);
+    });
+    return kind == kOldKinds.end() ? std::nullopt : scaleOfKind(*kind, image, findInList);
+}
+
 NanoscopeImage::NanoscopeImage(const std::vector<NanoscopeSection>& sections,
-                               const NanoscopeSection& image, std::string file, std::string place)
-    : sections_(&sections), image_(&image), file_(std::move(file)), place_(std::move(place)) {}
+                               const NanoscopeSection& image, std::string file, std::string list)
+    : sections_(&sections), image_(&image), file_(std::move(file)), list_(std::move(list)) {}
 
 std::string NanoscopeImage::name() const {
     for (const char* const key : {"@2:Image Data", "@3:Image Data", "@4:Image Data"}) {
@@ -62,10 +149,10 @@ std::string NanoscopeImage::name() const {
             continue;
         }
         const std::string& name = value->bracket.empty() ? value->text : value->bracket;
-        return name.empty() ? place_ : name;
+        return name.empty() ? list_ : name;
     }
     const std::string* const old = image_->find("Image data");
-    return old == nullptr || old->empty() ? place_ : *old;
+    return old == nullptr || old->empty() ? list_ : *old;
 }
 
 std::string NanoscopeImage::direction() const {
@@ -74,15 +161,15 @@ std::string NanoscopeImage::direction() const {
 }
 
 ImageSize NanoscopeImage::ownSize() const {
-    const std::string place = place_ + ": Samps/line, Number of lines";
+    const std::string location = list_ + ": Samps/line, Number of lines";
     if (image_->find("Number of lines") == nullptr) {
-        // NanoScope E: both stand in one line.
+        // NanoScope E: both are in one line.
         const std::string& both = require("Samps/line");
         const std::optional<LeadingNumber> first = parseLeadingNumber(both);
         const std::string rest = first ? std::string(first->rest) : std::string();
-        return checkedImageSize(leadingCount(&both), leadingCount(&rest), file_, place);
+        return checkedImageSize(leadingCount(&both), leadingCount(&rest), file_, location);
     }
-    return checkedImageSize(integer("Samps/line"), integer("Number of lines"), file_, place);
+    return checkedImageSize(integer("Samps/line"), integer("Number of lines"), file_, location);
 }
 
 NanoscopeLayout NanoscopeImage::layout() const {
@@ -135,8 +222,8 @@ NanoscopeImage::ScanGrid NanoscopeImage::scanGrid() const {
     return grid;
 }
 
-/// As Gwyddion does it: the size that is exactly as long as the data; else the larger one of those
-/// that are shorter. Else the scan was stopped, and the data are its first lines.
+/// Does as Gwyddion: takes the size that is exactly as long as the data; else the larger one of
+/// those that are shorter. Else the scan was stopped, and the data are its first lines.
 bool NanoscopeImage::fitSize(NanoscopeLayout& layout, ImageSize own, const ScanGrid& grid,
                              long long length) {
     const long long rowBytes = static_cast<long long>(own.columns) * layout.sampleBytes;
@@ -171,7 +258,7 @@ std::optional<NanoscopeImage::ScanSize> NanoscopeImage::scanSizeIn(const std::st
     return ScanSize{x->value * unit.factor, (y ? y->value : x->value) * unit.factor};
 }
 
-/// As Gwyddion does it, docs/formats.md 3.
+/// Does as Gwyddion, docs/formats.md 3.
 void NanoscopeImage::readScanSize(NanoscopeLayout& layout, ImageSize own,
                                   const ScanGrid& grid) const {
     const std::string* text = image_->find("Scan size");
@@ -201,8 +288,7 @@ NanoscopeScale NanoscopeImage::oldScale() const {
     if (!scale) {
         fail("it has no '@2:Z scale', nor what NanoScope before version 4.3 has in its place");
     }
-    return {std::ldexp(scale->fullScale, -8 * bytesPerPixel()), scale->unit,
-            place_ + scale->source};
+    return {std::ldexp(scale->fullScale, -8 * bytesPerPixel()), scale->unit, list_ + scale->source};
 }
 
 NanoscopeScale NanoscopeImage::scale() const {
@@ -230,7 +316,7 @@ NanoscopeScale NanoscopeImage::scale() const {
     if (keepsUnit) {
         scale.unit = value->unit;
     }
-    scale.source = place_ + ", " + key + scale.source;
+    scale.source = list_ + ", " + key + scale.source;
     scale.factor *= *value->number * (keepsUnit ? 1.0 : hard.factor) / fullScale;
     return scale;
 }
@@ -315,15 +401,15 @@ std::optional<double> NanoscopeImage::scanLength(const std::string& key) const {
     return unit.base == "m" ? std::optional(number->value * unit.factor) : std::nullopt;
 }
 
-std::optional<NanoscopePlace> NanoscopeImage::center(const NanoscopeLayout& layout) const {
+std::optional<NanoscopePosition> NanoscopeImage::center(const NanoscopeLayout& layout) const {
     const std::optional<double> x = scanLength("X Offset");
     const std::optional<double> y = scanLength("Y Offset");
     if (!x && !y) {
         return std::nullopt;
     }
     const int missing = layout.plannedRows - layout.size.rows;
-    return NanoscopePlace{x.value_or(0.0),
-                          y.value_or(0.0) - 0.5 * missing * layout.sizeY / layout.size.rows};
+    return NanoscopePosition{x.value_or(0.0),
+                             y.value_or(0.0) - 0.5 * missing * layout.sizeY / layout.size.rows};
 }
 
 std::string NanoscopeImage::partNote() const {
@@ -337,7 +423,7 @@ std::string NanoscopeImage::partNote() const {
     const auto isSmaller = [](double one, double other) {
         return std::abs(one) < (1.0 - kRounding) * std::abs(other);
     };
-    // Of a scan that is no square, y may be the larger side or its own.
+    // In a scan that is no square, y may be the larger side or its own.
     const bool isSquare = !isNonSquare(image_->find("Aspect ratio")) && !scanGrid().hasAspect;
     if (!isSmaller(own->x, scan->x) && !(isSquare && isSmaller(own->y, scan->y))) {
         return {};
@@ -395,6 +481,6 @@ const std::string* NanoscopeImage::findIn(NanoscopeList list, const std::string&
     return nullptr;
 }
 
-void NanoscopeImage::fail(const std::string& what) const { throw InputError(file_, place_, what); }
+void NanoscopeImage::fail(const std::string& what) const { throw InputError(file_, list_, what); }
 
 }  // namespace asperity

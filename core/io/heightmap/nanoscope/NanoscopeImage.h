@@ -2,9 +2,9 @@
 
 #include "core/io/heightmap/ScanImage.h"
 #include "core/io/heightmap/nanoscope/NanoscopeHeader.h"
-#include "core/io/heightmap/nanoscope/OldScale.h"
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -12,14 +12,33 @@
 
 namespace asperity {
 
-/// How the samples of one NanoScope image become physical values.
+/// Scale of an image as a NanoScope before version 4.3 states it.
+struct OldScale {
+    double fullScale = 1.0;  ///< value of all counts, 256 to the power of the bytes a pixel
+    std::string unit;        ///< SI base unit
+    std::string source;      ///< entries of the header that it comes from
+};
+
+/// List of a header that holds a parameter: that of the scanner, the scan or the controller.
+enum class NanoscopeList : std::uint8_t { Scanner, Scan, Controller };
+/// The text of a parameter; null when there is none.
+using FindInList = std::function<const std::string*(NanoscopeList list, const std::string& key)>;
+
+/// The scale by `Z scale: 440 nm (...)` (version 4.2), or, without it, by the parameters that the
+/// kind of the image names, `Z scale height`, `Z max` and `Z sensitivity` of a height.
+/// @param image the image's list
+/// @return empty when neither is there, or a number of them is missing
+[[nodiscard]] std::optional<OldScale> oldNanoscopeScale(const NanoscopeSection& image,
+                                                        const FindInList& findInList);
+
+/// Conversion of the samples of one NanoScope image to physical values.
 struct NanoscopeScale {
     double factor = 1.0;  ///< physical value of one count
     std::string unit;     ///< "m" for lengths; others may keep a prefix ("mV")
     std::string source;   ///< entries of the header that it comes from
 };
 
-/// Where an image lies in the file and how large it is.
+/// Position of an image in the file, and its size.
 struct NanoscopeLayout {
     ImageSize size;            ///< pixels that the file stores
     int plannedRows = 0;       ///< of the scan; more than stored when it was stopped early
@@ -30,38 +49,38 @@ struct NanoscopeLayout {
     double sizeY = 0.0;  ///< [m]
 };
 
-/// A place in the instrument's frame [m].
-struct NanoscopePlace {
+/// A position in the instrument's frame [m].
+struct NanoscopePosition {
     double x = 0.0;
     double y = 0.0;
 };
 
-/// What the sections of a NanoScope header say about one image.
+/// Sections of a NanoScope header about one image.
 class NanoscopeImage {
 public:
     /// @param sections all of the header; must outlive this
     /// @param image    the "Ciao image list" among them
-    /// @param place    of that list, for messages
+    /// @param list     its name, for messages
     NanoscopeImage(const std::vector<NanoscopeSection>& sections, const NanoscopeSection& image,
-                   std::string file, std::string place);
+                   std::string file, std::string list);
 
     [[nodiscard]] std::string name() const;
     [[nodiscard]] std::string direction() const;
     /// @throw InputError when sizes are missing, wrong, or do not fit together
     [[nodiscard]] NanoscopeLayout layout() const;
-    /// The same of an image whose samples stand as text: their number takes the place of the length
-    /// of the data. @throw InputError likewise
+    /// The same of an image whose samples are written as text: their number replaces the length
+    /// of the data. @throw InputError the same
     [[nodiscard]] NanoscopeLayout layoutOf(std::uint64_t values) const;
     /// @throw InputError when the scale or its sensitivity cannot be read
     [[nodiscard]] NanoscopeScale scale() const;
     /// A parameter of the header's file list; empty: it has none.
     [[nodiscard]] std::string ofFile(const std::string& key) const;
-    /// What a user should know: an early stop, pixels that are not square, earlier leveling.
+    /// Returns notes for a user: an early stop, pixels that are not square, earlier leveling.
     [[nodiscard]] std::vector<std::string> notes() const;
     [[nodiscard]] int bytesPerPixel() const;  ///< as the header says, 2 when it says nothing
     /// The center of the stored image, which lies at the bottom of a scan that was stopped early;
     /// empty: the header does not give it.
-    [[nodiscard]] std::optional<NanoscopePlace> center(const NanoscopeLayout& layout) const;
+    [[nodiscard]] std::optional<NanoscopePosition> center(const NanoscopeLayout& layout) const;
     [[nodiscard]] double rotation() const;  ///< of the scan [deg]
     /// A note where the image is smaller than its scan: which part of it, the header does not say.
     /// Empty: it is the scan, or the header gives no center either.
@@ -72,10 +91,10 @@ private:
         double x = 0.0;  ///< [m]
         double y = 0.0;  ///< [m]; as x where there is one number
     };
-    /// What the scan list says of all images.
+    /// Entries of the scan list for all images.
     struct ScanGrid {
         long long columns = 0;  ///< 0: it does not say
-        long long rows = 0;     ///< likewise
+        long long rows = 0;     ///< the same
         bool hasAspect = false;
     };
 
@@ -103,7 +122,7 @@ private:
     const std::vector<NanoscopeSection>* sections_;
     const NanoscopeSection* image_;
     std::string file_;
-    std::string place_;
+    std::string list_;
 };
 
 }  // namespace asperity

@@ -3,11 +3,9 @@
 #include "core/io/heightmap/HeightMapFormat.h"
 #include "core/io/heightmap/SampleRows.h"
 #include "core/io/heightmap/ScanImage.h"
-#include "core/io/heightmap/ScanOrigin.h"
 #include "core/io/heightmap/WholeImages.h"
 #include "core/io/heightmap/nanoscope/NanoscopeHeader.h"
 #include "core/io/heightmap/nanoscope/NanoscopeImage.h"
-#include "core/io/heightmap/nanoscope/NanoscopeLists.h"
 
 #include <algorithm>
 #include <utility>
@@ -62,7 +60,7 @@ public:
     }
 
 private:
-    /// Of the whole header, whatever list it is in; empty: there is none.
+    /// Returns a value of the whole header, whatever list it is in; empty: there is none.
     [[nodiscard]] std::string anywhere(const std::string& key) const {
         for (const NanoscopeSection& section : sections_) {
             if (const std::string* const text = section.find(key)) {
@@ -72,7 +70,7 @@ private:
         return {};
     }
 
-    /// Of trenches: lines of different lengths.
+    /// Refuses profiles of trenches: lines of different lengths.
     void refuseProfiles() const {
         if (anywhere("Start context").ends_with("VAR")) {
             throw InputError(file_, "header",
@@ -101,8 +99,8 @@ private:
                });
     }
 
-    /// Whether nothing is missing before the first samples: the header says how long it is, and is
-    /// filled up to there. Where bytes are missing, samples are not where it says.
+    /// Returns whether nothing is missing before the first samples: the header says how long it is,
+    /// and is filled up to there. Where bytes are missing, samples are not where it says.
     [[nodiscard]] bool isHeaderWhole() const {
         const std::optional<long long> length =
             parseInteger(sections_.empty() || sections_[0].find("Data length") == nullptr
@@ -123,9 +121,9 @@ private:
     }
 
     void addChannel(const NanoscopeSection& section) {
-        const std::string place = "image list " + std::to_string(++listed_);
-        requireImages(listed_, file_, place);
-        const NanoscopeImage image(sections_, section, file_, place);
+        const std::string location = "image list " + std::to_string(++listed_);
+        requireImages(listed_, file_, location);
+        const NanoscopeImage image(sections_, section, file_, location);
         const NanoscopeLayout layout = image.layout();
         const NanoscopeScale scale = image.scale();
         ScanChannel channel;
@@ -134,7 +132,7 @@ private:
         channel.lateralUnit = "m";
         channel.direction = image.direction();
         channel.map = emptyMap(layout.size, layout.sizeX, layout.sizeY);
-        if (const std::optional<NanoscopePlace> center = image.center(layout)) {
+        if (const std::optional<NanoscopePosition> center = image.center(layout)) {
             setOrigin(channel, center->x, center->y, GivenPoint::Center);
         }
         for (const auto& [key, entry] : section.entries) {
@@ -145,33 +143,33 @@ private:
                                    .type = layout.sampleBytes == sizeof(std::int32_t)
                                                ? SampleType::Int32
                                                : SampleType::Int16,
-                                   .place = layout.offset,
+                                   .offset = layout.offset,
                                    .bottomFirst = true};
-        if (!images_.holds(bytes_, samples, place, channel.name)) {
+        if (!images_.holds(bytes_, samples, location, channel.name)) {
             return;
         }
-        takeSamples(samples, place);
+        takeSamples(samples, location);
         addNotes(image, channel, layout.sampleBytes);
         noteRotation(result_.notes, image.rotation());
-        addProvenance(image, channel, scale, place);
+        addProvenance(image, channel, scale, location);
         result_.channels.push_back({.channel = std::move(channel),
                                     .factor = scale.factor,
                                     .readRow = rowsOf(bytes_, samples)});
     }
 
-    void takeSamples(const SampleLayout& samples, const std::string& place) {
-        if (samples.place < headerEnd_) {
-            throw InputError(file_, place,
-                             "its data start at byte " + std::to_string(samples.place) +
+    void takeSamples(const SampleLayout& samples, const std::string& location) {
+        if (samples.offset < headerEnd_) {
+            throw InputError(file_, location,
+                             "its data start at byte " + std::to_string(samples.offset) +
                                  ", but the header ends at " + std::to_string(headerEnd_));
         }
-        const std::uint64_t pastLast = samples.place + samples.bytes();
+        const std::uint64_t pastLast = samples.offset + samples.bytes();
         for (const auto& [start, end] : taken_) {
-            if (samples.place < end && start < pastLast) {
-                throw InputError(file_, place, "its data overlap those of another image");
+            if (samples.offset < end && start < pastLast) {
+                throw InputError(file_, location, "its data overlap those of another image");
             }
         }
-        taken_.emplace_back(samples.place, pastLast);
+        taken_.emplace_back(samples.offset, pastLast);
     }
 
     static void addNotes(const NanoscopeImage& image, ScanChannel& channel, int sampleBytes) {
@@ -184,19 +182,19 @@ private:
     }
 
     void addProvenance(const NanoscopeImage& image, ScanChannel& channel,
-                       const NanoscopeScale& scale, const std::string& place) {
+                       const NanoscopeScale& scale, const std::string& location) {
         const std::string version = image.ofFile("Version");
         result_.provenance.clear();
         if (!version.empty()) {
             result_.provenance = {{"format version", version, "File list, Version"}};
         }
-        settleSize(channel, place + ", Scan size");
+        settleSize(channel, location + ", Scan size");
         channel.provenance.push_back(scaleProvenance(scale.factor, scale.unit, scale.source));
         channel.provenance.push_back(
             {"orientation", "the bottom row is stored first", "the same in every NanoScope file"});
     }
 
-    /// Those of everything but the images.
+    /// Takes the texts of everything but the images.
     void takeSharedTexts() {
         for (const NanoscopeSection& section : sections_) {
             if (lowerCase(section.name).ends_with("image list")) {

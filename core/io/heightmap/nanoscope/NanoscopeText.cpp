@@ -6,10 +6,8 @@
 #include "core/io/heightmap/PhysicalUnit.h"
 #include "core/io/heightmap/SampleRows.h"
 #include "core/io/heightmap/ScanImage.h"
-#include "core/io/heightmap/ScanOrigin.h"
 #include "core/io/heightmap/nanoscope/NanoscopeHeader.h"
 #include "core/io/heightmap/nanoscope/NanoscopeImage.h"
-#include "core/io/heightmap/nanoscope/NanoscopeLists.h"
 
 #include <algorithm>
 #include <array>
@@ -26,8 +24,8 @@ namespace asperity {
 
 namespace {
 
-constexpr std::uint64_t kGlance = std::uint64_t{1} << 12U;  // [bytes]
-constexpr long long kMaxHeaderLines = 20000;
+constexpr std::uint64_t kHeaderGlance = std::uint64_t{1} << 12U;  // [bytes]
+constexpr long long kMaxTextLines = 20000;
 constexpr std::string_view kQuotedSection = "\"\\*";
 
 /// "Height_Sensor(nm)"
@@ -36,7 +34,7 @@ struct ColumnTitle {
     std::string unit;
 };
 
-/// What separates the cells of a line of titles.
+/// Returns the separator of a line of titles.
 char separatorOf(std::string_view titles) {
     for (const char separator : {'\t', ';', ','}) {
         if (titles.find(separator) != std::string_view::npos) {
@@ -46,7 +44,7 @@ char separatorOf(std::string_view titles) {
     return '\t';
 }
 
-/// A cell whose unit stands in brackets at its end. Lengths and other units may follow a blank.
+/// A cell whose unit is in brackets at its end. Lengths and other units may follow a blank.
 std::optional<ColumnTitle> titleIn(std::string_view cell) {
     cell = trimmed(cell);
     if (cell.size() > 1 && cell.starts_with('"') && cell.ends_with('"')) {
@@ -85,7 +83,7 @@ bool arePoints(const std::vector<ColumnTitle>& titles) {
            lowerCase(titles[1].name) == "y";
 }
 
-/// Of curves as text, the first column is what the others are measured over.
+/// Curves as text have the quantity that the others are measured over in the first column.
 bool areCurves(const std::vector<ColumnTitle>& titles) {
     constexpr std::array<std::string_view, 9> kAbscissas{"z",
                                                          "time",
@@ -99,7 +97,7 @@ bool areCurves(const std::vector<ColumnTitle>& titles) {
     return titles.size() > 1 && std::ranges::count(kAbscissas, lowerCase(titles[0].name)) > 0;
 }
 
-/// How numbers stand below a line of titles: it says what separates them.
+/// Returns the style of the numbers below a line of titles, which shows their separator.
 NumberStyle styleBelow(std::string_view titles, std::size_t columns) {
     const char separator = separatorOf(titles);
     return columns == 1 ? NumberStyle{.separator = ' ', .decimalComma = true}
@@ -118,7 +116,7 @@ bool readsAs(std::string_view line, const NumberStyle& style, std::size_t column
 
 /// Titles with units and, below them, a line with a number for each.
 bool beginsWithTitles(const ByteSource& bytes) {
-    const std::string start = bytes.start(kGlance);
+    const std::string start = bytes.start(kHeaderGlance);
     const MemoryBytes glance(start, bytes.name());
     TextLines lines(glance);
     const std::optional<std::string_view> first = lines.next();
@@ -166,7 +164,7 @@ private:
             if (text.size() > 1 && text.starts_with('"') && text.ends_with('"')) {
                 text = trimmed(text.substr(1, text.size() - 2));
             }
-            if (lines_.number() > kMaxHeaderLines) {
+            if (lines_.number() > kMaxTextLines) {
                 break;
             }
             if (text.starts_with('\\')) {
@@ -234,7 +232,7 @@ private:
         }
     }
 
-    /// Of a channel; the lists are in the order of the columns where there are as many.
+    /// Returns a column's image; the lists are in the order of the columns where there are as many.
     [[nodiscard]] NanoscopeImage imageOf(std::size_t column) const {
         const std::size_t list = images_.size() == titles_.size() ? column : 0;
         return {sections_, *images_[list], file_, "image list " + std::to_string(list + 1)};
@@ -291,7 +289,7 @@ private:
                   const NanoscopeLayout& layout) const {
         channel.lateralUnit = "m";
         channel.direction = image.direction();
-        if (const std::optional<NanoscopePlace> center = image.center(layout)) {
+        if (const std::optional<NanoscopePosition> center = image.center(layout)) {
             setOrigin(channel, center->x, center->y, GivenPoint::Center);
         }
         if (std::string note = image.partNote(); !note.empty()) {

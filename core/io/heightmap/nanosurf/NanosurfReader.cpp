@@ -5,7 +5,6 @@
 #include "core/io/heightmap/PhysicalUnit.h"
 #include "core/io/heightmap/SampleRows.h"
 #include "core/io/heightmap/ScanImage.h"
-#include "core/io/heightmap/ScanOrigin.h"
 #include "core/io/heightmap/WholeImages.h"
 
 #include <algorithm>
@@ -24,7 +23,7 @@ namespace {
 constexpr std::string_view kNanosurfMagic = "[DataSet]";
 constexpr std::string_view kNanosurfHeaderEnd = "\r\n#!";
 
-/// One that [DataSet] lists, by group and place in it.
+/// One that [DataSet] lists, by group and index in it.
 using ChannelKey = std::pair<long long, long long>;
 
 /// "Gr1-Ch2" → 1, 2; empty for every other key.
@@ -38,7 +37,7 @@ std::optional<ChannelKey> parseChannelKey(std::string_view key) {
     return group && channel ? std::optional(ChannelKey{*group, *channel}) : std::nullopt;
 }
 
-/// What a count of the samples means.
+/// Meaning of a count of the samples.
 struct Scale {
     double minimum = 0.0;  ///< value of the lowest count
     double perCount = 1.0;
@@ -57,7 +56,7 @@ public:
         }
         const HeaderText header = headerText(bytes_, kNanosurfHeaderEnd);
         sections_ = sectionsOf(header.text, '=', file_);
-        place_ = header.end;
+        offset_ = header.end;
         takeSharedTexts();
         const std::vector<const HeaderFields*> channels = listedChannels();
         quota_ = TextQuota::ofEach(channels.size());
@@ -91,20 +90,20 @@ private:
         }
         std::map<ChannelKey, const HeaderFields*> channels;
         for (const auto& [key, name] : list->second.all()) {
-            const std::optional<ChannelKey> place = parseChannelKey(key);
-            if (!place) {
+            const std::optional<ChannelKey> channel = parseChannelKey(key);
+            if (!channel) {
                 continue;
             }
             const auto section = sections_.find(name);
             if (section == sections_.end()) {
                 list->second.fail(key, "there is no section [" + name + "]");
             }
-            channels.emplace(*place, &section->second);
+            channels.emplace(*channel, &section->second);
         }
         requireImages(channels.size(), file_, "[DataSet]");
         std::vector<const HeaderFields*> ordered;
         ordered.reserve(channels.size());
-        for (const auto& [place, section] : channels) {
+        for (const auto& [channel, section] : channels) {
             ordered.push_back(section);
         }
         return ordered;
@@ -119,29 +118,29 @@ private:
         }
         const SampleLayout samples{.size = checkedImageSize(section.integer("Points"),
                                                             section.integer("Lines"), file_,
-                                                            section.place() + " Points, Lines"),
+                                                            section.location() + " Points, Lines"),
                                    .type = typeOf(section),
-                                   .place = place_,
+                                   .offset = offset_,
                                    .bottomFirst = true};
-        place_ += samples.bytes();
+        offset_ += samples.bytes();
         StoredChannel image = imageOf(section, samples);
-        if (images_.holds(bytes_, samples, section.place(), image.channel.name)) {
+        if (images_.holds(bytes_, samples, section.location(), image.channel.name)) {
             result_.channels.push_back(std::move(image));
         }
     }
 
     /// Curves have a line each.
     void skipCurves(const HeaderFields& section, const std::string& frame) {
-        constexpr long long kMost = 1LL << 24;
+        constexpr long long kMax = 1LL << 24;
         const long long points = section.integer("Points");
         const long long lines = section.integer("Lines");
-        if (!(points >= 0 && points <= kMost && lines >= 0 && lines <= kMost)) {
+        if (!(points >= 0 && points <= kMax && lines >= 0 && lines <= kMax)) {
             section.fail("Points, Lines",
                          "found " + std::to_string(points) + " x " + std::to_string(lines));
         }
         const auto count = static_cast<std::uint64_t>(points * lines);
         const std::uint64_t length = count * sizeOf(typeOf(section));
-        place_ += length;
+        offset_ += length;
         long long& curves = curves_[frame.empty() ? "no frame" : frame];
         curves = std::max(curves, lines);
     }
@@ -199,11 +198,11 @@ private:
             {"orientation", "the bottom row is stored first", "the same in every Nanosurf file"});
         const PhysicalUnit unit = parseUnit(section.text("Dim2Unit"));
         channel.unit = unit.base;
-        settleSize(channel, section.place() + " Dim0Range and Dim1Range");
+        settleSize(channel, section.location() + " Dim0Range and Dim1Range");
         const Scale scale = scaleOf(section, samples.type);
         channel.provenance.push_back(scaleProvenance(
             scale.perCount * unit.factor, unit.base,
-            section.place() + " Dim2Range over the counts of SaveBits, from Dim2Min on"));
+            section.location() + " Dim2Range over the counts of SaveBits, from Dim2Min on"));
         return {.channel = std::move(channel),
                 .factor = unit.factor,
                 .readRow =
@@ -224,7 +223,7 @@ private:
                 .lowestCount = -std::ldexp(1.0, bits - 1)};
     }
 
-    /// Those on the whole scan.
+    /// Takes the texts on the whole scan.
     void takeSharedTexts() {
         if (const auto scan = sections_.find("DataSet-Info"); scan != sections_.end()) {
             result_.texts = textsOf(scan->second);
@@ -246,8 +245,8 @@ private:
     const std::string& file_;
     HeaderSections sections_;
     TextQuota quota_;                          ///< of each image
-    std::uint64_t place_ = 0;                  ///< of the next samples
-    std::map<std::string, long long> curves_;  ///< how many of each frame
+    std::uint64_t offset_ = 0;                 ///< of the next samples
+    std::map<std::string, long long> curves_;  ///< number for each frame
     WholeImages images_;
     StoredScan result_;
 };

@@ -4,12 +4,10 @@
 #include "core/io/ByteReader.h"
 #include "core/io/TextValue.h"
 #include "core/io/hdf5/Hdf5Program.h"
-#include "core/io/heightmap/Hdf5Names.h"
-#include "core/io/heightmap/HeightMapFormat.h"
 #include "core/io/heightmap/PhysicalUnit.h"
 #include "core/io/heightmap/SampleRows.h"
 #include "core/io/heightmap/ScanImage.h"
-#include "core/io/heightmap/ScanOrigin.h"
+#include "core/io/heightmap/UnreadFormats.h"
 
 #include <algorithm>
 #include <array>
@@ -45,7 +43,7 @@ struct NexusAxis {
     bool isLength = false;  ///< else first and last have no unit that is one
 
     [[nodiscard]] bool falls() const { return isKnown && last < first; }
-    /// Of all pixels, whose middles the axis names [m].
+    /// Returns the size of all pixels, whose middles the axis names [m].
     [[nodiscard]] double size(std::uint64_t pixels) const {
         const auto count = static_cast<double>(pixels);
         return isLength && pixels > 1 ? std::abs(last - first) * count / (count - 1.0) : 0.0;
@@ -119,7 +117,7 @@ private:
         return path.substr(0, path.find('/', 1));
     }
 
-    /// Whether a group lies in an entry of one of the definitions.
+    /// Returns whether a group lies in an entry of one of the definitions.
     [[nodiscard]] bool isInEntry(const std::string& path) {
         const std::string definition(
             trimmed(content_.text(Kind::Dataset, entryOf(path) + "/definition")));
@@ -139,7 +137,7 @@ private:
     [[nodiscard]] std::array<std::string, 2> axesOf(const std::string& group) const {
         std::array<std::string, 2> axes{"y", "x"};
         const Hdf5Item* const item = attribute(group, "axes");
-        if (item != nullptr && item->type == Hdf5Type::Text && item->count == 2 && item->place) {
+        if (item != nullptr && item->type == Hdf5Type::Text && item->count == 2 && item->offset) {
             std::string texts(2 * static_cast<std::size_t>(item->bytes), '\0');
             content_.read(*item, 0, std::span<char>(texts));
             for (std::size_t i = 0; i < 2; ++i) {
@@ -166,7 +164,7 @@ private:
         const Hdf5Content content = readContent_({paths.begin(), paths.end()});
         for (const std::string& path : paths) {
             const Hdf5Item* const item = content.find(Kind::Dataset, path);
-            if (item == nullptr || !item->place || item->shape.size() != 1 || item->count == 0) {
+            if (item == nullptr || !item->offset || item->shape.size() != 1 || item->count == 0) {
                 continue;
             }
             const PhysicalUnit unit = parseUnit(textOf(path, "units"));
@@ -188,7 +186,7 @@ private:
         for (const Hdf5Item& item : content_.items()) {
             if (item.kind == Kind::Dataset && item.path.starts_with(entry + "/") &&
                 nameOf(item.path) == name && nameOf(parentOf(item.path)) == "scan_region" &&
-                item.count == 1 && item.place) {
+                item.count == 1 && item.offset) {
                 double value = 0.0;
                 content_.read(item, 0, std::span<double>(&value, 1));
                 const PhysicalUnit unit = parseUnit(textOf(item.path, "units"));
@@ -259,7 +257,7 @@ private:
             [readContent = readContent_, path = signal.path, size, isTurned] {
                 const Hdf5Content content = readContent({path});
                 const Hdf5Item* const item = content.find(Kind::Dataset, path);
-                if (item == nullptr || !item->place || item->count != size.pixels()) {
+                if (item == nullptr || !item->offset || item->count != size.pixels()) {
                     content.fail(path, "its values cannot be read");
                 }
                 return samplesOf(content, *item, size, isTurned);

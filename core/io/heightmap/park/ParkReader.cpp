@@ -3,14 +3,14 @@
 #include "core/io/TextValue.h"
 #include "core/io/heightmap/ImageScale.h"
 #include "core/io/heightmap/PhysicalUnit.h"
-#include "core/io/heightmap/ScanOrigin.h"
+#include "core/io/heightmap/ScanImage.h"
 #include "core/io/heightmap/tiff/TiffImage.h"
 
 #include <bit>
 #include <utility>
 
 // Park Systems (PSIA): a TIFF whose image is a small picture; a private tag holds the samples, and
-// another one a header of numbers at fixed places, both with the lowest byte first.
+// another one a header of numbers at fixed offsets, both with the lowest byte first.
 // Source: docs/formats.md 8.
 
 namespace asperity {
@@ -26,7 +26,7 @@ constexpr std::int64_t kParkMagic = 0x0E031301;
 constexpr std::int64_t kVersion1 = 0x01000001;
 constexpr std::int64_t kVersion2 = 0x01000002;
 
-// Places in the header [bytes].
+// Offsets in the header [bytes].
 constexpr std::size_t kImageType = 0;
 constexpr std::size_t kSource = 4;
 constexpr std::size_t kMode = 68;
@@ -88,7 +88,7 @@ private:
             tags.fail("the header in tag 50435 has " + std::to_string(span.count) +
                       " bytes, expected " + std::to_string(expected));
         }
-        return bytesOf(tags.bytes(), {span.place, expected});
+        return bytesOf(tags.bytes(), {span.offset, expected});
     }
 
     void requireMap() {
@@ -107,7 +107,7 @@ private:
                                                      at<std::int32_t>(kParkRows), bytes_.name(),
                                                      "Park header"),
                             .type = sampleType(),
-                            .place = samples_.place,
+                            .offset = samples_.offset,
                             .bottomFirst = true};
         if (samples_.count != layout.bytes()) {
             fail("expected " + std::to_string(layout.bytes()) + " bytes for " +
@@ -170,14 +170,14 @@ private:
     }
 
     template <typename Number>
-    [[nodiscard]] Number at(std::size_t place) const {
-        return littleEndian<Number>(header_.data() + place);
+    [[nodiscard]] Number at(std::size_t offset) const {
+        return littleEndian<Number>(header_.data() + offset);
     }
 
     /// @param length [characters]
-    [[nodiscard]] std::string text(std::size_t place, std::size_t length) const {
+    [[nodiscard]] std::string text(std::size_t offset, std::size_t length) const {
         const std::string all =
-            utf16ToUtf8(std::string_view(header_).substr(place, 2 * length), std::endian::little);
+            utf16ToUtf8(std::string_view(header_).substr(offset, 2 * length), std::endian::little);
         return std::string(trimmed(std::string_view(all).substr(0, all.find('\0'))));
     }
 

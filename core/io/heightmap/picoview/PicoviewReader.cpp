@@ -5,7 +5,6 @@
 #include "core/io/heightmap/PhysicalUnit.h"
 #include "core/io/heightmap/SampleRows.h"
 #include "core/io/heightmap/ScanImage.h"
-#include "core/io/heightmap/ScanOrigin.h"
 #include "core/io/heightmap/WholeImages.h"
 
 #include <array>
@@ -51,7 +50,7 @@ public:
             if (whole.holds(bytes_, samples_, "image '" + name + "'", name)) {
                 result.channels.push_back(std::move(stored));
             }
-            samples_.place += samples_.bytes();
+            samples_.offset += samples_.bytes();
         }
         whole.finish(result);
         return result;
@@ -86,10 +85,10 @@ private:
     }
 
     /// The rest of the line `data`, which says how the samples are stored that follow it.
-    void readSampleKind(std::uint64_t place) {
+    void readSampleKind(std::uint64_t offset) {
         constexpr std::uint64_t kLongest = 32;
-        std::string text(std::min(kLongest, bytes_.size() - place), '\0');
-        bytes_.read(place, text);
+        std::string text(std::min(kLongest, bytes_.size() - offset), '\0');
+        bytes_.read(offset, text);
         const std::size_t end = text.find('\n');
         const std::string_view kind = trimmed(std::string_view(text).substr(0, end));
         if (kind == "ASCII") {
@@ -103,7 +102,7 @@ private:
                                  "'");
         }
         samples_.type = wide ? SampleType::Int32 : SampleType::Int16;
-        samples_.place = place + end + 1;
+        samples_.offset = offset + end + 1;
         // Whatever the scan's direction was, the first stored row is the bottom of the image.
         samples_.bottomFirst = true;
     }

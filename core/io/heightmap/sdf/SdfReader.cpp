@@ -89,7 +89,7 @@ private:
             fail("DataType", "expected 0 to 7, found " + std::to_string(type));
         }
         const SampleLayout layout{
-            .size = size_, .type = kSampleTypes[type], .place = reader.place()};
+            .size = size_, .type = kSampleTypes[type], .offset = reader.offset()};
         requireSamples(bytes_, layout, "points");
         return replaced(rowsOf(bytes_, layout), size_.columns,
                         [noData = noDataOf(layout.type)](double number) {
@@ -191,8 +191,8 @@ private:
         settleSize(channel, "header, Xscale and Yscale");
     }
 
-    [[noreturn]] void fail(const std::string& place, const std::string& what) const {
-        throw InputError(bytes_.name(), place, what);
+    [[noreturn]] void fail(const std::string& location, const std::string& what) const {
+        throw InputError(bytes_.name(), location, what);
     }
 
     const ByteSource& bytes_;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <vector>
@@ -57,7 +56,7 @@ private:
     std::vector<std::uint64_t> words_ = std::vector<std::uint64_t>(kCells / kBits + 1);
 };
 
-/// Those of the range that hold a coordinate.
+/// Returns the cells of the range that hold a coordinate.
 Cells occupiedCells(const TextPoints& points, std::size_t axis, const Range& range) {
     Cells cells;
     const double perCell = kCells / range.width();
@@ -70,24 +69,24 @@ Cells occupiedCells(const TextPoints& points, std::size_t axis, const Range& ran
 
 /// The middle of each run of cells that hold a coordinate, in cells; none when a run is longer than
 /// one coordinate can be, or there are too many.
-std::vector<double> nodePlaces(const Cells& cells) {
+std::vector<double> nodePositions(const Cells& cells) {
     constexpr std::size_t kLongestRun = 3;
-    std::vector<double> places;
+    std::vector<double> positions;
     for (std::size_t i = cells.next(0, true); i != Cells::kEnd;) {
         const std::size_t end = cells.next(i, false);
-        places.push_back(static_cast<double>(i + end - 1) / 2.0);
-        if (end - i > kLongestRun || places.size() > kMaxNodes) {
+        positions.push_back(static_cast<double>(i + end - 1) / 2.0);
+        if (end - i > kLongestRun || positions.size() > kMaxNodes) {
             return {};
         }
         i = cells.next(end, true);
     }
-    return places;
+    return positions;
 }
 
-double medianStep(const std::vector<double>& places) {
+double medianStep(const std::vector<double>& positions) {
     std::vector<double> steps;
-    for (std::size_t i = 1; i < places.size(); ++i) {
-        steps.push_back(places[i] - places[i - 1]);
+    for (std::size_t i = 1; i < positions.size(); ++i) {
+        steps.push_back(positions[i] - positions[i - 1]);
     }
     const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
     std::nth_element(steps.begin(), middle, steps.end());
@@ -102,23 +101,23 @@ std::optional<GridAxis> gridAxis(const TextPoints& points, std::size_t axis) {
         return GridAxis{.first = range.first, .pitch = 0.0, .count = 1};
     }
     const bool usable = std::isnormal(range.width()) && std::isfinite(kCells / range.width());
-    const std::vector<double> places =
-        usable ? nodePlaces(occupiedCells(points, axis, range)) : std::vector<double>();
-    if (places.size() < 2) {
+    const std::vector<double> positions =
+        usable ? nodePositions(occupiedCells(points, axis, range)) : std::vector<double>();
+    if (positions.size() < 2) {
         return std::nullopt;
     }
     // Each step is a whole number of pitches; all of them together give the pitch exactly.
-    const double step = medianStep(places);
+    const double step = medianStep(positions);
     std::vector<double> nodes{0.0};
-    for (std::size_t i = 1; i < places.size(); ++i) {
-        nodes.push_back(nodes.back() + std::round((places[i] - places[i - 1]) / step));
+    for (std::size_t i = 1; i < positions.size(); ++i) {
+        nodes.push_back(nodes.back() + std::round((positions[i] - positions[i - 1]) / step));
     }
     if (nodes.back() >= static_cast<double>(kMaxNodes)) {
         return std::nullopt;
     }
     const double pitch = static_cast<double>(kCells) / nodes.back();  // [cells]
-    for (std::size_t i = 0; i < places.size(); ++i) {
-        if (std::abs(places[i] - nodes[i] * pitch) > kMaxShift * pitch) {
+    for (std::size_t i = 0; i < positions.size(); ++i) {
+        if (std::abs(positions[i] - nodes[i] * pitch) > kMaxShift * pitch) {
             return std::nullopt;
         }
     }

@@ -26,8 +26,8 @@ struct GridAxis {
     double pitch = 0.0;  ///< 0 for one node alone
     int count = 0;
 
-    [[nodiscard]] int nodeOf(double place) const {
-        return pitch > 0.0 ? static_cast<int>(std::lround((place - first) / pitch)) : 0;
+    [[nodiscard]] int nodeOf(double position) const {
+        return pitch > 0.0 ? static_cast<int>(std::lround((position - first) / pitch)) : 0;
     }
 };
 

@@ -3,7 +3,6 @@
 #include "core/io/TextValue.h"
 #include "core/io/heightmap/HeaderFields.h"
 #include "core/io/heightmap/NumberRow.h"
-#include "core/io/heightmap/text/TextComments.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,7 +12,7 @@ namespace asperity {
 namespace {
 
 constexpr std::string_view kSeparators = " \t,;";
-/// What a header without any numbers after it has at most; it is no header then.
+/// Beyond it, a header without any numbers after it is none.
 constexpr long long kMaxHeaderLines = 1000;
 /// ESRI's own number for "no data" where a grid names none.
 constexpr double kEsriNoData = -9999.0;
@@ -57,7 +56,7 @@ std::optional<std::array<ColumnLabel, 3>> labelsOf(std::string_view text) {
     return fits ? std::optional(labels) : std::nullopt;
 }
 
-/// Whether a line that may be cut off begins with numbers.
+/// Returns whether a line that may be cut off begins with numbers.
 /// @param isMatrix whether a size before it says that numbers follow, perhaps a single one
 bool startsWithNumbers(std::string_view line, bool isMatrix) {
     constexpr std::size_t kLooked = 256;
@@ -157,14 +156,14 @@ private:
         const std::optional<LeadingNumber> number = parseLeadingNumber(value);
         if (key == "X Amplitude" && length) {
             header_.sizeX = *length;
-            header_.sizeSource = place() + ", X Amplitude, Y Amplitude";
+            header_.sizeSource = location() + ", X Amplitude, Y Amplitude";
         } else if (key == "Y Amplitude" && length) {
             header_.sizeY = *length;
         } else if (key == "Z Amplitude" && number) {
             // Currents are of nA and pA; a bare A is WSxM's ångström, as of X and Y.
             const PhysicalUnit unit = parseLengthUnit(number->rest);
             header_.unit = unit.base == "a.u." ? PhysicalUnit{} : unit;
-            header_.unitSource = place() + ", Z Amplitude";
+            header_.unitSource = location() + ", Z Amplitude";
         } else {
             header_.texts.set(key, value);
         }
@@ -182,7 +181,7 @@ private:
             header_.pointUnits[i] = isLength ? parseLengthUnit(label.unit) : parseUnit(label.unit);
         }
         header_.title = (*labels)[2].name;
-        header_.unitSource = place() + ", '" + std::string(line) + "'";
+        header_.unitSource = location() + ", '" + std::string(line) + "'";
         return true;
     }
 
@@ -302,17 +301,17 @@ private:
             const PhysicalUnit unit = parseUnit(number->rest);
             header_.pitch = number->value * unit.factor;
             header_.lateralUnit = unit.base;
-            header_.sizeSource = place() + ", pixel size";
+            header_.sizeSource = location() + ", pixel size";
         } else if (key.starts_with(kFactorKey) && key.ends_with(')') && number) {
             header_.unit =
                 parseUnit(key.substr(kFactorKey.size(), key.size() - kFactorKey.size() - 1));
             header_.unit.factor *= number->value;
-            header_.unitSource = place() + ", height conversion factor";
+            header_.unitSource = location() + ", height conversion factor";
         } else {
             header_.texts.set(key, value);
             if (key == "data unit" && header_.unit.base.empty()) {
                 header_.unit = parseUnit(value);
-                header_.unitSource = place() + ", data unit";
+                header_.unitSource = location() + ", data unit";
             }
         }
     }
@@ -326,7 +325,7 @@ private:
         return *number;
     }
 
-    [[nodiscard]] std::string place() const { return "line " + std::to_string(lines_.number()); }
+    [[nodiscard]] std::string location() const { return "line " + std::to_string(lines_.number()); }
 
     static constexpr std::string_view kFactorKey = "height conversion factor (->";
     /// After the counts.
@@ -341,10 +340,217 @@ private:
     bool isEsri_ = false;
 };
 
+/// Needed only where more than two comments hold a length. In lower case but for letters that are
+/// not ASCII.
+constexpr std::array<std::string_view, 5> kWidthWords = {"width", "breite", "largeur", "šířka",
+                                                         "Šířka"};
+constexpr std::array<std::string_view, 5> kHeightWords = {"height", "höhe", "hauteur", "výška",
+                                                          "Výška"};
+
+struct Length {
+    double value = 0.0;
+    std::string unit;  ///< SI base unit
+};
+
+/// A number and one word after it, "10.00 µm".
+std::optional<Length> lengthOf(const TextComment& comment) {
+    const std::string value = withDecimalPoint(comment.value);
+    const std::optional<LeadingNumber> number = parseLeadingNumber(value);
+    const bool fits = number && std::isfinite(number->value) && !number->rest.empty() &&
+                      number->rest.find_first_of(" \t") == std::string_view::npos;
+    if (!fits) {
+        return std::nullopt;
+    }
+    const PhysicalUnit unit = parseUnit(number->rest);
+    return Length{number->value * unit.factor, unit.base};
+}
+
+/// Indices of the comments with width and height.
+struct SizeIndices {
+    std::size_t width = 0;
+    std::size_t height = 0;
+};
+
+bool holdsNumber(const TextComment& comment) {
+    return parseLeadingNumber(comment.value).has_value();
+}
+
+/// Returns whether a comment may be the unit of the values, "# Einheit: nm".
+bool mayBeUnit(const TextComment& comment) {
+    return !comment.value.empty() && !holdsNumber(comment) &&
+           comment.value.find_first_of(" \t") == std::string::npos;
+}
+
+std::optional<SizeIndices> indicesOfSize(const std::vector<TextComment>& comments) {
+    std::vector<std::size_t> lengths;
+    std::optional<std::size_t> width;
+    std::optional<std::size_t> height;
+    for (std::size_t i = 0; i < comments.size(); ++i) {
+        if (!lengthOf(comments[i])) {
+            continue;
+        }
+        const std::string key = lowerCase(comments[i].key);
+        lengths.push_back(i);
+        if (!width && std::ranges::count(kWidthWords, key) > 0) {
+            width = i;
+        }
+        if (!height && std::ranges::count(kHeightWords, key) > 0) {
+            height = i;
+        }
+    }
+    if (width && height) {
+        return SizeIndices{*width, *height};
+    }
+    // Words in a language that is not known here: as Gwyddion orders them.
+    const bool areOrdered = lengths.size() == 2 && lengths[1] == lengths[0] + 1 &&
+                            lengths[1] + 1 < comments.size() && mayBeUnit(comments[lengths[1] + 1]);
+    if (areOrdered) {
+        return SizeIndices{lengths[0], lengths[1]};
+    }
+    return std::nullopt;
+}
+
+std::string locationOf(const TextComment& comment) {
+    return "line " + std::to_string(comment.line) + ", " + comment.key;
+}
+
+void takeSize(const TextComment& width, const TextComment& height, TextHeader& header) {
+    const Length x = *lengthOf(width);
+    const Length y = *lengthOf(height);
+    header.isMatrix = true;
+    if (x.unit != y.unit) {
+        header.notes.push_back("width and height have different units ('" + width.value +
+                               "' and '" + height.value + "')");
+        return;
+    }
+    header.sizeX = x.value;
+    header.sizeY = y.value;
+    header.lateralUnit = x.unit;
+    header.sizeSource = locationOf(width) + "; " + locationOf(height);
+}
+
+constexpr double kSpipLength = 1e-9;  ///< SPIP's lengths are in nm [m]
+
+/// Null when there is none.
+const TextComment* find(const std::vector<TextComment>& comments, std::string_view key) {
+    const auto found = std::ranges::find(comments, key, &TextComment::key);
+    return found == comments.end() ? nullptr : &*found;
+}
+
+/// @throw InputError when the value is no number
+double spipNumber(const TextComment& comment, const TextLines& lines) {
+    const std::string value = withDecimalPoint(comment.value);
+    const std::optional<double> number = parseNumber(value);
+    if (!number || !std::isfinite(*number)) {
+        lines.fail("'" + comment.key + "' of line " + std::to_string(comment.line) +
+                   ": expected a number, found '" + comment.value + "'");
+    }
+    return *number;
+}
+
+long long spipCount(const TextComment& comment, const TextLines& lines) {
+    const std::optional<long long> count = parseInteger(comment.value);
+    if (!count || *count < 1) {
+        lines.fail("'" + comment.key + "' of line " + std::to_string(comment.line) +
+                   ": expected a whole number of 1 or more, found '" + comment.value + "'");
+    }
+    return *count;
+}
+
+/// @return whether the comment is part of the origin
+bool takeOrigin(const TextComment& comment, TextHeader& header) {
+    const bool isX = comment.key == kOriginXComment;
+    if (!isX && comment.key != kOriginYComment) {
+        return false;
+    }
+    const std::optional<Length> length = lengthOf(comment);
+    if (!length || length->unit != header.lateralUnit) {
+        return false;
+    }
+    (isX ? header.originX : header.originY) = length->value;
+    return true;
+}
+
 }  // namespace
 
 std::optional<TextHeader> readTextHeader(TextLines& lines) {
     return TextHeaderReader(lines).read();
+}
+
+std::string withDecimalPoint(std::string text) {
+    const std::size_t comma = text.find(',');
+    if (comma == std::string::npos) {
+        return text;
+    }
+    const std::size_t end = std::min(text.find_first_not_of("0123456789", comma + 1), text.size());
+    const std::size_t digits = end - comma - 1;
+    if (digits > 0 && digits != 3 && text.find_first_of(".,", comma + 1) == std::string::npos) {
+        text[comma] = '.';
+    }
+    return text;
+}
+
+bool isSpip(const std::vector<TextComment>& assignments) {
+    const TextComment* const format = find(assignments, "file format");
+    return format != nullptr && lowerCase(format->value) == "ascii" &&
+           find(assignments, "x-pixels") != nullptr && find(assignments, "y-pixels") != nullptr;
+}
+
+void takeSpip(const std::vector<TextComment>& assignments, const TextLines& lines,
+              TextHeader& header) {
+    const auto number = [&](const char* key) {
+        const TextComment* const found = find(assignments, key);
+        return found == nullptr ? 0.0 : spipNumber(*found, lines);
+    };
+    header.isMatrix = true;
+    header.columns = spipCount(*find(assignments, "x-pixels"), lines);
+    header.rows = spipCount(*find(assignments, "y-pixels"), lines);
+    header.sizeX = number("x-length") * kSpipLength;
+    header.sizeY = number("y-length") * kSpipLength;
+    header.originX = number("x-offset") * kSpipLength;
+    header.originY = number("y-offset") * kSpipLength;
+    header.lateralUnit = "m";
+    header.sizeSource = "x-length and y-length, in nm";
+    header.hasMask = number("voidpixels") != 0.0;
+    if (const TextComment* const unit = find(assignments, "z-unit")) {
+        header.unit = parseUnit(unit->value);
+        header.unitSource = locationOf(*unit);
+    } else if (const TextComment* const step = find(assignments, "bit2nm")) {
+        header.unit = {spipNumber(*step, lines) * kSpipLength, "m"};
+        header.unitSource = locationOf(*step);
+    }
+    for (const TextComment& each : assignments) {
+        header.texts.set(each.key, each.value);
+    }
+}
+
+bool giveSize(const std::vector<TextComment>& comments) {
+    return indicesOfSize(comments).has_value();
+}
+
+void takeComments(const std::vector<TextComment>& comments, TextHeader& header) {
+    const std::optional<SizeIndices> found = indicesOfSize(comments);
+    std::vector<bool> used(comments.size(), false);
+    if (found) {
+        takeSize(comments[found->width], comments[found->height], header);
+        used[found->width] = used[found->height] = true;
+        const std::size_t before = found->width - 1;  // beyond the end where there is none
+        if (before < comments.size()) {
+            header.title = comments[before].value;
+            used[before] = true;
+        }
+        const std::size_t after = found->height + 1;
+        if (after < comments.size() && !holdsNumber(comments[after])) {
+            header.unit = parseUnit(comments[after].value);
+            header.unitSource = locationOf(comments[after]);
+            used[after] = true;
+        }
+    }
+    for (std::size_t i = 0; i < comments.size(); ++i) {
+        if (!used[i] && !comments[i].key.empty() && !takeOrigin(comments[i], header)) {
+            header.texts.set(comments[i].key, comments[i].value);
+        }
+    }
 }
 
 }  // namespace asperity

@@ -1,28 +1,91 @@
 #include "core/Error.h"
 #include "core/io/TextValue.h"
+#include "core/io/heightmap/HeightMapFormat.h"
+#include "core/io/heightmap/HeightMapWriter.h"
 #include "core/io/heightmap/SampleRows.h"
 #include "core/io/heightmap/ScanImage.h"
-#include "core/io/heightmap/ScanOrigin.h"
+#include "core/io/heightmap/text/TextHeader.h"
 #include "core/io/heightmap/text/TextRows.h"
-#include "core/io/heightmap/text/TextWriter.h"
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <functional>
 #include <iterator>
 #include <limits>
+#include <set>
 #include <span>
 #include <utility>
 
 // A matrix of numbers as text, the first line the top row: Gwyddion's export, "h=.. w=.." before
-// the numbers, ESRI grids, NumPy's and CSV files. Source: docs/formats.md 4.
+// the numbers, ESRI grids, NumPy's and CSV files. Written is a matrix of heights after the comment
+// lines of two programs: those of Gwyddion's export, and those of SPIP, which Gwyddion recognizes.
+// Source: docs/formats.md 4.
 
 namespace asperity {
 
 namespace {
 
+/// The header of SPIP's ASCII files, by which Gwyddion reads size, unit and values; it takes
+/// lengths in nanometers.
+std::string spipHeader(const HeightRows& map, const HeightMapMeta& meta) {
+    constexpr double kPerMeter = 1e9;
+    return "# File Format = ASCII\n# Created by Asperity\n# x-pixels = " +
+           std::to_string(map.columns) + "\n# y-pixels = " + std::to_string(map.rows) +
+           "\n# x-length = " + exactText(kPerMeter * map.sizeX()) +
+           "\n# y-length = " + exactText(kPerMeter * map.sizeY()) +
+           "\n# x-offset = " + exactText(kPerMeter * meta.originX) +
+           "\n# y-offset = " + exactText(kPerMeter * meta.originY) +
+           "\n# z-unit = " + oneLine(meta.unit) + "\n";
+}
+
+std::string lengthLine(std::string_view key, double length) {
+    return "# " + std::string(key) + ": " + exactText(length) + " m\n";
+}
+
+/// Returns the header of Gwyddion's exported matrix, which our reader follows.
+std::string gwyddionHeader(const HeightRows& map, const HeightMapMeta& meta) {
+    return "# Channel: " + oneLine(meta.title) + "\n" + lengthLine("Width", map.sizeX()) +
+           lengthLine("Height", map.sizeY()) +
+           (meta.unit.empty() ? "" : "# Value units: " + oneLine(meta.unit) + "\n") +
+           lengthLine(kOriginXComment, meta.originX) + lengthLine(kOriginYComment, meta.originY);
+}
+
+/// Returns further comments; a reader looks for the numbers in the first lines alone.
+std::string metadataComments(const HeightMapMeta& meta) {
+    constexpr std::size_t kMaxBytes = 40000;
+    constexpr int kMaxLines = 800;
+    const std::set<std::string_view> own = {kOriginXComment, kOriginYComment, "Start of Data"};
+    std::string lines;
+    int count = 0;
+    for (const auto& [name, value] : writtenMetadata(meta, kMaxBytes)) {
+        const bool isKey = name.find_first_of(":=#%") == std::string::npos && !own.contains(name);
+        if (isKey && ++count <= kMaxLines) {
+            lines.append("# ").append(name).append(": ").append(value).append("\n");
+        }
+    }
+    return lines;
+}
+
+/// The `write` of kTextFormat.
+void writeText(const std::filesystem::path& target, const HeightRows& map,
+               const HeightMapMeta& meta, Progress* progress) {
+    std::ofstream stream(target, std::ios::binary);
+    stream << spipHeader(map, meta) << gwyddionHeader(map, meta) << metadataComments(meta)
+           << "# Start of Data:\n";
+    forEachRow(map, progress, [&](int, const std::vector<double>& heights) {
+        std::string line;
+        for (const double height : heights) {
+            line += line.empty() ? "" : "\t";
+            line += isFiniteHeight(height) ? exactText(height) : "nan";
+        }
+        stream << line << '\n';
+    });
+    finish(stream);
+}
+
 constexpr long long kMaxRows = 65536;
-/// What many programs write where there are no data.
+/// Value that many programs write where there are no data.
 constexpr double kUsualNoData = -9999.0;
 
 /// All but the first.
@@ -30,7 +93,7 @@ std::span<const double> rest(const std::vector<double>& numbers) {
     return std::span(numbers).subspan(1);
 }
 
-/// Whether they are 0, 1, 2...
+/// Returns whether they are 0, 1, 2...
 bool countsUp(std::span<const double> numbers) {
     for (std::size_t i = 0; i < numbers.size(); ++i) {
         if (numbers[i] != static_cast<double>(i)) {

@@ -3,8 +3,6 @@
 #include "core/Error.h"
 #include "core/io/TextValue.h"
 
-#include <algorithm>
-
 namespace asperity {
 
 namespace {

@@ -24,7 +24,7 @@ public:
     ///        first one, or more than 65536
     [[nodiscard]] std::span<const double> next();
     [[nodiscard]] std::size_t columns() const { return columns_; }
-    /// How the numbers read so far are told apart, where blanks and points do not.
+    /// Returns separator and decimal sign of the numbers so far, unless they are blanks and points.
     [[nodiscard]] std::vector<Provenance> provenance() const;
 
 private:
@@ -40,7 +40,7 @@ private:
     bool isAfterComment_ = false;  ///< behind the first numbers
 };
 
-/// Whether the numbers are x, y and z of points: three columns, and no size of a matrix before.
+/// Returns whether the numbers are x, y and z of points: three columns and no size of a matrix.
 [[nodiscard]] bool holdsPoints(const TextHeader& header);
 
 /// The header of a text that begins like a height map; few bytes of it are looked at.

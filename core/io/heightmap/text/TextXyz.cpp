@@ -3,7 +3,6 @@
 #include "core/io/heightmap/HeightMapFormat.h"
 #include "core/io/heightmap/SampleRows.h"
 #include "core/io/heightmap/ScanImage.h"
-#include "core/io/heightmap/ScanOrigin.h"
 #include "core/io/heightmap/text/PointGrid.h"
 #include "core/io/heightmap/text/TextRows.h"
 
@@ -88,8 +87,8 @@ private:
         }
     }
 
-    /// Whether the first column rises or falls in equal steps from line to line: of points on a
-    /// grid it repeats.
+    /// Returns whether the first column rises or falls in equal steps from line to line: of points
+    /// on a grid it repeats.
     [[nodiscard]] bool isCurve() const {
         constexpr std::size_t kFewest = 10;
         const std::size_t count = points_.size();
@@ -168,7 +167,7 @@ private:
             {"orientation", "the largest y is the top row", "usual; the file does not say"});
     }
 
-    /// Uses the points up, so that each takes memory once.
+    /// Consumes the points, so that each needs memory once.
     /// @throw InputError when two points lie on the same node
     std::vector<GridRow> rowsOnGrid(ScanChannel& channel) {
         const auto columns = static_cast<std::size_t>(x_.count);

@@ -1,7 +1,6 @@
 #include "core/Error.h"
 #include "core/io/heightmap/WholeImages.h"
 #include "core/io/heightmap/tiff/TiffDirectory.h"
-#include "core/io/heightmap/tiff/TiffValue.h"
 
 #include <set>
 #include <utility>
@@ -18,13 +17,13 @@ constexpr std::uint64_t kMaxFields = 65535;
 /// A thousand images have some ten each, the images of instruments some hundred.
 constexpr std::uint64_t kMaxFieldsInAll = std::uint64_t{1} << 18U;
 
-/// How a TIFF file writes its offsets.
+/// Layout of a TIFF file's offsets.
 struct ChainHeader {
     ByteOrder order = ByteOrder::Little;
     bool big = false;  ///< with offsets of 8 bytes instead of 4
 
     [[nodiscard]] std::uint64_t offsetBytes() const { return big ? 8 : 4; }
-    /// Of the number of a directory's fields.
+    /// Returns the size of the number of a directory's fields.
     [[nodiscard]] std::uint64_t countBytes() const { return big ? 8 : 2; }
     [[nodiscard]] std::uint64_t fieldBytes() const { return big ? 20 : 12; }
     [[nodiscard]] std::uint64_t offset(const char* stored) const {
@@ -52,7 +51,7 @@ std::optional<ChainHeader> headerOf(const ByteSource& bytes) {
     return std::nullopt;
 }
 
-/// Of a directory that is not all within the file.
+/// Refuses a directory that is not all within the file.
 class CutDirectory : public InputError {
     using InputError::InputError;
 };
@@ -73,29 +72,29 @@ public:
         if (visited_.size() == kMaxDirectories || !visited_.insert(next_).second) {
             fail(name, "expected at most " + std::to_string(kMaxDirectories) + ", each once");
         }
-        const std::uint64_t place = next_;
+        const std::uint64_t offset = next_;
         const std::uint64_t count = fieldCount(name);
         const std::string table =
-            tableAt(place + header_.countBytes(), count * header_.fieldBytes(), name);
+            tableAt(offset + header_.countBytes(), count * header_.fieldBytes(), name);
         std::vector<TiffField> fields;
         for (std::uint64_t i = 0; i < count; ++i) {
             const std::uint64_t start = i * header_.fieldBytes();
             const TiffField field =
-                fieldOf(table.data() + start, place + header_.countBytes() + start, name);
+                fieldOf(table.data() + start, offset + header_.countBytes() + start, name);
             if (sizeOfTiffType(field.type) != 0) {
                 fields.push_back(field);
             }
         }
-        next_ = offsetAt(place + header_.countBytes() + table.size(), name);
-        return {bytes_, header_.order, place, visited_.size(), std::move(fields)};
+        next_ = offsetAt(offset + header_.countBytes() + table.size(), name);
+        return {bytes_, header_.order, offset, visited_.size(), std::move(fields)};
     }
 
 private:
     static constexpr std::uint64_t kFirst = 4;
     static constexpr std::uint64_t kFirstOfBig = 8;
 
-    std::uint64_t offsetAt(std::uint64_t place, const std::string& name) {
-        return header_.offset(read({place, header_.offsetBytes()}, name).data());
+    std::uint64_t offsetAt(std::uint64_t offset, const std::string& name) {
+        return header_.offset(read({offset, header_.offsetBytes()}, name).data());
     }
 
     std::uint64_t fieldCount(const std::string& name) {
@@ -115,29 +114,29 @@ private:
         return count;
     }
 
-    std::string tableAt(std::uint64_t place, std::uint64_t count, const std::string& name) {
+    std::string tableAt(std::uint64_t offset, std::uint64_t count, const std::string& name) {
         spend(count, name);
-        return read({place, count}, name);
+        return read({offset, count}, name);
     }
 
-    TiffField fieldOf(const char* stored, std::uint64_t place, const std::string& name) {
-        constexpr std::uint64_t kTypePlace = 2;
-        constexpr std::uint64_t kCountPlace = 4;
+    TiffField fieldOf(const char* stored, std::uint64_t offset, const std::string& name) {
+        constexpr std::uint64_t kTypeOffset = 2;
+        constexpr std::uint64_t kCountOffset = 4;
         TiffField field{.tag = orderedNumber<std::uint16_t>(stored, header_.order),
-                        .type = orderedNumber<std::uint16_t>(stored + kTypePlace, header_.order),
-                        .count = header_.offset(stored + kCountPlace)};
-        const std::uint64_t valuePlace = kCountPlace + header_.offsetBytes();
+                        .type = orderedNumber<std::uint16_t>(stored + kTypeOffset, header_.order),
+                        .count = header_.offset(stored + kCountOffset)};
+        const std::uint64_t valueOffset = kCountOffset + header_.offsetBytes();
         const std::uint64_t valueBytes = sizeOfTiffType(field.type);
         if (valueBytes != 0 && field.count > bytes_.size() / valueBytes) {
             failBeyond(field.tag, name);
         }
         const std::uint64_t size = field.count * valueBytes;
         if (size <= header_.offsetBytes()) {
-            field.place = place + valuePlace;
+            field.offset = offset + valueOffset;
             return field;
         }
-        field.place = header_.offset(stored + valuePlace);
-        if (field.place > bytes_.size() || size > bytes_.size() - field.place) {
+        field.offset = header_.offset(stored + valueOffset);
+        if (field.offset > bytes_.size() || size > bytes_.size() - field.offset) {
             failBeyond(field.tag, name);
         }
         spend(size, name);
@@ -153,9 +152,9 @@ private:
     }
 
     [[nodiscard]] std::string read(const ByteSpan& span, const std::string& name) const {
-        if (span.place > bytes_.size() || span.count > bytes_.size() - span.place) {
+        if (span.offset > bytes_.size() || span.count > bytes_.size() - span.offset) {
             throw CutDirectory(bytes_.name(), name,
-                               "it is at byte " + std::to_string(span.place) +
+                               "it is at byte " + std::to_string(span.offset) +
                                    ", but the file has " + std::to_string(bytes_.size()) +
                                    "; it is truncated or damaged");
         }
@@ -167,8 +166,8 @@ private:
                            "the values of tag " + std::to_string(tag) +
                                " are beyond the end of the file; it is truncated or damaged");
     }
-    [[noreturn]] void fail(const std::string& place, const std::string& what) const {
-        throw InputError(bytes_.name(), place, what);
+    [[noreturn]] void fail(const std::string& location, const std::string& what) const {
+        throw InputError(bytes_.name(), location, what);
     }
 
     const ByteSource& bytes_;
@@ -215,7 +214,7 @@ std::vector<TiffDirectory> readTiffDirectories(const ByteSource& bytes, WholeIma
         }
     }
     if (directories.empty()) {
-        throw InputError(bytes.name(), "header", "expected the place of a first directory");
+        throw InputError(bytes.name(), "header", "expected the offset of a first directory");
     }
     return directories;
 }

@@ -13,24 +13,24 @@ namespace asperity {
 /// A field of a TIFF directory; its values lie within the file.
 struct TiffField {
     std::uint16_t tag = 0;
-    std::uint16_t type = 0;   ///< one of those of known size
-    std::uint64_t count = 0;  ///< of values
-    std::uint64_t place = 0;  ///< of the first one [bytes]
+    std::uint16_t type = 0;    ///< one of those of known size
+    std::uint64_t count = 0;   ///< of values
+    std::uint64_t offset = 0;  ///< of the first one [bytes]
 };
 
-/// What a TIFF file says about one of its images. Source: TIFF revision 6.0, sections 2 and 8, and
-/// the layout of BigTIFF; docs/formats.md 9.
+/// Directory of one image in a TIFF file. Source: TIFF revision 6.0, sections 2 and 8, and the
+/// layout of BigTIFF; docs/formats.md 9.
 class TiffDirectory {
 public:
     /// @param bytes  must outlive this
-    /// @param place  in the file [bytes]
+    /// @param offset in the file [bytes]
     /// @param number from 1, for messages
-    TiffDirectory(const ByteSource& bytes, ByteOrder order, std::uint64_t place, std::size_t number,
-                  std::vector<TiffField> fields);
+    TiffDirectory(const ByteSource& bytes, ByteOrder order, std::uint64_t offset,
+                  std::size_t number, std::vector<TiffField> fields);
 
     [[nodiscard]] const ByteSource& bytes() const { return *bytes_; }
     [[nodiscard]] ByteOrder order() const { return order_; }
-    [[nodiscard]] std::uint64_t place() const { return place_; }
+    [[nodiscard]] std::uint64_t offset() const { return offset_; }
     [[nodiscard]] const std::string& name() const { return name_; }  ///< "image 2"
 
     [[nodiscard]] bool has(std::uint16_t tag) const { return find(tag) != nullptr; }
@@ -47,7 +47,7 @@ public:
     [[nodiscard]] std::optional<double> number(std::uint16_t tag) const;
     /// The text up to its NUL as UTF-8, cut off after 64 KiB; empty when there is none.
     [[nodiscard]] std::string text(std::uint16_t tag) const;
-    /// Where the values lie. @throw InputError when there are none
+    /// Returns the position of the values. @throw InputError when there are none
     [[nodiscard]] ByteSpan requireSpan(std::uint16_t tag) const;
 
     /// @throw InputError that names the image
@@ -59,17 +59,17 @@ private:
 
     const ByteSource* bytes_;
     ByteOrder order_;
-    std::uint64_t place_;
+    std::uint64_t offset_;
     std::string name_;
     std::vector<TiffField> fields_;  ///< by tag
 };
 
 class WholeImages;
 
-/// Whether the content begins as a TIFF.
+/// Returns whether the content begins as a TIFF.
 [[nodiscard]] bool isTiff(const ByteSource& bytes);
 
-/// Whether it is a TIFF whose first directory can be read and has this tag.
+/// Returns whether it is a TIFF whose first directory can be read and has this tag.
 [[nodiscard]] bool isTiffWithTag(const ByteSource& bytes, std::uint16_t tag);
 
 /// The directories of all images, in the order of the file. Directories and values are together no
@@ -79,5 +79,25 @@ class WholeImages;
 /// @throw InputError when one, or anything that it names, is not within the file
 [[nodiscard]] std::vector<TiffDirectory> readTiffDirectories(const ByteSource& bytes,
                                                              WholeImages* images = nullptr);
+
+/// Values of the fields of a TIFF directory. Source: TIFF revision 6.0, section 2;
+/// docs/formats.md 9.
+
+/// Returns the size of a value of this type [bytes]; 0: there is no such type.
+[[nodiscard]] std::uint64_t sizeOfTiffType(std::uint16_t type);
+
+/// A number in the file's byte order. @param stored sizeof(Number) bytes
+template <typename Number>
+[[nodiscard]] Number orderedNumber(const char* stored, ByteOrder order) {
+    return order == ByteOrder::Little ? littleEndian<Number>(stored) : bigEndian<Number>(stored);
+}
+
+/// A value of a type of whole numbers; empty for any other type.
+[[nodiscard]] std::optional<std::int64_t> wholeTiffValue(std::uint16_t type, const char* stored,
+                                                         ByteOrder order);
+
+/// A value of a type of any numbers, a fraction as its quotient; empty for any other type.
+[[nodiscard]] std::optional<double> tiffNumber(std::uint16_t type, const char* stored,
+                                               ByteOrder order);
 
 }  // namespace asperity

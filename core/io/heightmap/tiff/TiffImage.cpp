@@ -2,10 +2,15 @@
 
 #include "core/Error.h"
 #include "core/io/heightmap/WholeImages.h"
-#include "core/io/heightmap/tiff/TiffDecoder.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
+#include <cstdarg>
+#include <cstdio>
+#include <exception>
+#include <memory>
+#include <tiffio.h>
 #include <utility>
 
 namespace asperity {
@@ -27,21 +32,21 @@ std::int64_t integerOr(const TiffDirectory& directory, TiffTag tag, std::int64_t
 
 /// Strips or tiles where the file says how long they are; their spans are within it.
 std::vector<ByteSpan> blocksOf(const TiffDirectory& directory, TiffTag offsets, TiffTag counts) {
-    const std::vector<std::uint64_t> places = directory.wholeNumbers(number(offsets));
+    const std::vector<std::uint64_t> begins = directory.wholeNumbers(number(offsets));
     const std::vector<std::uint64_t> sizes = directory.wholeNumbers(number(counts));
-    if (places.size() != sizes.size()) {
-        directory.fail("it has " + std::to_string(places.size()) + " strips or tiles, but " +
+    if (begins.size() != sizes.size()) {
+        directory.fail("it has " + std::to_string(begins.size()) + " strips or tiles, but " +
                        std::to_string(sizes.size()) + " lengths of them");
     }
     const std::uint64_t end = directory.bytes().size();
-    std::vector<ByteSpan> blocks(places.size());
-    for (std::size_t i = 0; i < places.size(); ++i) {
-        if (places[i] > end || sizes[i] > end - places[i]) {
+    std::vector<ByteSpan> blocks(begins.size());
+    for (std::size_t i = 0; i < begins.size(); ++i) {
+        if (begins[i] > end || sizes[i] > end - begins[i]) {
             directory.fail("strip or tile " + std::to_string(i + 1) +
                            " is beyond the end of the file, which has " + std::to_string(end) +
                            " bytes; it is truncated or damaged");
         }
-        blocks[i] = {places[i], sizes[i]};
+        blocks[i] = {begins[i], sizes[i]};
     }
     return blocks;
 }
@@ -53,7 +58,7 @@ std::vector<ByteSpan> blocksOf(const TiffDirectory& directory, bool tiled) {
 
 bool isTiled(const TiffDirectory& directory) { return directory.has(number(TiffTag::TileOffsets)); }
 
-/// Those of a tile that may be larger than a small image.
+/// Pixels of a tile that may be larger than a small image.
 constexpr std::uint64_t kMaxTilePixels = std::uint64_t{1} << 20U;
 
 ImageSize blockSize(const TiffDirectory& directory, const TiffImage& image) {
@@ -111,11 +116,228 @@ ReadRow rowsOfStrips(const ByteSource& bytes, const TiffImage& image, bool botto
         SampleLayout line{
             .size = {image.size.columns, 1}, .type = image.type, .order = image.order};
         const auto strip = static_cast<std::size_t>(stored / image.block.rows);
-        line.place = image.blocks[strip].place +
-                     static_cast<std::uint64_t>(stored % image.block.rows) * line.rowBytes();
+        line.offset = image.blocks[strip].offset +
+                      static_cast<std::uint64_t>(stored % image.block.rows) * line.rowBytes();
         rowsOf(bytes, line)(0, room, numbers);
     };
 }
+
+/// Returns the file's header with this directory as the first one.
+std::string headerFor(const TiffDirectory& directory) {
+    constexpr std::size_t kVersionOffset = 2;
+    constexpr std::size_t kVersionBytes = 2;
+    constexpr std::uint16_t kBigVersion = 43;
+    std::string header = directory.bytes().start(kVersionOffset + kVersionBytes);
+    const bool isBig = orderedNumber<std::uint16_t>(header.data() + kVersionOffset,
+                                                    directory.order()) == kBigVersion;
+    const std::size_t offsetBytes = isBig ? 8 : 4;
+    header = directory.bytes().start(header.size() + (isBig ? 4 : 0));
+    for (std::size_t i = 0; i < offsetBytes; ++i) {
+        const std::size_t digit = directory.order() == ByteOrder::Little ? i : offsetBytes - 1 - i;
+        header += static_cast<char>((directory.offset() >> (8 * digit)) & 0xffU);
+    }
+    return header;
+}
+
+/// The source of the TIFF library, and what went wrong on reading it. Nothing of it is global.
+struct TiffSource {
+    const ByteSource& bytes;
+    /// In place of the file's own. To go to a directory in the middle, the library would walk
+    /// through all of those before it.
+    std::string header;
+    std::uint64_t offset = 0;
+    std::string message;         ///< the library's first one
+    std::exception_ptr failure;  ///< of reading the bytes
+};
+
+TiffSource& sourceOf(thandle_t handle) { return *static_cast<TiffSource*>(handle); }
+
+/// No exception may pass through the library, which is written in C.
+tmsize_t readBytes(thandle_t handle, void* target, tmsize_t count) {
+    TiffSource& source = sourceOf(handle);
+    const std::uint64_t left = source.bytes.size() - std::min(source.offset, source.bytes.size());
+    const std::uint64_t taken = std::min<std::uint64_t>(left, static_cast<std::uint64_t>(count));
+    try {
+        source.bytes.read(source.offset, {static_cast<char*>(target), taken});
+        if (source.offset < source.header.size()) {
+            source.header.copy(static_cast<char*>(target), taken, source.offset);
+        }
+    } catch (...) {
+        source.failure = std::current_exception();
+        return -1;
+    }
+    source.offset += taken;
+    return static_cast<tmsize_t>(taken);
+}
+
+tmsize_t writeNothing(thandle_t /*handle*/, void* /*bytes*/, tmsize_t /*count*/) { return -1; }
+
+toff_t seek(thandle_t handle, toff_t offset, int from) {
+    TiffSource& source = sourceOf(handle);
+    const std::uint64_t start = from == SEEK_SET   ? 0
+                                : from == SEEK_CUR ? source.offset
+                                                   : source.bytes.size();
+    source.offset = start + offset;
+    return source.offset;
+}
+
+int closeNothing(thandle_t /*handle*/) { return 0; }
+
+toff_t sizeOfSource(thandle_t handle) { return sourceOf(handle).bytes.size(); }
+
+int keepError(TIFF* /*tiff*/, void* source, const char* /*module*/, const char* format,
+              va_list arguments) {
+    constexpr std::size_t kMaxMessage = 300;
+    std::array<char, kMaxMessage> text{};
+    (void)std::vsnprintf(text.data(), text.size(), format, arguments);
+    std::string& message = static_cast<TiffSource*>(source)->message;
+    if (message.empty()) {
+        message = text.data();
+    }
+    return 1;  // no other handler is asked
+}
+
+int ignoreWarning(TIFF* /*tiff*/, void* /*source*/, const char* /*module*/, const char* /*format*/,
+                  va_list /*arguments*/) {
+    return 1;
+}
+
+struct FreeOptions {
+    void operator()(TIFFOpenOptions* options) const { TIFFOpenOptionsFree(options); }
+};
+struct CloseTiffInput {
+    void operator()(TIFF* tiff) const { TIFFClose(tiff); }
+};
+using TiffInput = std::unique_ptr<TIFF, CloseTiffInput>;
+
+TiffInput open(TiffSource& source, std::uint64_t largestBlock) {
+    constexpr std::uint64_t kMargin = std::uint64_t{1} << 20U;
+    const std::unique_ptr<TIFFOpenOptions, FreeOptions> options(TIFFOpenOptionsAlloc());
+    TIFFOpenOptionsSetErrorHandlerExtR(options.get(), keepError, &source);
+    TIFFOpenOptionsSetWarningHandlerExtR(options.get(), ignoreWarning, nullptr);
+    TIFFOpenOptionsSetMaxSingleMemAlloc(
+        options.get(), static_cast<tmsize_t>(source.bytes.size() + largestBlock + kMargin));
+    // Not mapped into memory, strips as they are.
+    return TiffInput(TIFFClientOpenExt(source.bytes.name().c_str(), "rmc", &source, readBytes,
+                                       writeNothing, seek, closeNothing, sizeOfSource, nullptr,
+                                       nullptr, options.get()));
+}
+
+class Decoder {
+public:
+    Decoder(const TiffDirectory& directory, const TiffImage& image)
+        : directory_(directory)
+        , image_(image)
+        , source_{.bytes = directory.bytes(), .header = headerFor(directory)}
+        , tiff_(open(source_, image.blockBytes())) {
+        if (!tiff_) {
+            fail();
+        }
+        requireSameImage();
+    }
+
+    std::string decode() {
+        std::string samples;
+        if (image_.isTiled) {
+            appendTiles(samples);
+        } else {
+            appendStrips(samples);
+        }
+        return samples;
+    }
+
+private:
+    /// Repeated tags: the library may take others than we do.
+    void requireSameImage() {
+        std::uint32_t columns = 0;
+        std::uint32_t rows = 0;
+        std::uint16_t bits = 0;
+        std::uint16_t samples = 0;
+        TIFFGetField(tiff_.get(), TIFFTAG_IMAGEWIDTH, &columns);
+        TIFFGetField(tiff_.get(), TIFFTAG_IMAGELENGTH, &rows);
+        TIFFGetFieldDefaulted(tiff_.get(), TIFFTAG_BITSPERSAMPLE, &bits);
+        TIFFGetFieldDefaulted(tiff_.get(), TIFFTAG_SAMPLESPERPIXEL, &samples);
+        const auto block = image_.isTiled ? TIFFTileSize64(tiff_.get())
+                                          : TIFFVStripSize64(tiff_.get(), rowsOfBlock());
+        if (columns != static_cast<std::uint32_t>(image_.size.columns) ||
+            rows != static_cast<std::uint32_t>(image_.size.rows) ||
+            bits != 8 * sizeOf(image_.type) || samples != 1 || block != image_.blockBytes() ||
+            (TIFFIsTiled(tiff_.get()) != 0) != image_.isTiled) {
+            directory_.fail("its tags contradict each other; the file is damaged");
+        }
+    }
+
+    [[nodiscard]] std::uint32_t rowsOfBlock() const {
+        return static_cast<std::uint32_t>(image_.block.rows);
+    }
+
+    void appendStrips(std::string& samples) {
+        const std::uint64_t rowBytes = image_.blockBytes() / rowsOfBlock();
+        for (int row = 0; row < image_.size.rows; row += image_.block.rows) {
+            const int rows = std::min(image_.block.rows, image_.size.rows - row);
+            const std::uint64_t bytes = static_cast<std::uint64_t>(rows) * rowBytes;
+            const std::size_t start = samples.size();
+            samples.resize(start + bytes);
+            const auto strip = static_cast<std::uint32_t>(row / image_.block.rows);
+            requireAll(TIFFReadEncodedStrip(tiff_.get(), strip, samples.data() + start,
+                                            static_cast<tmsize_t>(bytes)),
+                       bytes);
+        }
+    }
+
+    void appendTiles(std::string& samples) {
+        std::string tile(image_.blockBytes(), '\0');
+        std::uint32_t next = 0;
+        const std::uint64_t rowBytes =
+            static_cast<std::uint64_t>(image_.size.columns) * sizeOf(image_.type);
+        for (int row = 0; row < image_.size.rows; row += image_.block.rows) {
+            const int rows = std::min(image_.block.rows, image_.size.rows - row);
+            const std::size_t start = samples.size();
+            samples.resize(start + static_cast<std::uint64_t>(rows) * rowBytes);
+            for (int across = 0; across < image_.blocksAcross(); ++across, ++next) {
+                requireAll(TIFFReadEncodedTile(tiff_.get(), next, tile.data(),
+                                               static_cast<tmsize_t>(tile.size())),
+                           tile.size());
+                copyTile(tile, across, rows, samples.data() + start);
+            }
+        }
+    }
+
+    /// @param target the first row that the tile is part of
+    void copyTile(const std::string& tile, int across, int rows, char* target) const {
+        const std::uint64_t sample = sizeOf(image_.type);
+        const int first = across * image_.block.columns;
+        const int columns = std::min(image_.block.columns, image_.size.columns - first);
+        for (int row = 0; row < rows; ++row) {
+            const auto line = static_cast<std::uint64_t>(row);
+            std::copy_n(tile.data() +
+                            line * static_cast<std::uint64_t>(image_.block.columns) * sample,
+                        static_cast<std::uint64_t>(columns) * sample,
+                        target + (line * static_cast<std::uint64_t>(image_.size.columns) +
+                                  static_cast<std::uint64_t>(first)) *
+                                     sample);
+        }
+    }
+
+    void requireAll(tmsize_t decoded, std::uint64_t expected) {
+        if (decoded < 0 || static_cast<std::uint64_t>(decoded) != expected) {
+            fail();
+        }
+    }
+
+    [[noreturn]] void fail() {
+        if (source_.failure) {
+            std::rethrow_exception(source_.failure);
+        }
+        directory_.fail("the TIFF library cannot decode it: " +
+                        (source_.message.empty() ? "too few samples" : source_.message));
+    }
+
+    const TiffDirectory& directory_;
+    const TiffImage& image_;
+    TiffSource source_;
+    TiffInput tiff_;
+};
 
 }  // namespace
 
@@ -202,13 +424,26 @@ ReadRow rowsOf(const TiffDirectory& directory, const TiffImage& image, bool bott
     if (image.isPlain) {
         return rowsOfStrips(directory.bytes(), image, bottomFirst);
     }
-    // The places of its strips would take more memory than those of many images may.
+    // The offsets of its strips would need more memory than those of many images may.
     return rowsOfDecoded(
         [directory, type = image.type] {
             return decodeTiff(directory, tiffImage(directory, type));
         },
         {.size = image.size, .type = image.type, .order = kTiffNative, .bottomFirst = bottomFirst},
         directory.bytes().name());
+}
+
+bool isTiffCompressionRead(std::int64_t compression) {
+    constexpr std::array<std::uint16_t, 7> kLossless = {
+        COMPRESSION_NONE,     COMPRESSION_LZW,  COMPRESSION_ADOBE_DEFLATE, COMPRESSION_DEFLATE,
+        COMPRESSION_PACKBITS, COMPRESSION_LZMA, COMPRESSION_ZSTD};
+    return std::ranges::any_of(kLossless, [compression](std::uint16_t known) {
+        return compression == known && TIFFIsCODECConfigured(known) != 0;
+    });
+}
+
+std::string decodeTiff(const TiffDirectory& directory, const TiffImage& image) {
+    return Decoder(directory, image).decode();
 }
 
 }  // namespace asperity

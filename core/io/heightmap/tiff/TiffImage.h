@@ -8,7 +8,7 @@
 
 namespace asperity {
 
-/// What the tags of pixels and strips are called in TIFF.
+/// Tags of pixels and strips in TIFF.
 enum class TiffTag : std::uint16_t {
     NewSubfileType = 254,
     ImageWidth = 256,
@@ -38,23 +38,23 @@ enum class TiffTag : std::uint16_t {
     return static_cast<std::uint16_t>(tag);
 }
 
-/// What a pixel of an image is.
+/// Samples and colors of a pixel.
 struct TiffPixel {
     std::int64_t bits = 1;
     std::int64_t samples = 1;
     std::int64_t format = 1;       ///< 1 unsigned, 2 signed, 3 floating point
     std::int64_t photometric = 1;  ///< 0 white is zero, 1 black is zero, 3 palette, others color
 
-    /// Whether it is one number.
+    /// Returns whether it is one number.
     [[nodiscard]] bool isGray() const { return samples == 1 && photometric <= 1; }
-    /// Whether small numbers are shown bright.
+    /// Returns whether small numbers are shown bright.
     [[nodiscard]] bool isInverted() const { return photometric == 0; }
 };
 [[nodiscard]] TiffPixel tiffPixel(const TiffDirectory& directory);
 /// Empty when no sample of a height map is stored like this.
 [[nodiscard]] std::optional<SampleType> sampleTypeOf(const TiffPixel& pixel);
 
-/// How the pixels of an image of one number a pixel are stored.
+/// Storage of the pixels of an image with one number a pixel.
 struct TiffImage {
     ImageSize size;
     SampleType type = SampleType::Float32;
@@ -65,6 +65,10 @@ struct TiffImage {
     std::vector<ByteSpan> blocks;  ///< strips from the top, or tiles row after row
 
     [[nodiscard]] std::uint64_t blockBytes() const { return block.pixels() * sizeOf(type); }
+    /// Returns the number of bytes decoded for it.
+    [[nodiscard]] std::uint64_t decodedBytes() const {
+        return isPlain ? 0 : size.pixels() * sizeOf(type);
+    }
     [[nodiscard]] int blocksAcross() const {
         return (size.columns + block.columns - 1) / block.columns;
     }
@@ -88,5 +92,12 @@ void leaveOutCut(std::vector<TiffDirectory>& directories, WholeImages& images,
 /// @param bottomFirst the first stored row is the lowest of the image
 [[nodiscard]] ReadRow rowsOf(const TiffDirectory& directory, const TiffImage& image,
                              bool bottomFirst);
+
+/// Returns whether the compression is lossless and the TIFF library knows it.
+[[nodiscard]] bool isTiffCompressionRead(std::int64_t compression);
+
+/// All samples of an image, row after row from the first stored one, in the processor's byte order.
+/// Any threads. @throw InputError when the TIFF library cannot decode it
+[[nodiscard]] std::string decodeTiff(const TiffDirectory& directory, const TiffImage& image);
 
 }  // namespace asperity

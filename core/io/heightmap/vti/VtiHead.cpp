@@ -11,7 +11,7 @@
 #include <limits>
 #include <pugixml.hpp>
 
-// The XML of a VTK image. Its values stand in it, in base64 or as text, or follow the mark
+// The XML of a VTK image. Its values are in it, in base64 or as text, or follow the mark
 // <AppendedData encoding="raw">_, as they are or in base64.
 // Source: VTK File Formats (4.2), "XML File Formats".
 
@@ -21,9 +21,9 @@ namespace {
 
 /// Twice that of our longest file; the parser needs 20 times its bytes.
 constexpr std::uint64_t kMaxHead = std::uint64_t{1} << 22U;
-/// Of a text or numbers beside the image.
+/// Limit of a text or numbers beside the image.
 constexpr std::uint64_t kMaxFieldBytes = std::uint64_t{1} << 20U;
-/// Of all of these: many arrays may name the same values.
+/// Limit of all of these: many arrays may name the same values.
 constexpr std::uint64_t kMaxAllFieldBytes = 4 * kMaxFieldBytes;
 constexpr std::size_t kMaxPieces = 4096;
 
@@ -63,33 +63,33 @@ std::optional<SampleType> sampleType(std::string_view name) {
 }
 
 /// The tags of the XML, without what is appended to them. A text between tags, which may be long,
-/// becomes its place and length in the file.
+/// becomes its offset and length in the file.
 class VtiTags {
 public:
     explicit VtiTags(const ByteSource& bytes) : bytes_(bytes) {
         constexpr std::uint64_t kChunk = std::uint64_t{1} << 16U;
-        for (std::uint64_t place = 0; place < bytes.size() && !appended_; place += kChunk) {
+        for (std::uint64_t offset = 0; offset < bytes.size() && !appended_; offset += kChunk) {
             const std::string chunk =
-                bytesOf(bytes, {place, std::min(kChunk, bytes.size() - place)});
+                bytesOf(bytes, {offset, std::min(kChunk, bytes.size() - offset)});
             for (std::size_t i = 0; i < chunk.size() && !appended_; ++i) {
                 if (hasText_ && !inTag_) {
                     i = std::min(chunk.find('<', i), chunk.size() - 1);
                 }
-                add(chunk[i], place + i);
+                add(chunk[i], offset + i);
             }
         }
     }
 
     [[nodiscard]] const std::string& text() const { return tags_; }
-    /// Where the appended values begin.
+    /// Returns the offset of the appended values.
     [[nodiscard]] std::optional<std::uint64_t> appended() const { return appended_; }
 
 private:
-    void add(char c, std::uint64_t place) {
+    void add(char c, std::uint64_t offset) {
         if (inTag_) {
-            addToTag(c, place);
+            addToTag(c, offset);
         } else if (c == '<') {
-            addText(place);
+            addText(offset);
             tagBegin_ = tags_.size();
             tags_ += c;
             inTag_ = true;
@@ -99,22 +99,22 @@ private:
             if (c != '_') {
                 fail("AppendedData", "expected the mark '_' before the values");
             }
-            appended_ = place + 1;
+            appended_ = offset + 1;
             tags_ += "</AppendedData></VTKFile>";
         } else {
             hasText_ = true;
         }
     }
 
-    void addToTag(char c, std::uint64_t place) {
+    void addToTag(char c, std::uint64_t offset) {
         tags_ += c;
         if (tags_.size() > kMaxHead) {
-            fail("byte " + std::to_string(place), "the XML is too long for that of a VTK image");
+            fail("byte " + std::to_string(offset), "the XML is too long for that of a VTK image");
         }
         const std::string_view tag = std::string_view(tags_).substr(tagBegin_);
         if (tag == "<![CDATA[") {
-            // It would pass for the place of a text.
-            fail("byte " + std::to_string(place), "expected values, found a CDATA section");
+            // It would pass for the offset of a text.
+            fail("byte " + std::to_string(offset), "expected values, found a CDATA section");
         }
         const bool isComment = tag.starts_with("<!--");
         if (!isComment && (c == '"' || c == '\'')) {
@@ -122,7 +122,7 @@ private:
         }
         if (c == '>' && quote_ == 0 && (!isComment || tag.ends_with("-->"))) {
             inTag_ = false;
-            textBegin_ = place + 1;
+            textBegin_ = offset + 1;
             isAppended_ = tag.starts_with("<AppendedData") && !tag.ends_with("/>");
         }
     }
@@ -137,8 +137,8 @@ private:
         hasText_ = false;
     }
 
-    [[noreturn]] void fail(const std::string& place, const std::string& what) const {
-        throw InputError(bytes_.name(), place, what);
+    [[noreturn]] void fail(const std::string& location, const std::string& what) const {
+        throw InputError(bytes_.name(), location, what);
     }
 
     const ByteSource& bytes_;
@@ -333,7 +333,7 @@ private:
         }
     }
 
-    /// Counts what field data take. @throw InputError when that is too much in all
+    /// Counts the bytes of field data. @throw InputError when that is too much in all
     [[nodiscard]] std::string counted(std::string values) {
         fieldBytes_ += values.size();
         if (fieldBytes_ > kMaxAllFieldBytes) {
@@ -373,7 +373,7 @@ private:
         constexpr long long kBytes = 256;
         const ByteSpan span = valuesOf(array).span;
         const std::string given =
-            counted(bytesOf(bytes_, {span.place, std::min(span.count, kMaxFieldBytes)}));
+            counted(bytesOf(bytes_, {span.offset, std::min(span.count, kMaxFieldBytes)}));
         std::string text;
         for (const std::string_view word : wordsOf(given)) {
             const std::optional<long long> code = parseInteger(word);
@@ -439,37 +439,37 @@ private:
                        .layout = layoutOf(values, type, size),
                        .decode = {}};
         if (isPlain) {
-            piece.layout.place = values.span.place + coding_.countBytes;
+            piece.layout.offset = values.span.offset + coding_.countBytes;
             requirePlain(values, piece.layout);
             return piece;
         }
         piece.decode = [&bytes = bytes_, coding = coding_, values = std::move(values),
                         wanted = piece.layout.bytes()] {
             std::string samples = decodedVti(bytes, coding, values, wanted);
-            requireBytes(bytes, values.place, wanted, samples.size());
+            requireBytes(bytes, values.location, wanted, samples.size());
             return samples;
         };
         return piece;
     }
 
     [[nodiscard]] VtiValues valuesOf(const pugi::xml_node& array) const {
-        VtiValues values{.span = {}, .place = "array '" + attribute(array, "Name") + "'"};
+        VtiValues values{.span = {}, .location = "array '" + attribute(array, "Name") + "'"};
         const std::string format = attribute(array, "format");
         if (format == "appended") {
             const std::optional<long long> offset = parseInteger(attribute(array, "offset"));
             if (!values_ || !offset || *offset < 0 ||
                 static_cast<std::uint64_t>(*offset) > bytes_.size() - *values_) {
-                fail(values.place, "its values would begin behind the end of the file, which is "
-                                   "truncated or damaged");
+                fail(values.location, "its values would begin behind the end of the file, which is "
+                                      "truncated or damaged");
             }
-            const std::uint64_t place = *values_ + static_cast<std::uint64_t>(*offset);
+            const std::uint64_t begin = *values_ + static_cast<std::uint64_t>(*offset);
             values.form = appended_;
-            values.span = {place, bytes_.size() - place};
+            values.span = {begin, bytes_.size() - begin};
         } else if (format == "binary" || format == "ascii") {
             values.form = format == "ascii" ? VtiForm::Text : VtiForm::Base64;
             values.span = spanOf(array);
         } else {
-            fail(values.place, "its format '" + format + "' is not known");
+            fail(values.location, "its format '" + format + "' is not known");
         }
         return values;
     }
@@ -482,12 +482,12 @@ private:
             return {};
         }
         const auto end = static_cast<long long>(bytes_.size());
-        const long long place = parseInteger(words.front()).value_or(-1);
+        const long long offset = parseInteger(words.front()).value_or(-1);
         const long long count = parseInteger(words.back()).value_or(-1);
-        if (words.size() != 2 || place < 0 || place > end || count < 0 || count > end - place) {
+        if (words.size() != 2 || offset < 0 || offset > end || count < 0 || count > end - offset) {
             fail("array '" + attribute(node, "Name") + "'", "expected values within its tags");
         }
-        return {static_cast<std::uint64_t>(place), static_cast<std::uint64_t>(count)};
+        return {static_cast<std::uint64_t>(offset), static_cast<std::uint64_t>(count)};
     }
 
     /// Returns the layout of the samples that decodedVti() gives.
@@ -502,25 +502,25 @@ private:
 
     void requirePlain(const VtiValues& values, const SampleLayout& layout) const {
         if (values.span.count < coding_.countBytes) {
-            fail(values.place, "its values would begin behind the end of the file, which is "
-                               "truncated or damaged");
+            fail(values.location, "its values would begin behind the end of the file, which is "
+                                  "truncated or damaged");
         }
-        const std::string count = bytesOf(bytes_, {values.span.place, coding_.countBytes});
-        requireBytes(bytes_, values.place, layout.bytes(), vtiCount(count.data(), coding_));
-        requireSamples(bytes_, layout, values.place);
+        const std::string count = bytesOf(bytes_, {values.span.offset, coding_.countBytes});
+        requireBytes(bytes_, values.location, layout.bytes(), vtiCount(count.data(), coding_));
+        requireSamples(bytes_, layout, values.location);
     }
 
-    static void requireBytes(const ByteSource& bytes, const std::string& place,
+    static void requireBytes(const ByteSource& bytes, const std::string& location,
                              std::uint64_t expected, std::uint64_t found) {
         if (found != expected) {
-            throw InputError(bytes.name(), place,
+            throw InputError(bytes.name(), location,
                              "expected " + std::to_string(expected) + " bytes of values, found " +
                                  std::to_string(found));
         }
     }
 
-    [[noreturn]] void fail(const std::string& place, const std::string& what) const {
-        throw InputError(bytes_.name(), place, what);
+    [[noreturn]] void fail(const std::string& location, const std::string& what) const {
+        throw InputError(bytes_.name(), location, what);
     }
 
     inline static const std::vector<double> kUpright = {1, 0, 0, 0, 1, 0, 0, 0, 1};
@@ -528,7 +528,7 @@ private:
     const ByteSource& bytes_;
     pugi::xml_document document_;
     pugi::xml_node root_;
-    std::optional<std::uint64_t> values_;  ///< where the appended ones begin
+    std::optional<std::uint64_t> values_;  ///< offset of the appended ones
     VtiForm appended_ = VtiForm::Raw;
     VtiCoding coding_;
     Extent whole_;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/io/heightmap/BoundedTexts.h"
+#include "core/io/heightmap/HeaderFields.h"
 #include "core/io/heightmap/SampleRows.h"
 
 #include <functional>
@@ -10,7 +10,7 @@
 
 namespace asperity {
 
-/// A rectangle of an image whose values stand together.
+/// A rectangle of an image whose values are contiguous.
 struct VtiPiece {
     int firstColumn = 0;  ///< of the image
     int firstRow = 0;     ///< from the bottom
@@ -29,21 +29,21 @@ struct VtiArray {
 /// Reads the rows of an array. @param bytes must outlive the result
 [[nodiscard]] ReadRow rowsOf(const ByteSource& bytes, const VtiArray& array, int rows);
 
-/// What the XML of a VTK image says.
+/// XML of a VTK image.
 struct VtiHead {
     ImageSize size;
     double pitchX = 0.0;  ///< of a number without a unit
     double pitchY = 0.0;
     std::vector<VtiArray> arrays;
     std::string scalars;  ///< name of the array that the file marks as the one to show; empty: none
-    /// By their names; those of one number a tuple and one text alone.
+    /// Texts by their names; only those of one number a tuple and of one text.
     BoundedTexts texts{kHeaderQuota};
     std::map<std::string, std::vector<double>> numbers;  ///< as texts
     std::vector<std::string> notes;                      ///< on arrays that were left out
     std::string version;                                 ///< of the file format
 };
 
-/// Whether the content is an XML file of VTK, whatever it holds.
+/// Returns whether the content is an XML file of VTK, whatever it holds.
 [[nodiscard]] bool isVtkXml(const ByteSource& bytes);
 
 /// Reads the XML and checks that the arrays lie within the file.

@@ -1,7 +1,7 @@
+#include "core/io/MemoryLimit.h"
 #include "core/io/heightmap/HeightMapFormat.h"
 #include "core/io/heightmap/PhysicalUnit.h"
 #include "core/io/heightmap/ScanImage.h"
-#include "core/io/heightmap/ScanOrigin.h"
 #include "core/io/heightmap/vti/VtiHead.h"
 #include "core/io/heightmap/vti/VtiWriter.h"
 
@@ -20,6 +20,7 @@ public:
     explicit VtiReader(const ByteSource& bytes) : bytes_(bytes), head_(readVtiHead(bytes)) {}
 
     StoredScan read() {
+        requireUsualArrays();
         const auto mask = std::ranges::find_if(head_.arrays, [](const VtiArray& array) {
             return array.name == kVtiValid && array.type == SampleType::UInt8;
         });
@@ -43,6 +44,19 @@ public:
     }
 
 private:
+    /// All arrays together: several may lie at the same offset of the file.
+    void requireUsualArrays() const {
+        std::uint64_t decoded = 0;
+        for (const VtiArray& array : head_.arrays) {
+            if (std::ranges::any_of(array.pieces, [](const VtiPiece& piece) {
+                    return static_cast<bool>(piece.decode);
+                })) {
+                decoded += head_.size.pixels() * sizeOf(array.type);
+            }
+        }
+        requireUsualPacking(decoded, bytes_.size(), bytes_.name(), "arrays");
+    }
+
     StoredChannel channel(const VtiArray& array, const VtiArray* mask) {
         const std::string unitOf = kVtiUnitOf + array.name;
         const bool isOurs =

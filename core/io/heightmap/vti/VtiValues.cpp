@@ -14,8 +14,8 @@
 
 // The values of VTK's XML files: the number of their bytes and the bytes; compressed, the number of
 // blocks, the size of a block, that of the last one where it is smaller, the size of each
-// compressed block, and the blocks. Base64 may stop and go on after any of these. Source: VTK File
-// Formats (4.2), "XML File Formats"; IO/XMLParser/vtkXMLDataParser.h.
+// compressed block, and the blocks. Base64 may stop and begin again after any of these. Source: VTK
+// File Formats (4.2), "XML File Formats"; IO/XMLParser/vtkXMLDataParser.h.
 
 namespace asperity {
 
@@ -29,16 +29,16 @@ bool isBlank(char c) { return c == ' ' || c == '\n' || c == '\r' || c == '\t'; }
 class VtiStream {
 public:
     VtiStream(const ByteSource& bytes, const VtiValues& values)
-        : bytes_(bytes), values_(values), place_(values.span.place) {}
+        : bytes_(bytes), values_(values), offset_(values.span.offset) {}
 
     std::string take(std::uint64_t count) {
         if (values_.form == VtiForm::Raw) {
-            require(count <= values_.span.end() - place_);
-            place_ += count;
-            return bytesOf(bytes_, {place_ - count, count});
+            require(count <= values_.span.end() - offset_);
+            offset_ += count;
+            return bytesOf(bytes_, {offset_ - count, count});
         }
         while (decoded_.size() < count) {
-            require(place_ < values_.span.end());
+            require(offset_ < values_.span.end());
             decodeMore(count - decoded_.size());
         }
         std::string taken = decoded_.substr(0, count);
@@ -49,20 +49,20 @@ public:
 private:
     void require(bool holds) const {
         if (!holds) {
-            throw InputError(bytes_.name(), values_.place,
+            throw InputError(bytes_.name(), values_.location,
                              "its values end too early; the file is truncated or damaged");
         }
     }
 
     /// Groups of four letters, as many as there are of a chunk.
     void decodeMore(std::uint64_t wanted) {
-        const std::uint64_t left = values_.span.end() - place_;
+        const std::uint64_t left = values_.span.end() - offset_;
         const std::uint64_t count = std::min({left, kChunk, 4 * (wanted / 3) + 64});
-        const std::string text = bytesOf(bytes_, {place_, count});
-        place_ += count;
+        const std::string text = bytesOf(bytes_, {offset_, count});
+        offset_ += count;
         for (const char c : text) {
             if (c == '<') {  // the values are those before the next tag
-                place_ = values_.span.end();
+                offset_ = values_.span.end();
                 break;
             }
             if (!isBlank(c)) {
@@ -71,14 +71,14 @@ private:
         }
         const std::size_t whole = letters_.size() - letters_.size() % 4;
         if (!appendBase64(decoded_, std::string_view(letters_).substr(0, whole))) {
-            throw InputError(bytes_.name(), values_.place, "its values are no base64");
+            throw InputError(bytes_.name(), values_.location, "its values are no base64");
         }
         letters_.erase(0, whole);
     }
 
     const ByteSource& bytes_;
     const VtiValues& values_;
-    std::uint64_t place_;
+    std::uint64_t offset_;
     std::string letters_;  ///< read, not decoded
     std::string decoded_;  ///< not taken
 };
@@ -93,20 +93,20 @@ std::uint64_t wordsIn(std::string_view text) {
     return words;
 }
 
-/// Whether a compressed block of so many bytes can hold that many: none packs better than the best
-/// case of its method.
+/// Returns whether a packed block of this many bytes can hold that many: none packs better than the
+/// best case of its method.
 bool mayHold(VtiCompressor compressor, std::uint64_t packed, std::uint64_t bytes) {
     if (compressor == VtiCompressor::Zlib) {
         return mayUnpackTo(packed, bytes);
     }
-    // LZ4: a byte of length stands for at most 255. LZMA: the longest repetition, 273 bytes, takes
+    // LZ4: a byte of length counts at most 255. LZMA: the longest repetition, 273 bytes, takes
     // 14 decisions of at least log2(2048 / 2017) bits.
     const std::uint64_t best = compressor == VtiCompressor::Lz4 ? 255 : 7200;
     constexpr std::uint64_t kEnds = 64;  // [bytes]; below, a block's ends count
     return bytes / best <= packed + kEnds;
 }
 
-/// Whether the block was exactly so long.
+/// Returns whether the block had exactly this length.
 bool decompress(VtiCompressor compressor, const std::string& block, char* target,
                 std::uint64_t size) {
     auto* const bytes = reinterpret_cast<unsigned char*>(target);
@@ -116,8 +116,8 @@ bool decompress(VtiCompressor compressor, const std::string& block, char* target
         return uncompress(bytes, &count, packed, block.size()) == Z_OK && count == size;
     }
     if (compressor == VtiCompressor::Lz4) {
-        constexpr std::uint64_t kMost = std::numeric_limits<int>::max();
-        return size <= kMost && block.size() <= kMost &&
+        constexpr std::uint64_t kMax = std::numeric_limits<int>::max();
+        return size <= kMax && block.size() <= kMax &&
                LZ4_decompress_safe(block.data(), target, static_cast<int>(block.size()),
                                    static_cast<int>(size)) == static_cast<int>(size);
     }
@@ -218,7 +218,7 @@ private:
     }
 
     [[noreturn]] void fail(const std::string& what) const {
-        throw InputError(bytes_.name(), values_.place, what);
+        throw InputError(bytes_.name(), values_.location, what);
     }
 
     const ByteSource& bytes_;

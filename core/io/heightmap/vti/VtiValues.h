@@ -10,7 +10,7 @@ namespace asperity {
 
 enum class VtiCompressor : std::uint8_t { None, Zlib, Lz4, Lzma };
 
-/// How the binary values of a file are written.
+/// Coding of the binary values of a file.
 struct VtiCoding {
     ByteOrder order = ByteOrder::Little;
     std::uint64_t countBytes = 4;  ///< of each number before the values
@@ -19,11 +19,11 @@ struct VtiCoding {
 
 enum class VtiForm : std::uint8_t { Raw, Base64, Text };
 
-/// The values of an array as they stand in the file.
+/// The values of an array as they are in the file.
 struct VtiValues {
     VtiForm form = VtiForm::Raw;
-    ByteSpan span;      ///< from their first byte on; they may end before its end
-    std::string place;  ///< for messages
+    ByteSpan span;         ///< from their first byte on; they may end before its end
+    std::string location;  ///< for messages
 };
 
 /// Returns the values as bytes in the order of the file: at most `most` of them. Numbers in text

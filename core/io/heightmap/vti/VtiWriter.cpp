@@ -2,20 +2,20 @@
 
 #include "core/io/ByteReader.h"
 #include "core/io/TextValue.h"
-#include "core/io/heightmap/HeightMapEncoders.h"
+#include "core/io/heightmap/HeightMapWriter.h"
 
 #include <fstream>
 #include <string>
 #include <vector>
 
 // VTK's XML image: a head of text, then the values as they are in memory, so that readers need no
-// copy. y is up: the bottom row goes first. Source: VTK File Formats (4.2), "XML File Formats".
+// copy. y is up: the bottom row is first. Source: VTK File Formats (4.2), "XML File Formats".
 
 namespace asperity {
 
 namespace {
 
-/// Of a name as a value of XML, in which most characters below the blank are not allowed.
+/// Returns a name as a value of XML, in which most characters below the blank are not allowed.
 std::string escaped(std::string_view text) {
     std::string result;
     for (const char c : oneLine(std::string(text))) {
@@ -70,7 +70,7 @@ std::uint64_t pixelsOf(const HeightRows& map) {
     return static_cast<std::uint64_t>(map.columns) * static_cast<std::uint64_t>(map.rows);
 }
 
-/// Values that stand after the head.
+/// Values after the head.
 struct AppendedArray {
     std::string_view type;  ///< VTK's name
     std::string name;

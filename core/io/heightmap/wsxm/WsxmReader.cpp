@@ -2,11 +2,10 @@
 #include "core/io/TextValue.h"
 #include "core/io/heightmap/HeaderFields.h"
 #include "core/io/heightmap/HeightMapFormat.h"
-#include "core/io/heightmap/NumberRange.h"
+#include "core/io/heightmap/NumberRow.h"
 #include "core/io/heightmap/PhysicalUnit.h"
 #include "core/io/heightmap/SampleRows.h"
 #include "core/io/heightmap/ScanImage.h"
-#include "core/io/heightmap/ScanOrigin.h"
 
 #include <algorithm>
 #include <array>
@@ -37,7 +36,7 @@ std::string secondLine(const ByteSource& bytes) {
     return lines.size() > 1 ? std::string(lines[1]) : std::string();
 }
 
-/// Those as text have readers of their own.
+/// Files as text have readers of their own.
 bool recognizesWsxm(const ByteSource& bytes) {
     if (!bytes.startsWith(kWsxmMagic)) {
         return false;
@@ -58,7 +57,7 @@ public:
     StoredScan read() {
         const SampleLayout samples{.size = imageSize(),
                                    .type = sampleType(),
-                                   .place = dataStart(),
+                                   .offset = dataStart(),
                                    .bottomFirst = true,
                                    .rightFirst = true};
         requireSamples(bytes_, samples, "image");

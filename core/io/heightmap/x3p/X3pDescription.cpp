@@ -1,7 +1,7 @@
 #include "core/io/heightmap/x3p/X3pDescription.h"
 
 #include "core/Error.h"
-#include "core/Utf8.h"
+#include "core/PrintableText.h"
 #include "core/io/ByteReader.h"
 #include "core/io/TextValue.h"
 #include "core/io/heightmap/ScanImage.h"
@@ -18,7 +18,7 @@ namespace asperity {
 
 namespace {
 
-/// Of a text that is kept; a comment may be of any length.
+/// Limit of a text that is kept; a comment may be of any length.
 constexpr std::size_t kX3pMaxText = 4096;
 /// Elements and attributes. Each takes the parser up to 128 bytes, but the file less than one where
 /// it is packed: as many as a list of a 1024 x 1024 image has, and a head of any length.
@@ -101,34 +101,34 @@ private:
                                 : "expected SUR, found '" + feature + "'");
     }
 
-    /// Of x or y: the pixels follow each other at equal steps.
+    /// Returns that of x or y: the pixels follow each other at equal steps.
     [[nodiscard]] X3pAxis incrementalAxis(std::string_view name) const {
         const pugi::xml_node axis = descendant(root_, {"Record1", "Axes", name});
-        const std::string place = "Record1/Axes/" + std::string(name);
+        const std::string location = "Record1/Axes/" + std::string(name);
         if (const std::string type = textOf(child(axis, "AxisType")); type != "I") {
-            fail(place + "/AxisType",
+            fail(location + "/AxisType",
                  "expected I (equal steps), found '" + type + "'" +
                      (type == "A" ? ": a list of points is no height map" : ""));
         }
-        return {.increment = number(axis, "Increment", place).value_or(0.0),
-                .offset = number(axis, "Offset", place).value_or(0.0)};
+        return {.increment = number(axis, "Increment", location).value_or(0.0),
+                .offset = number(axis, "Offset", location).value_or(0.0)};
     }
 
     X3pAxis valueAxis() {
         const pugi::xml_node axis = descendant(root_, {"Record1", "Axes", "CZ"});
-        const std::string place = "Record1/Axes/CZ";
-        description_.type = sampleType(textOf(child(axis, "DataType")), place + "/DataType");
-        const X3pAxis values{.increment = number(axis, "Increment", place).value_or(1.0),
-                             .offset = number(axis, "Offset", place).value_or(0.0)};
+        const std::string location = "Record1/Axes/CZ";
+        description_.type = sampleType(textOf(child(axis, "DataType")), location + "/DataType");
+        const X3pAxis values{.increment = number(axis, "Increment", location).value_or(1.0),
+                             .offset = number(axis, "Offset", location).value_or(0.0)};
         if (!std::isfinite(values.increment) || values.increment == 0.0 ||
             !std::isfinite(values.offset)) {
-            fail(place, "expected a scale (Increment) that is not 0 and a finite Offset");
+            fail(location, "expected a scale (Increment) that is not 0 and a finite Offset");
         }
         return values;
     }
 
     [[nodiscard]] std::optional<SampleType> sampleType(const std::string& letter,
-                                                       const std::string& place) const {
+                                                       const std::string& location) const {
         if (letter.empty()) {
             return std::nullopt;
         }
@@ -144,19 +144,19 @@ private:
         if (letter == "D") {
             return SampleType::Float64;
         }
-        fail(place, "expected I, L, F or D, found '" + letter + "'");
+        fail(location, "expected I, L, F or D, found '" + letter + "'");
     }
 
     /// Empty when the element is missing or has no text.
     [[nodiscard]] std::optional<double> number(const pugi::xml_node& parent, const char* name,
-                                               const std::string& place) const {
+                                               const std::string& location) const {
         const std::string text = textOf(child(parent, name));
         if (text.empty()) {
             return std::nullopt;
         }
         const std::optional<double> value = parseNumber(text);
         if (!value) {
-            fail(place + "/" + name, "expected a number, found '" + text + "'");
+            fail(location + "/" + name, "expected a number, found '" + text + "'");
         }
         return value;
     }
@@ -256,8 +256,8 @@ private:
         }
     }
 
-    [[noreturn]] void fail(const std::string& place, const std::string& what) const {
-        throw InputError(file_, entry_ + ", " + place, what);
+    [[noreturn]] void fail(const std::string& location, const std::string& what) const {
+        throw InputError(file_, entry_ + ", " + location, what);
     }
 
     std::string xml_;  ///< the document's texts lie in it

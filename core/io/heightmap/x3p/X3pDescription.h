@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/io/heightmap/BoundedTexts.h"
+#include "core/io/heightmap/HeaderFields.h"
 #include "core/io/heightmap/SampleRows.h"
 
 #include <optional>
@@ -8,7 +8,7 @@
 
 namespace asperity {
 
-/// Of numbers along an axis: value = number × increment + offset [m].
+/// Scale of numbers along an axis: value = number × increment + offset [m].
 struct X3pAxis {
     double increment = 0.0;
     double offset = 0.0;
@@ -20,7 +20,7 @@ struct X3pLink {
     std::string md5;    ///< lower case; empty: none given
 };
 
-/// What main.xml says of a surface.
+/// Description of a surface in main.xml.
 struct X3pDescription {
     std::string revision;
     X3pAxis x;

@@ -1,18 +1,14 @@
 #include "core/Error.h"
-#include "core/io/FileHash.h"
+#include "core/io/FileBytes.h"
 #include "core/io/TextValue.h"
 #include "core/io/heightmap/HeightMapFormat.h"
-#include "core/io/heightmap/NumberRange.h"
+#include "core/io/heightmap/NumberRow.h"
 #include "core/io/heightmap/SampleRows.h"
 #include "core/io/heightmap/ScanImage.h"
-#include "core/io/heightmap/ScanOrigin.h"
 #include "core/io/heightmap/x3p/X3pDescription.h"
 #include "core/io/zip/ZipArchive.h"
-#include "core/io/zip/ZipDirectory.h"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <memory>
 
 // X3P: a zip archive with main.xml, which describes the surface, and its heights in a binary file
@@ -155,7 +151,7 @@ private:
         const X3pAxis z = description_.z;
         ReadRow rows = keeping(rowsOf(*points_, {.size = size,
                                                  .type = *description_.type,
-                                                 .place = first * sizeOf(*description_.type)}),
+                                                 .offset = first * sizeOf(*description_.type)}),
                                points_);
         if (validPoints_ != nullptr) {
             rows = masked(std::move(rows), size.columns, invalidBits(first));
@@ -193,12 +189,12 @@ private:
         }
     }
 
-    void check(const ByteSource& content, const std::string& given, const std::string& place) {
+    void check(const ByteSource& content, const std::string& given, const std::string& location) {
         if (given.empty() || content.size() > kMaxChecked) {
             return;
         }
         if (const std::string found = md5Of(content); !found.empty() && found != given) {
-            result_.notes.push_back("the checksum in " + place +
+            result_.notes.push_back("the checksum in " + location +
                                     " is that of another content: the file was changed after it "
                                     "was written, or is damaged");
         }
@@ -220,8 +216,8 @@ private:
         return main_.name.substr(0, main_.name.size() - kMain.size()) + std::string(name);
     }
 
-    [[noreturn]] void fail(const std::string& place, const std::string& what) const {
-        throw InputError(file_, place, what);
+    [[noreturn]] void fail(const std::string& location, const std::string& what) const {
+        throw InputError(file_, location, what);
     }
 
     const std::string& file_;

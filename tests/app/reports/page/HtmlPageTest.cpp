@@ -1,4 +1,4 @@
-#include "app/reports/page/HtmlPage.h"
+#include "app/reports/page/ReportPage.h"
 
 #include <gtest/gtest.h>
 
@@ -25,16 +25,18 @@ ReportPage pageWith(const std::string& text) {
     page.content.addTable(
         {.columns = {{text}, {text}}, .rows = {{{text}, {text}}}, .hasTitles = false});
     page.content.addPicture({"\x89PNG", text, text});
-    page.content.addPlot({{.description = text,
-                           .x = {text, "m"},
-                           .y = {text, "N"},
-                           .curves = {{text, {{0.0, 0.0}, {1e-9, 2e-9}}}},
-                           .marks = {{{0.5e-9, 1e-9}}}},
-                          text});
+    page.content.addPlot(
+        {.chart = {.title = text,
+                   .xLabel = text,
+                   .yLabel = text,
+                   .curves = {{.label = text, .x = {0.0, 1e-9}, .y = {0.0, 2e-9}},
+                              {.label = text, .x = {0.5e-9}, .y = {1e-9}, .rings = true}}},
+         .description = text,
+         .caption = text});
     return page;
 }
 
-/// Whether it is XML; then `parsed` holds it.
+/// Returns whether it is XML; then `parsed` holds it.
 bool isXml(const std::string& html, pugi::xml_document& parsed) {
     const pugi::xml_parse_result result = parsed.load_string(html.c_str());
     EXPECT_TRUE(result) << result.description() << " at "

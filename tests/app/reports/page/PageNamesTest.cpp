@@ -1,4 +1,4 @@
-#include "app/reports/page/PageNames.h"
+#include "app/reports/page/ReportPage.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "app/reports/page/PdfPiece.h"
+#include "app/reports/page/PdfPieces.h"
 
 #include <gtest/gtest.h>
 

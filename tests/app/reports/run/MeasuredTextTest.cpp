@@ -1,4 +1,4 @@
-#include "app/reports/run/MeasuredText.h"
+#include "app/reports/run/RunSections.h"
 
 #include <gtest/gtest.h>
 

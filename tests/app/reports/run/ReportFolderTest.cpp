@@ -1,5 +1,4 @@
-#include "app/reports/run/ReportFolder.h"
-
+#include "app/reports/run/RunPage.h"
 #include "app/runs/RunFolder.h"
 #include "tests/support/ScratchFolder.h"
 

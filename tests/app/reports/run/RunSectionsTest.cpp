@@ -1,7 +1,5 @@
-#include "app/reports/run/ParameterSection.h"
-#include "app/reports/run/RunVerdict.h"
-#include "app/reports/run/UncertaintySection.h"
-#include "app/reports/run/ValiditySection.h"
+#include "app/reports/run/RunSections.h"
+
 #include "core/scene/Scene.h"
 #include "tests/support/TestScenes.h"
 
@@ -92,7 +90,7 @@ TEST(RunSections, ParametersHaveNoEmptyRows) {
     }
 }
 
-/// One touch whose pull-off force may hide so much, relative to its value.
+/// One force cycle whose pull-off force may hide so much, relative to its value.
 PageContent uncertaintyOf(double hidden) {
     const CycleBudget pullOff{"pull_off_force_n",
                               "pull-off force",
@@ -106,7 +104,7 @@ PageContent uncertaintyOf(double hidden) {
 
 TEST(RunSections, UncertaintySaysOnceWhatRoughnessTheNoiseHides) {
     const std::string remark = "Noise of the heights hides roughness that may move the pull-off "
-                               "force by 9 %; the stated deviations do not hold it.";
+                               "force by 9 %; the stated deviations do not include it.";
     EXPECT_THAT(paragraphsOf(uncertaintyOf(0.09)), Contains(remark).Times(1));
     EXPECT_THAT(paragraphsOf(uncertaintyOf(0.04)), Each(Not(HasSubstr("hides roughness"))))
         << "within the tolerance";

@@ -1,4 +1,4 @@
-#include "app/reports/run/RunVerdict.h"
+#include "app/reports/run/RunSections.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "app/reports/run/ShellWord.h"
+#include "app/reports/run/RunSections.h"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 namespace asperity {
 namespace {
 
-/// What a shell makes of a word.
+/// Returns a word as a shell reads it.
 std::string readByShell(const std::string& word) {
     std::FILE* pipe = popen(("printf %s " + word).c_str(), "r");  // NOLINT(cert-env33-c): the test
     std::string text;

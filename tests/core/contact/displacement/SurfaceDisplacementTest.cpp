@@ -74,7 +74,7 @@ TEST(SurfaceDisplacement, OpensTheGapToTheCohesiveRange) {
     expectClose(gap, split.jointSeparation - kContactSeparation, 1e-9);
 }
 
-/// Far from its place any load pulls the surface as a point force does, u = P / (pi E* r).
+/// Far from its position any load pulls the surface as a point force does, u = P / (pi E* r).
 TEST(SurfaceDisplacement, FallsOffAsThatOfAPointForce) {
     for (const char* material : {"SiO2", "PS"}) {
         const ContactModel model(ContactLaw::Split, paperPair(material));

@@ -1,6 +1,5 @@
-#include "core/contact/displacement/SurfaceProfile.h"
-
-#include "core/contact/laws/SneddonLaw.h"
+#include "core/contact/displacement/SurfaceDisplacement.h"
+#include "core/contact/laws/HertzLaw.h"
 #include "core/contact/laws/SphereJkrLaw.h"
 #include "core/contact/laws/SphereMaugisLaw.h"
 #include "core/contact/numerics/GaussLegendre.h"
@@ -131,15 +130,15 @@ double abelDisplacement(const CohesiveContact& contact, double r) {
 TEST(SurfaceProfile, IsAbelsTransformForASphere) {
     for (const CohesiveContact& contact : sphereProfiles()) {
         SCOPED_TRACE(contact.contactRadius);
-        for (const double place : {0.3, 0.999, 1.001, 1.02, 1.4, 3.0, 30.0, 1e4}) {
-            const double r = place * contact.contactRadius;
+        for (const double position : {0.3, 0.999, 1.001, 1.02, 1.4, 3.0, 30.0, 1e4}) {
+            const double r = position * contact.contactRadius;
             SCOPED_TRACE(r / contact.tipRadius);
             const double peak = peakOf(contact);
             EXPECT_NEAR(surfaceDisplacement(contact, r), abelDisplacement(contact, r),
                         1e-10 * peak);
         }
-        for (const double place : {0.999999, 1.0, 1.000001}) {
-            const double r = place * contact.tipRadius;
+        for (const double position : {0.999999, 1.0, 1.000001}) {
+            const double r = position * contact.tipRadius;
             EXPECT_NEAR(surfaceDisplacement(contact, r), abelDisplacement(contact, r),
                         1e-10 * peakOf(contact));
         }
@@ -211,10 +210,10 @@ TEST(SurfaceProfile, IsFiniteForAnyContactWithASphere) {
         CohesiveContact contact = onSphere(pair, *point);
         contact.cohesiveStress = stress;
         const double r = contact.cohesiveRadius * *test::logUniform(1e-3, 1e3);
-        for (const double place : {r, contact.contactRadius, contact.cohesiveRadius}) {
-            RC_ASSERT(std::isfinite(surfaceDisplacement(contact, place)));
-            RC_ASSERT(std::isfinite(contactPressure(contact, place)));
-            RC_ASSERT(std::abs(surfaceDisplacement(contact, place)) <=
+        for (const double position : {r, contact.contactRadius, contact.cohesiveRadius}) {
+            RC_ASSERT(std::isfinite(surfaceDisplacement(contact, position)));
+            RC_ASSERT(std::isfinite(contactPressure(contact, position)));
+            RC_ASSERT(std::abs(surfaceDisplacement(contact, position)) <=
                       (1.0 + 1e-9) * std::max(2.0 * peakOf(contact), 1e-300));
         }
     });

@@ -1,7 +1,6 @@
 #include "core/contact/halfspace/FieldConvolution.h"
 
-#include "core/contact/halfspace/CohesiveZone.h"
-#include "core/contact/halfspace/LoveKernel.h"
+#include "core/contact/halfspace/PressureSearch.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/contact/halfspace/HalfSpaceContact.h"
+#include "core/contact/halfspace/HalfSpaceSolver.h"
 #include "core/contact/laws/ContactModel.h"
 
 #include <cmath>
@@ -18,7 +18,9 @@ struct PixelGrid {
 
     [[nodiscard]] double pitch() const { return 2.0 * halfWidth / samples; }
     /// Of the middle of a pixel [m].
-    [[nodiscard]] double place(int index) const { return (index - 0.5 * (samples - 1)) * pitch(); }
+    [[nodiscard]] double position(int index) const {
+        return (index - 0.5 * (samples - 1)) * pitch();
+    }
 };
 
 /// Bodies of any shape without cohesion.
@@ -31,7 +33,7 @@ inline HalfSpaceContact elasticContact(const PixelGrid& grid, const ContactPair&
                              .tipRadius = pair.tipRadius};
     for (int row = 0; row < grid.samples; ++row) {
         for (int column = 0; column < grid.samples; ++column) {
-            contact.gap.push_back(shape(grid.place(column), grid.place(row)));
+            contact.gap.push_back(shape(grid.position(column), grid.position(row)));
         }
     }
     return contact;
@@ -52,13 +54,13 @@ inline HalfSpaceContact paraboloidContact(const PixelGrid& grid, const ContactMo
 /// The displacement at `x` >= 0 on the axis of a grid with an odd number of samples [m].
 inline double displacementAt(const HalfSpaceSolution& solution, const PixelGrid& grid, double x) {
     const int middle = grid.samples / 2;
-    const double place = x / grid.pitch();
-    const int before = static_cast<int>(place);
+    const double position = x / grid.pitch();
+    const int before = static_cast<int>(position);
     const auto at = [&](int steps) {
         const int pixel = middle * grid.samples + middle + steps;
         return solution.displacement[static_cast<std::size_t>(pixel)];
     };
-    return std::lerp(at(before), at(before + 1), place - before);
+    return std::lerp(at(before), at(before + 1), position - before);
 }
 
 }  // namespace asperity::test

@@ -46,7 +46,7 @@ TEST(HalfSpaceSolver, HasHertzForceAndContactRadius) {
     }
 }
 
-/// What a rim that lies a tenth of a pixel beside its place does to the displacement: the grid's
+/// What a rim that lies a tenth of a pixel beside its position does to the displacement: the grid's
 /// resolution [m].
 double resolution(const HalfSpaceContact& contact, double rim) {
     return 0.1 * contact.pitch * rim / contact.tipRadius;

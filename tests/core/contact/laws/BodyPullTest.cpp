@@ -1,5 +1,3 @@
-#include "core/contact/laws/BodyPull.h"
-
 #include "core/Units.h"
 #include "core/contact/laws/ContactModel.h"
 #include "core/contact/laws/ForceCurve.h"

@@ -1,6 +1,5 @@
-#include "core/contact/laws/DmtLaw.h"
 #include "core/contact/laws/HertzLaw.h"
-#include "core/contact/laws/JkrLaw.h"
+#include "core/contact/laws/SphereJkrLaw.h"
 #include "tests/core/contact/laws/ContactCases.h"
 #include "tests/core/contact/laws/ExpectedState.h"
 
@@ -30,7 +29,7 @@ struct ClassicLaws {
     JkrLaw jkr;
 };
 
-/// The state that a row tells of a law; "nan" in its columns: there is none.
+/// The state of a law by a row; "nan" in its columns: there is none.
 struct Row {
     const ReferenceTable& table;
     std::size_t row;

@@ -1,6 +1,6 @@
 #include "core/Error.h"
 #include "core/contact/laws/ContactModel.h"
-#include "core/contact/laws/SneddonLaw.h"
+#include "core/contact/laws/HertzLaw.h"
 #include "core/contact/laws/SphereJkrLaw.h"
 #include "core/contact/numerics/GaussLegendre.h"
 #include "tests/core/contact/laws/ContactCases.h"

@@ -1,10 +1,9 @@
 #pragma once
 
-#include "core/contact/Material.h"
+#include "core/contact/ContactState.h"
+#include "core/contact/laws/ContactLaw.h"
 #include "core/contact/laws/ContactModel.h"
-#include "core/contact/laws/LawPoint.h"
-#include "core/contact/maugis/MaugisCurve.h"
-#include "core/contact/maugis/MaugisUnits.h"
+#include "core/contact/maugis/MaugisDugdale.h"
 #include "tests/support/ReferenceTable.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 #include "core/contact/laws/ContactModel.h"
-#include "core/contact/maugis/MaugisUnits.h"
+#include "core/contact/maugis/MaugisDugdale.h"
 #include "tests/core/contact/laws/AnyContact.h"
 
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@ namespace {
 
 using test::AnyContact;
 
-/// Bonded states of two models at the same place, relative to `size` of the first.
+/// Bonded states of two models at the same position, relative to `size` of the first.
 struct Difference {
     double force;
     double contactRadius;

@@ -3,7 +3,6 @@
 #include "core/Error.h"
 #include "core/Units.h"
 #include "core/contact/displacement/SurfaceDisplacement.h"
-#include "core/contact/laws/LawChoice.h"
 #include "core/contact/laws/SplitLaw.h"
 #include "tests/core/contact/laws/ContactCases.h"
 #include "tests/support/DoubleLimits.h"
@@ -330,7 +329,7 @@ TEST(ContactModel, MeetsAndPartsWithoutAJumpWhereNothingAttracts) {
     }
 }
 
-/// The law of a place is that of a uniform sample of its material.
+/// The law of a position is that of a uniform sample of its material.
 TEST(ContactModel, WithAnotherPairIsTheModelOfThatPair) {
     const ContactPair usual{.tipRadius = 15e-9, .reducedModulus = 3e9, .workOfAdhesion = 0.06};
     const ContactPair other{.tipRadius = 22e-9, .reducedModulus = 0.4e9, .workOfAdhesion = 0.015};

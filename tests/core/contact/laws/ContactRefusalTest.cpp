@@ -1,9 +1,8 @@
 #include "core/Error.h"
-#include "core/contact/EffectiveRadius.h"
+#include "core/contact/ContactState.h"
 #include "core/contact/displacement/SurfaceDisplacement.h"
 #include "core/contact/laws/ContactModel.h"
 #include "core/contact/laws/ForceCurve.h"
-#include "core/contact/laws/LawChoice.h"
 #include "core/contact/maugis/MaugisTable.h"
 #include "tests/core/contact/laws/ContactCases.h"
 #include "tests/support/DoubleLimits.h"
@@ -24,7 +23,7 @@ using test::kNan;
 
 using Limits = std::numeric_limits<double>;
 
-/// Everything a file or a command line may hold in place of a number.
+/// Everything a file or a command line may hold instead of a number.
 constexpr std::array kOddNumbers{
     kNan,   kInfinity, -kInfinity,    0.0,           -0.0,           -1.0,  Limits::denorm_min(),
     1e-310, 1e-300,    Limits::min(), Limits::max(), -Limits::max(), 1e300, 1e-30,

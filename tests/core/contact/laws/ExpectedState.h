@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/contact/laws/ContactModel.h"
-#include "core/contact/maugis/MaugisUnits.h"
+#include "core/contact/maugis/MaugisDugdale.h"
 
 #include <gtest/gtest.h>
 
@@ -16,7 +16,7 @@ inline constexpr double kFoldTolerance = 1e-7;
 inline constexpr double kLeverFoldTolerance = 1e-9;  ///< of a state at a fold on a lever
 
 /// Where a stable bonded state is asked for.
-struct BondedPlace {
+struct BondedPosition {
     double approach = 0.0;    ///< of the undeflected tip [m]
     double compliance = 0.0;  ///< of the lever [m/N]
 };
@@ -32,20 +32,21 @@ struct RowCondition {
 };
 
 /// @param range of the cohesive stress [m]; 0: none
-inline RowCondition rowCondition(const ContactModel& model, const BondedPlace& place,
+inline RowCondition rowCondition(const ContactModel& model, const BondedPosition& position,
                                  double range) {
     constexpr double kRoundings = 4.0 * std::numeric_limits<double>::epsilon();
     const double unit = std::max(maugisUnits(model.pair()).indentation, range);
-    const double nudge = kRoundings * std::max(std::abs(place.approach), unit);
+    const double nudge = kRoundings * std::max(std::abs(position.approach), unit);
     const auto stateAt = [&](double approach) {
         const ContactState state =
-            model.equilibrium(approach, place.compliance, {ContactBranch::Bonded});
-        return state.branch == ContactBranch::Bonded ? state : model.lastBonded(place.compliance);
+            model.equilibrium(approach, position.compliance, {ContactBranch::Bonded});
+        return state.branch == ContactBranch::Bonded ? state
+                                                     : model.lastBonded(position.compliance);
     };
-    const ContactState low = stateAt(place.approach - nudge);
-    const ContactState high = stateAt(place.approach + nudge);
-    const double end = model.pullOffApproach(place.compliance);
-    const bool atFold = place.approach - end <= 1.1e-6 * std::abs(end);
+    const ContactState low = stateAt(position.approach - nudge);
+    const ContactState high = stateAt(position.approach + nudge);
+    const double end = model.pullOffApproach(position.compliance);
+    const bool atFold = position.approach - end <= 1.1e-6 * std::abs(end);
     return {.force = std::abs(high.force - low.force),
             .indentation = std::abs(high.indentation - low.indentation),
             .contactRadius = std::abs(high.contactRadius - low.contactRadius),

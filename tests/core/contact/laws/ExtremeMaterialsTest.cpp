@@ -1,5 +1,5 @@
 #include "core/contact/laws/ContactModel.h"
-#include "core/contact/maugis/MaugisUnits.h"
+#include "core/contact/maugis/MaugisDugdale.h"
 #include "tests/core/contact/laws/ContactCases.h"
 #include "tests/core/contact/laws/ExpectedState.h"
 

@@ -1,5 +1,4 @@
-#include "core/contact/laws/LawChoice.h"
-
+#include "core/contact/laws/ContactModel.h"
 #include "tests/core/contact/laws/ContactCases.h"
 
 #include <gtest/gtest.h>

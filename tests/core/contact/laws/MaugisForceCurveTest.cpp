@@ -1,6 +1,5 @@
 #include "core/contact/laws/ContactModel.h"
 #include "core/contact/maugis/MaugisDugdale.h"
-#include "core/contact/maugis/MaugisUnits.h"
 #include "tests/core/contact/laws/ContactCases.h"
 #include "tests/core/contact/laws/ExpectedState.h"
 

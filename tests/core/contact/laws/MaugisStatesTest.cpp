@@ -19,7 +19,7 @@ using test::stiffnessOf;
 
 constexpr double kRoundings = 4.0 * std::numeric_limits<double>::epsilon();
 
-/// The state of a row by the radius that tells it, stable or not.
+/// The state of a row by its radius, stable or not.
 MaugisPoint pointAt(const MaugisDugdale& law, double contactRadius, double cohesiveRadius) {
     return contactRadius > 0.0 ? law.atContactRadius(contactRadius)
                                : law.curve().noncontact(cohesiveRadius);
@@ -28,7 +28,7 @@ MaugisPoint pointAt(const MaugisDugdale& law, double contactRadius, double cohes
 /// c / a; infinite without contact.
 double ratioOf(const MaugisPoint& point) { return 1.0 / std::cos(point.angle); }
 
-/// Near first touch the angle is a right one but for the coordinate, which tells the ratio.
+/// Near first touch the angle is a right one but for the coordinate, which gives the ratio.
 void expectRatio(const MaugisPoint& point, double expected) {
     if (std::isinf(expected)) {
         EXPECT_EQ(point.contactRadius, 0.0);

@@ -1,6 +1,6 @@
 #include "core/contact/laws/ContactModel.h"
+#include "core/contact/maugis/MaugisDugdale.h"
 #include "core/contact/maugis/MaugisTable.h"
-#include "core/contact/maugis/MaugisUnits.h"
 #include "tests/core/contact/laws/AnyContact.h"
 #include "tests/support/DoubleLimits.h"
 
@@ -50,8 +50,8 @@ double bondedApproach(const ContactModel& model, double compliance) {
 /// How far four roundings of the approach move the state, and rounding of what cancels in it.
 ContactState allowance(const AnyContact& contact, const ContactModel& model, double approach) {
     const ContactMemory bonded{ContactBranch::Bonded};
-    const auto at = [&](double place) {
-        const ContactState state = model.equilibrium(place, contact.compliance, bonded);
+    const auto at = [&](double position) {
+        const ContactState state = model.equilibrium(position, contact.compliance, bonded);
         return state.branch == ContactBranch::Bonded ? state : model.lastBonded(contact.compliance);
     };
     const ContactState here = at(approach);

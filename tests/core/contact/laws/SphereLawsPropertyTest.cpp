@@ -1,4 +1,4 @@
-#include "core/contact/laws/SneddonLaw.h"
+#include "core/contact/laws/HertzLaw.h"
 #include "core/contact/laws/SphereJkrLaw.h"
 #include "core/contact/laws/SphereMaugisLaw.h"
 #include "tests/core/contact/laws/ContactCases.h"

@@ -1,7 +1,6 @@
 #include "core/contact/laws/ContactModel.h"
 #include "core/contact/laws/SplitLaw.h"
 #include "core/contact/maugis/MaugisDugdale.h"
-#include "core/contact/maugis/MaugisUnits.h"
 #include "tests/core/contact/laws/ContactCases.h"
 #include "tests/core/contact/laws/ExpectedState.h"
 

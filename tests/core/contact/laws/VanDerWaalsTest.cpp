@@ -1,5 +1,3 @@
-#include "core/contact/laws/VanDerWaals.h"
-
 #include "core/contact/laws/AttractiveTail.h"
 #include "tests/core/contact/laws/ContactCases.h"
 

@@ -1,6 +1,5 @@
-#include "core/contact/laws/YieldOnset.h"
-
 #include "core/Units.h"
+#include "core/contact/laws/HertzLaw.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,3 @@
-#include "core/contact/maugis/MaugisCurve.h"
-
 #include "core/contact/maugis/MaugisDugdale.h"
 #include "tests/core/contact/laws/ContactCases.h"
 #include "tests/support/FloatingPointTraps.h"

@@ -1,7 +1,7 @@
 #include "core/contact/maugis/MaugisTable.h"
 
 #include "core/Error.h"
-#include "core/contact/maugis/MaugisUnits.h"
+#include "core/contact/maugis/MaugisDugdale.h"
 #include "tests/core/contact/laws/ContactCases.h"
 #include "tests/support/AllocationCounter.h"
 

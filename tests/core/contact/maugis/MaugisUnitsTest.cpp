@@ -1,7 +1,6 @@
-#include "core/contact/maugis/MaugisUnits.h"
-
+#include "core/contact/laws/AttractiveTail.h"
 #include "core/contact/laws/ContactModel.h"
-#include "core/contact/laws/VanDerWaals.h"
+#include "core/contact/maugis/MaugisDugdale.h"
 #include "tests/core/contact/laws/ContactCases.h"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,5 @@
-#include "core/haptics/bench/SimulatedDevice.h"
-
 #include "core/Units.h"
+#include "core/haptics/bench/VirtualBench.h"
 #include "tests/core/haptics/TestDevice.h"
 
 #include <gtest/gtest.h>
@@ -16,11 +15,11 @@ constexpr double kResolution = kPhantomClass.resolution;
 
 /// Lets so much time pass. @return where the handle is then
 Vector3 after(SimulatedDevice& device, double seconds) {
-    Vector3 place = Vector3::Zero();
+    Vector3 position = Vector3::Zero();
     for (double time = 0.0; time < seconds; time += kTick) {
-        place = device.advance(kTick).position;
+        position = device.advance(kTick).position;
     }
-    return place;
+    return position;
 }
 
 TEST(SimulatedDevice, RestsWhereItStartsToTheEncodersStep) {
@@ -51,9 +50,9 @@ TEST(SimulatedDevice, ThePersonReachesNoFasterThanPeopleDoHoweverFarThePointerJu
     double fastest = 0.0;
     double last = 0.0;
     for (int i = 0; i < 1500; i += 10) {
-        const double place = after(device, 10 * kTick).x();
-        fastest = std::max(fastest, (place - last) / (10 * kTick));
-        last = place;
+        const double position = after(device, 10 * kTick).x();
+        fastest = std::max(fastest, (position - last) / (10 * kTick));
+        last = position;
     }
     EXPECT_NEAR(last, 0.09, 1e-3);
     EXPECT_GT(fastest, 0.4);

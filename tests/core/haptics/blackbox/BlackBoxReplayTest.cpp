@@ -1,6 +1,5 @@
 #include "core/haptics/blackbox/BlackBox.h"
 #include "core/io/recording/TickLog.h"
-#include "core/io/recording/TickMemoryFile.h"
 #include "tests/core/haptics/governor/GuardedBench.h"
 #include "tests/support/ScratchFolder.h"
 

@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kStep = 1e-3;  // [s]
 
-/// Ticks that tell nothing but their time and fault, with a mark every so many of them.
+/// Ticks that say nothing but their time and fault, with a mark at regular intervals.
 class Ticks {
 public:
     explicit Ticks(BlackBox& box) : box_(box) {}

@@ -1,8 +1,7 @@
-#include "core/haptics/coupling/CoupledDevice.h"
-
 #include "core/Units.h"
+#include "core/haptics/coupling/CouplingKeeper.h"
 #include "core/scene/BelievedModel.h"
-#include "core/words/ScaleWords.h"
+#include "core/words/DeviceWords.h"
 #include "tests/support/TestScenes.h"
 
 #include <gtest/gtest.h>

@@ -88,16 +88,16 @@ bool comesToRest(const CouplingGains& gains, double mass, double age) {
     constexpr double kStep = 10e-6;
     const auto late = static_cast<std::size_t>(std::lround(age / kStep));
     std::vector<double> forces(late, 0.0);
-    double place = 1e-3;
+    double position = 1e-3;
     double speed = 0.0;
     double farthest = 0.0;
     for (std::size_t i = 0; i < 400000; ++i) {
         const double force =
-            std::exchange(forces[i % late], -gains.stiffness * place - gains.damping * speed);
+            std::exchange(forces[i % late], -gains.stiffness * position - gains.damping * speed);
         speed += kStep * force / mass;
-        place += kStep * speed;
+        position += kStep * speed;
         if (i > 300000) {
-            farthest = std::max(farthest, std::abs(place));
+            farthest = std::max(farthest, std::abs(position));
         }
     }
     return farthest < 1e-3;

@@ -3,7 +3,7 @@
 #include "core/Units.h"
 #include "core/scene/BelievedModel.h"
 #include "core/scene/Scene.h"
-#include "core/words/ScaleWords.h"
+#include "core/words/DeviceWords.h"
 #include "tests/core/haptics/TestDevice.h"
 #include "tests/support/TestScenes.h"
 
@@ -137,7 +137,7 @@ TEST(CouplingKeeper, AGainThatDoesNotHoldIsRefusedAndChangesNothing) {
     EXPECT_LT(before, 1400.0);
     wanted.positionGain = 2e-6;
     EXPECT_EQ(keeper.turned(wanted, 1.0_ms).positionGain, 2e-6);
-    EXPECT_NEAR(keeper.coupled()->judgment.contact, 2.0 * before, 1e-9 * before) << "judged anew";
+    EXPECT_NEAR(keeper.coupled()->judgment.contact, 2.0 * before, 1e-9 * before) << "judged again";
 }
 
 TEST(CouplingKeeper, TheTipUnderControlIsRefusedWhereItsContactAloneIsTooStiff) {

@@ -1,6 +1,5 @@
-#include "core/haptics/coupling/ScaleGuard.h"
-
-#include "core/words/ScaleWords.h"
+#include "core/haptics/coupling/CouplingDesign.h"
+#include "core/words/DeviceWords.h"
 
 #include <gtest/gtest.h>
 

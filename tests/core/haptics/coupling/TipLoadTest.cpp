@@ -1,6 +1,5 @@
-#include "core/haptics/coupling/TipLoad.h"
-
 #include "core/Units.h"
+#include "core/haptics/coupling/CouplingDesign.h"
 #include "core/scene/BelievedModel.h"
 #include "tests/support/TestScenes.h"
 

@@ -1,6 +1,5 @@
-#include "core/haptics/coupling/VirtualCoupling.h"
-
 #include "core/Units.h"
+#include "core/haptics/coupling/CouplingDesign.h"
 #include "tests/core/haptics/TestDevice.h"
 
 #include <gtest/gtest.h>

@@ -96,7 +96,7 @@ TEST(CycleDetector, SaysWhereTheTipTouched) {
     run.moveTo(-2e-9);
     run.sample.output.model.tip.x() = 50e-9;
     run.moveTo(4e-9);
-    EXPECT_EQ(run.cycle().place, Vector2(30e-9, 40e-9));
+    EXPECT_EQ(run.cycle().position, Vector2(30e-9, 40e-9));
 }
 
 TEST(CycleDetector, NoiseNeitherAddsNorLosesACycle) {
@@ -135,8 +135,8 @@ TEST(CycleDetector, TheIndentationHasNoBiasByNoise) {
     EXPECT_LT(squares / kCycles, 1.7);
 }
 
-/// On soft ground the force rises slowly, and noise alone picks the tick of the strongest: six runs
-/// on rubber read 12.3 to 14.0 nm, each sure to 4 pm.
+/// On a soft sample the force rises slowly, and noise alone picks the tick of the strongest: six
+/// runs on rubber read 12.3 to 14.0 nm, each sure to 4 pm.
 TEST(CycleDetector, TheIndentationOfASoftSampleIsAsSureAsTheForceThatPicksIt) {
     constexpr double kSoft = 0.5;  // [N/m]
     constexpr int kCycles = 60;
@@ -224,8 +224,8 @@ TEST(CycleDetector, AttractionWithoutContactIsNoCycle) {
 
 TEST(CycleDetector, AUserMayRestAnywhere) {
     SpringContact run(SpringContact::kSigma);
-    for (const double place : {1e-9, -1e-9, -2e-9, 0.0, 0.3e-9}) {  // of no force, too
-        run.moveTo(place);
+    for (const double position : {1e-9, -1e-9, -2e-9, 0.0, 0.3e-9}) {  // of no force, too
+        run.moveTo(position);
         run.rest(3000);
         EXPECT_LE(run.touches, 1);
     }
@@ -279,7 +279,7 @@ TEST(CycleDetector, ASlideInContactIsNoUnloading) {
     SpringContact run;
     run.moveTo(-2e-9);
     run.sample.output.base.velocity.x() = 1e-8;
-    for (int i = 0; i < 20; ++i) {  // over rough ground
+    for (int i = 0; i < 20; ++i) {  // over a rough sample
         run.moveTo(-1.9e-9);
         run.moveTo(-2e-9);
     }
@@ -342,7 +342,7 @@ TEST(CycleDetector, HysteresisScattersAsItsDeviationSays) {
 }
 
 /// A pull that is as strong all the way from snap-in to contact.
-TEST(CycleDetector, ThePlaceOfASnapInOnAPlateauIsAsUncertainAsThePlateauIsLong) {
+TEST(CycleDetector, ThePositionOfASnapInOnAPlateauIsAsUncertainAsThePlateauIsLong) {
     for (const ContactCycle& cycle : noisyCycles(2e-9)) {
         EXPECT_NEAR(cycle.snapInBaseDistance.value, 1e-9, 1.96 * cycle.snapInBaseDistance.sigma);
         EXPECT_LT(cycle.snapInBaseDistance.sigma, 1e-9);

@@ -5,7 +5,6 @@
 #include "core/io/scene/SceneFile.h"
 #include "core/scene/BelievedModel.h"
 #include "core/scene/Scene.h"
-#include "core/scene/SceneTruth.h"
 #include "tests/support/Places.h"
 #include "tests/support/TestScenes.h"
 
@@ -42,7 +41,7 @@ protected:
 
     /// Down and up again in ten seconds each.
     static ContactCycle read(const Scene& scene, double depth) {
-        const Vector3 above = waitingPlace(scene, {64.0_nm, 64.0_nm});
+        const Vector3 above = waitingPosition(scene, {64.0_nm, 64.0_nm});
         const DevicePath path{{0.0, above}, {10.0, {above.x(), above.y(), -depth}}, {20.0, above}};
         SimulatedAfm afm(scene.surface, truthOf(scene));
         CycleDetector detector;
@@ -122,10 +121,10 @@ TEST_P(CycleOfScene, SnapInIsThatOfTheLaw) {
                 noisy() ? 0.02_nm : 0.02 * std::abs(lawSnapIn().basePosition));
 }
 
-TEST_P(CycleOfScene, PlaceIsWhereTheTipTouched) {
+TEST_P(CycleOfScene, PositionIsWhereTheTipTouched) {
     // The lever is inclined: as it bends at the snap-in, the tip moves some 0.05 nm sideways.
-    EXPECT_NEAR(cycle.place.x(), 64.0_nm, 0.1_nm);
-    EXPECT_NEAR(cycle.place.y(), 64.0_nm, 0.1_nm);
+    EXPECT_NEAR(cycle.position.x(), 64.0_nm, 0.1_nm);
+    EXPECT_NEAR(cycle.position.y(), 64.0_nm, 0.1_nm);
 }
 
 TEST_P(CycleOfScene, WorkIsTheIntegralOfTheLawsCurve) {

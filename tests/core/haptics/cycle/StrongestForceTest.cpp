@@ -1,6 +1,5 @@
-#include "core/haptics/cycle/StrongestForce.h"
-
 #include "core/Random.h"
+#include "core/haptics/cycle/CycleDetector.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,5 @@
-#include "core/haptics/cycle/UnloadingFit.h"
-
 #include "core/Random.h"
+#include "core/haptics/cycle/CycleDetector.h"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +9,7 @@ namespace asperity {
 namespace {
 
 constexpr double kLever = 14.0;         // [N/m]
-constexpr double kForce = 20e-9;        // at the deepest place [N]
+constexpr double kForce = 20e-9;        // at the deepest position [N]
 constexpr double kStep = 3e-12;         // of the base a tick [m]
 constexpr double kForceSigma = 0.1e-9;  // [N]
 

@@ -43,7 +43,7 @@ void expectLatchedUntilTakenBack(GuardedBench& bench, Fault fault) {
     EXPECT_EQ(after.front().output.forceState, ForceState::Engaging);
     EXPECT_EQ(after.back().output.forceState, ForceState::On);
     bench.reachFor(
-        -8e-3);  // a place that was not finite, and the return from it, count for nothing
+        -8e-3);  // a position that was not finite, and the return from it, count for nothing
     EXPECT_GT(bench.run(0.8).back().output.deviceForce.norm(), kPressing);
 }
 
@@ -106,7 +106,7 @@ TEST(FaultInjection, AFastDeviceThatIsNoRunawayDoesNotTrip) {
     }
 }
 
-/// The device sends nothing any more from `event` on: the place stays its last, the age grows.
+/// The device sends nothing any more from `event` on: the position stays its last, the age grows.
 void fallSilent(GuardedBench& bench, double event) {
     const Vector3 last = bench.input.device.position;
     bench.tamper = [last, event](DeviceState& device, double time) {

@@ -47,15 +47,15 @@ TEST(ForceGovernor, PassesWhatIsWantedUnchangedInNormalRunning) {
 
 TEST(ForceGovernor, AValueThatIsNotFiniteIsAFault) {
     for (const double bad : {kNan, kInfinity, -kInfinity}) {
-        TickInput place = motors();
-        place.device.position.y() = bad;
+        TickInput position = motors();
+        position.device.position.y() = bad;
         TickInput age = motors();
         age.device.age = bad;
         TickInput motor = motors();
         motor.device.maxForce = bad;
         TickInput limit = motors();
         limit.settings.governor.maxForce = bad;
-        for (const TickInput& input : {place, age, motor, limit}) {
+        for (const TickInput& input : {position, age, motor, limit}) {
             EXPECT_EQ(govern(input, wanting(1.0)).fault, Fault::NotFinite);
             EXPECT_EQ(govern(input, wanting(1.0)).force, Vector3::Zero());
         }

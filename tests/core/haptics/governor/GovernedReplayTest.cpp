@@ -1,5 +1,4 @@
 #include "core/io/recording/TickLog.h"
-#include "core/io/recording/TickMemoryFile.h"
 #include "tests/core/haptics/governor/GuardedBench.h"
 #include "tests/support/ScratchFolder.h"
 

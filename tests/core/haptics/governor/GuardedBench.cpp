@@ -1,7 +1,7 @@
 #include "tests/core/haptics/governor/GuardedBench.h"
 
 #include "core/Units.h"
-#include "core/scene/SceneTruth.h"
+#include "core/scene/BelievedModel.h"
 #include "tests/support/TestScenes.h"
 
 namespace asperity::test {
@@ -36,7 +36,7 @@ GuardedBench::GuardedBench(const Scene& scene, const Vector3& start)
 
 void GuardedBench::reachFor(double height) { reachFor(above(height)); }
 
-void GuardedBench::reachFor(const Vector3& place) { bench_.reachFor(place); }
+void GuardedBench::reachFor(const Vector3& position) { bench_.reachFor(position); }
 
 TickSample GuardedBench::step() {
     time_ += input.timeStep;

@@ -11,7 +11,7 @@
 namespace asperity::test {
 
 /// An operator at a Phantom class device with motors, coupled to a tip over flat polystyrene, at 1
-/// kHz of virtual time: 1 mm of the device is 1 nm, 1 N is 10 nN. What the device tells can be
+/// kHz of virtual time: 1 mm of the device is 1 nm, 1 N is 10 nN. What the device says can be
 /// tampered with, to inject faults.
 class GuardedBench {
 public:
@@ -23,8 +23,8 @@ public:
     /// Where the operator wants the handle from now on: height over the sample [m].
     void reachFor(double height);
     /// The same anywhere; the device's frame [m].
-    void reachFor(const Vector3& place);
-    /// @return the ticks of this time [s], whose samples tell the time since the beginning
+    void reachFor(const Vector3& position);
+    /// @return the ticks of this time [s], whose samples give the time since the beginning
     std::vector<TickSample> run(double duration);
     /// Engages high over the sample, then goes down and presses. @return the force there [N]
     double pressDown();

@@ -1,4 +1,4 @@
-#include "core/haptics/governor/SpeedWatch.h"
+#include "core/haptics/governor/ForceGovernor.h"
 
 #include <gtest/gtest.h>
 
@@ -38,7 +38,7 @@ TEST(SpeedWatch, TakesNoReportThatComesLessOftenThanTheTickForALeap) {
     EXPECT_GT(watch.speed, 0.5);
 }
 
-TEST(SpeedWatch, KnowsNothingOfTheWayToTheFirstPlace) {
+TEST(SpeedWatch, KnowsNothingOfTheWayToTheFirstPosition) {
     const SpeedWatch first = watchSpeed({}, {5.0, 0.0, 0.0}, 10e-3);
     EXPECT_EQ(first.speed, 0.0);
     EXPECT_EQ(watchSpeed(first, {5.0, 0.0, 0.0}, 10e-3).speed, 0.0);

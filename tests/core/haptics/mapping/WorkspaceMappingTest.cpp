@@ -18,7 +18,7 @@ Matrix3 turned(double angle, const Vector3& axis) {
     return Eigen::AngleAxisd(angle, axis.normalized()).toRotationMatrix();
 }
 
-/// A device and the place that it commands, which starts at the world's origin.
+/// A device and the position that it commands, which starts at the world's origin.
 class MappedDevice {
 public:
     MappingSettings settings{.positionGain = 1e-6};  // 1 mm: 1 nm
@@ -54,7 +54,7 @@ TEST(WorkspaceMapping, TheCommandFollowsTheDeviceTimesTheGain) {
     expectNear(mapped.command(), {1.0_nm, 2.0_nm, -3.0_nm}, 1.0_nm);
 }
 
-TEST(WorkspaceMapping, AZoomInMidMotionChangesTheSpeedButNotThePlace) {
+TEST(WorkspaceMapping, AZoomInMidMotionChangesTheSpeedButNotThePosition) {
     MappedDevice mapped;
     const Vector3 step(0.1e-3, 0.0, -0.2e-3);  // of the device in a tick, far from its origin
     Vector3 device(0.05, 0.05, 0.05);
@@ -93,7 +93,7 @@ TEST(WorkspaceMapping, AClutchedDeviceLeavesTheCommandAndGoesOnFromThere) {
         ASSERT_EQ(mapped.command(), held);
     }
     mapped.settings.clutched = false;
-    mapped.moveTo({-0.03, 0.05, 0.02});  // far from the last place with the clutch held
+    mapped.moveTo({-0.03, 0.05, 0.02});  // far from the last position with the clutch held
     ASSERT_EQ(mapped.command(), held);
     mapped.moveTo({-0.02, 0.05, 0.02});
     expectNear(mapped.command(), held + Vector3(10.0_nm, 0.0, 0.0), 10.0_nm);

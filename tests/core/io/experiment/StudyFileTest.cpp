@@ -25,9 +25,9 @@ protected:
     std::string refusal(const std::string& before, const std::string& after) {
         writeStudy(smallStudy(), scratch.path());
         std::string text = contentOf(scratch.file("study.toml"));
-        const std::size_t place = text.find(before);
-        EXPECT_NE(place, std::string::npos) << before << " in " << text;
-        text.replace(place, before.size(), after);
+        const std::size_t offset = text.find(before);
+        EXPECT_NE(offset, std::string::npos) << before << " in " << text;
+        text.replace(offset, before.size(), after);
         return refusalOf([&] { (void)readStudy(scratch.write("study.toml", text)); });
     }
 

@@ -1,6 +1,5 @@
-#include "core/io/experiment/TrialTable.h"
-
 #include "core/Error.h"
+#include "core/io/experiment/StudyFile.h"
 #include "tests/core/experiment/SmallStudy.h"
 #include "tests/support/Refusal.h"
 #include "tests/support/ScratchFolder.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/io/hdf5/Hdf5Type.h"
+#include "core/io/hdf5/Hdf5Content.h"
 
 #include <cstdint>
 #include <string>

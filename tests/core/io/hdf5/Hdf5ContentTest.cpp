@@ -72,10 +72,10 @@ TEST(Hdf5Content, RefusesAnythingThatIsNotWhole) {
         EXPECT_THAT(refusal(whole.substr(0, length)), HasSubstr("a.h5: it is damaged")) << length;
     }
     EXPECT_THAT(refusal(whole + "x"), HasSubstr("it is damaged"));
-    for (std::size_t place = 0; place < whole.size(); ++place) {
+    for (std::size_t offset = 0; offset < whole.size(); ++offset) {
         for (const int bit : {0, 3, 7}) {
             std::string damaged = whole;
-            damaged[place] = static_cast<char>(damaged[place] ^ (1 << bit));
+            damaged[offset] = static_cast<char>(damaged[offset] ^ (1 << bit));
             (void)refusal(damaged);  // read or refused
         }
     }

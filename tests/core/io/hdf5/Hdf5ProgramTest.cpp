@@ -2,7 +2,6 @@
 
 #include "core/Error.h"
 #include "core/io/FileBytes.h"
-#include "core/io/hdf5/Hdf5Object.h"
 #include "core/io/hdf5/Hdf5Output.h"
 #include "tests/support/Places.h"
 #include "tests/support/Refusal.h"
@@ -23,6 +22,7 @@ namespace asperity::test {
 namespace {
 
 using testing::ElementsAre;
+using testing::EndsWith;
 using testing::HasSubstr;
 using Kind = Hdf5Item::Kind;
 
@@ -71,7 +71,7 @@ protected:
 
 std::vector<double> numbersOf(const Hdf5Content& content, const char* path) {
     const Hdf5Item* const item = content.find(Kind::Dataset, path);
-    if (item == nullptr || !item->place) {
+    if (item == nullptr || !item->offset) {
         return {};
     }
     std::vector<double> numbers(item->count);
@@ -79,7 +79,7 @@ std::vector<double> numbersOf(const Hdf5Content& content, const char* path) {
     return numbers;
 }
 
-/// What ends the writing is no guess.
+/// The reason that ends the writing is no guess.
 TEST_F(Hdf5Program, SaysWhyItCannotHandOver) {
     addNumbers("n", H5T_IEEE_F64LE, {2, 3});
     close();
@@ -135,7 +135,7 @@ TEST_F(Hdf5Program, HandsOverLargeValuesWhereTheyAreWanted) {
     EXPECT_EQ(read({"/plain"}).find(Kind::Dataset, "/scan"), nullptr);
 }
 
-/// A file from somebody else names no file of the reader's, nor goes round in a circle.
+/// A file from somebody else names no file of the reader's, nor has it a cycle.
 TEST_F(Hdf5Program, FollowsNoLinkToAnotherFileOrBack) {
     (void)scratch.write("secret", std::string(64, 's'));
     const Hdf5Object external(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
@@ -152,7 +152,7 @@ TEST_F(Hdf5Program, FollowsNoLinkToAnotherFileOrBack) {
     close();
     const Hdf5Content content = read();
     ASSERT_NE(content.find(Kind::Dataset, "/far"), nullptr);
-    EXPECT_FALSE(content.find(Kind::Dataset, "/far")->place);
+    EXPECT_FALSE(content.find(Kind::Dataset, "/far")->offset);
     EXPECT_EQ(content.find(Kind::Dataset, "/link"), nullptr);
     EXPECT_NE(content.find(Kind::Group, "/circle"), nullptr);
     EXPECT_EQ(content.find(Kind::Group, "/circle/circle"), nullptr);
@@ -202,7 +202,7 @@ TEST_F(Hdf5Program, RefusesTextsThatAreFarLongerThanTheirFile) {
     const std::string text(60'000, 'a');
     std::vector<const char*> texts(count, "b");
     texts[0] = text.c_str();
-    haddr_t place = 0;
+    haddr_t offset = 0;
     {
         const Hdf5Object type(H5Tcopy(H5T_C_S1), H5Tclose);
         H5Tset_size(type.id(), H5T_VARIABLE);
@@ -211,14 +211,14 @@ TEST_F(Hdf5Program, RefusesTextsThatAreFarLongerThanTheirFile) {
                                          H5P_DEFAULT, H5P_DEFAULT),
                               H5Dclose);
         H5Dwrite(made.id(), type.id(), H5S_ALL, H5S_ALL, H5P_DEFAULT, texts.data());
-        place = H5Dget_offset(made.id());
+        offset = H5Dget_offset(made.id());
     }
     close();
     EXPECT_EQ(refusal(), "");
     std::fstream bytes(file, std::ios::in | std::ios::out | std::ios::binary);
     std::array<char, 16> first{};  // length, and where the text is
-    bytes.seekg(static_cast<std::streamoff>(place)).read(first.data(), first.size());
-    bytes.seekp(static_cast<std::streamoff>(place));
+    bytes.seekg(static_cast<std::streamoff>(offset)).read(first.data(), first.size());
+    bytes.seekp(static_cast<std::streamoff>(offset));
     for (hsize_t i = 0; i < count; ++i) {
         bytes.write(first.data(), first.size());
     }
@@ -267,8 +267,22 @@ TEST_F(Hdf5Program, DiesInOneSentence) {
                                          "crashed on it"))
             << script;
     }
+    {
+        const OtherHdf5Reader slow(scratch, "kill -XCPU $$");
+        EXPECT_THAT(refusal(),
+                    HasSubstr("a.h5: it cannot be read: the program that reads HDF5 "
+                              "did not end within 10 s of processor time, or 100 s in all"));
+    }
     const OtherHdf5Reader liar(scratch, "echo nonsense > $2");
     EXPECT_THAT(refusal(), HasSubstr("a.h5: it is damaged"));
+}
+
+/// A busy machine gives it little of its processors: the bound is not the deadline.
+TEST_F(Hdf5Program, MayComputeForTenSecondsHoweverLongTheyTake) {
+    close();
+    const OtherHdf5Reader reader(scratch, "while [ \"$(ulimit -t)\" = unlimited ]; do sleep 0.01; "
+                                          "done; ulimit -t; exit 3");
+    EXPECT_THAT(refusal(), EndsWith("it cannot be read: 10"));
 }
 
 TEST_F(Hdf5Program, IsFoundBesideThisOneAndByAList) {

@@ -1,4 +1,3 @@
-#include "core/io/hdf5/Hdf5Rows.h"
 
 #include "core/io/hdf5/Hdf5TableWriter.h"
 #include "tests/support/Refusal.h"
@@ -91,7 +90,7 @@ TEST_F(Hdf5Rows, AreTheSameBytesEachTime) {
     EXPECT_EQ(contentOf(file), first);
 }
 
-TEST_F(Hdf5Rows, AreRefusedWithFileAndPlace) {
+TEST_F(Hdf5Rows, AreRefusedWithFileAndLocation) {
     EXPECT_THAT(refusal(), HasSubstr("a.h5"));
     std::ofstream(file) << "time_s,z_m\n";
     EXPECT_THAT(refusal(), HasSubstr("expected a file in the HDF5 format"));
@@ -104,13 +103,13 @@ TEST_F(Hdf5Rows, AreRefusedWithFileAndPlace) {
 TEST_F(Hdf5Rows, RefuseEveryByteOfDamage) {
     write(40);
     const std::string whole = contentOf(file);
-    for (std::size_t place = 0; place < whole.size(); place += 7) {
+    for (std::size_t offset = 0; offset < whole.size(); offset += 7) {
         std::string damaged = whole;
-        damaged[place] = static_cast<char>(damaged[place] ^ 0x41);
+        damaged[offset] = static_cast<char>(damaged[offset] ^ 0x41);
         std::ofstream(file, std::ios::binary) << damaged;
-        EXPECT_FALSE(refusal().empty()) << "byte " << place;
-        std::ofstream(file, std::ios::binary) << whole.substr(0, place);
-        EXPECT_FALSE(refusal().empty()) << "cut after " << place;
+        EXPECT_FALSE(refusal().empty()) << "byte " << offset;
+        std::ofstream(file, std::ios::binary) << whole.substr(0, offset);
+        EXPECT_FALSE(refusal().empty()) << "cut after " << offset;
     }
 }
 

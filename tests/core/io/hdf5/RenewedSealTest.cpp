@@ -1,5 +1,4 @@
-#include "core/io/hdf5/Hdf5Rows.h"
-#include "core/io/hdf5/Hdf5Seal.h"
+#include "core/io/hdf5/Hdf5Program.h"
 #include "core/io/hdf5/Hdf5TableWriter.h"
 #include "tests/support/Refusal.h"
 #include "tests/support/ScratchFolder.h"
@@ -74,10 +73,10 @@ TEST_F(RenewedSeal, IsNoProofAndItsFileEndsThisProgramNever) {
     int read = 0;
     for (int i = 0; i < damages(); ++i) {
         std::string damaged = whole;
-        const std::size_t place = kSealBytes + random() % (whole.size() - kSealBytes);
-        const std::size_t length = std::min<std::size_t>(1 + random() % 8, whole.size() - place);
+        const std::size_t offset = kSealBytes + random() % (whole.size() - kSealBytes);
+        const std::size_t length = std::min<std::size_t>(1 + random() % 8, whole.size() - offset);
         for (std::size_t k = 0; k < length; ++k) {
-            damaged[place + k] = static_cast<char>(random());
+            damaged[offset + k] = static_cast<char>(random());
         }
         read += isRead(damaged) ? 1 : 0;
     }

@@ -1,6 +1,5 @@
-#include "core/io/heightmap/ApplyScale.h"
-
 #include "core/Error.h"
+#include "core/io/heightmap/ImageScale.h"
 #include "core/io/heightmap/ScanFile.h"
 #include "core/io/heightmap/ScanImage.h"
 #include "tests/core/io/heightmap/SyntheticScans.h"
@@ -22,7 +21,7 @@ constexpr GivenScale kGivenSize{.sizeX = 8e-6, .sizeY = 4e-6};
 constexpr GivenScale kHeight{.heightPerValue = 2.5e-10};
 constexpr GivenScale kBoth{.sizeX = 8e-6, .sizeY = 4e-6, .heightPerValue = 2.5e-10};
 
-/// Of 4 columns and 2 rows, of nothing but numbers.
+/// A map of 4 columns and 2 rows, of nothing but numbers.
 std::filesystem::path bareMatrix(const ScratchFolder& folder) {
     return folder.write("bare.txt", "1 2 3 4\n5 6 7 -6.5\n");
 }

@@ -53,7 +53,7 @@ std::uint64_t addressSpace() {
     return pages * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE));
 }
 
-/// How a process ended, and what it used.
+/// End of a process, and the resources that it used.
 struct Ended {
     int status = 0;
     rusage used{};
@@ -109,7 +109,7 @@ std::string failureOf(int status) {
 }  // namespace
 
 BoundedRead readBounded(std::string_view bytes, std::uint64_t most) {
-    malloc_trim(0);  // what is free here would hide what the process takes of it
+    malloc_trim(0);  // what is free here would hide what the process uses of it
     const Ended idle = inProcess([] { return Answer::Read; });
     const rlim_t limit = addressSpace() + most;
     const Ended ended = inProcess([&] {

@@ -6,7 +6,7 @@
 
 namespace asperity::test {
 
-/// What became of a content that a process of its own read.
+/// Result of a content that a process of its own read.
 struct BoundedRead {
     bool isRead = false;       ///< else it was refused by name, or `failure` says what happened
     std::string failure;       ///< a crash, no answer, no memory; empty: none of these

@@ -1,4 +1,4 @@
-#include "core/io/heightmap/BoundedTexts.h"
+#include "core/io/heightmap/HeaderFields.h"
 
 #include <gtest/gtest.h>
 

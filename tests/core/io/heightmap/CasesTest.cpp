@@ -9,8 +9,8 @@
 #include <algorithm>
 #include <cmath>
 
-// Small files that once had a wrong size, place or kind, or were not read at all, and their right
-// values: afm/cases/CASES.csv, to 2e-6.
+// Small files that once had a wrong size, position or kind, or were not read at all, and their
+// right values: afm/cases/CASES.csv, to 2e-6.
 
 namespace asperity::test {
 

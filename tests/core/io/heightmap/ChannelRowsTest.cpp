@@ -2,7 +2,7 @@
 
 #include "core/Error.h"
 #include "core/io/heightmap/HeightMapFormat.h"
-#include "core/io/heightmap/StoredRows.h"
+#include "core/io/heightmap/SampleRows.h"
 #include "tests/core/io/heightmap/SyntheticScans.h"
 #include "tests/support/DoubleLimits.h"
 #include "tests/support/Refusal.h"
@@ -36,7 +36,7 @@ struct Scan {
     }
 };
 
-/// Of each way of reading the same; empty when the scan is read.
+/// Results of each way of reading the same; empty when the scan is read.
 std::string refusalOfScan(const Scan& scan) {
     const std::string bytes = scan.bytes();
     const MemoryBytes source(bytes, "scan.gwy");

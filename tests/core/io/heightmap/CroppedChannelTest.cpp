@@ -1,4 +1,3 @@
-#include "core/io/heightmap/CroppedChannel.h"
 
 #include "core/io/heightmap/HeightMapWriter.h"
 #include "core/io/heightmap/ScanFile.h"
@@ -74,11 +73,11 @@ TEST_F(CroppedChannelTest, RefusesPixelsThatAreNotThere) {
     const std::filesystem::path path = folder.file("a.gsf");
     writeHeightMap(path, bumpyMap(40, 30), {});
     const ScanFile file(path);
-    constexpr int kMost = std::numeric_limits<int>::max();
+    constexpr int kMax = std::numeric_limits<int>::max();
     for (const PixelRectangle part :
          {PixelRectangle{30, 0, 11, 5}, PixelRectangle{0, 25, 5, 6}, PixelRectangle{40, 0, 1, 1},
           PixelRectangle{0, 0, 0, 5}, PixelRectangle{-1, 0, 5, 5},
-          PixelRectangle{kMost, 1, kMost, 1}}) {
+          PixelRectangle{kMax, 1, kMax, 1}}) {
         EXPECT_NE(refusalOf([&] { (void)file.readSceneScan("", part); }), "") << part.column;
     }
     EXPECT_THAT(refusalOf([&] {
@@ -89,8 +88,8 @@ TEST_F(CroppedChannelTest, RefusesPixelsThatAreNotThere) {
     EXPECT_NO_THROW((void)file.readSceneScan("", PixelRectangle{39, 29, 1, 1}));
 }
 
-/// Damage elsewhere does not matter; in the part it is told by its place in the file.
-TEST_F(CroppedChannelTest, NamesADamagedPixelByItsPlaceInTheFile) {
+/// Damage elsewhere does not matter; in the part it is named by its location in the file.
+TEST_F(CroppedChannelTest, NamesADamagedPixelByItsLocationInTheFile) {
     std::vector<double> values(3 * 2, 0.0);
     values[4] = 7e300;
     const std::string field = gwyObjectBytes(

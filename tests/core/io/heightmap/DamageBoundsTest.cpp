@@ -20,7 +20,7 @@ namespace asperity::test {
 
 namespace {
 
-constexpr double kMostSeconds = 2.0;
+constexpr double kMaxSeconds = 2.0;
 constexpr std::uint64_t kMiB = std::uint64_t{1} << 20U;
 
 std::uint64_t memoryBound(std::uint64_t size) { return 10 * size + 64 * kMiB; }
@@ -52,7 +52,7 @@ protected:
     }
 
     /// Where headers are, and the directories at the end of archives, there are more of them.
-    std::size_t place() {
+    std::size_t offset() {
         const auto size = static_cast<double>(bytes.size());
         const double share = std::uniform_real_distribution<double>(0.0, 1.0)(random);
         const auto near = std::min(static_cast<std::size_t>(std::pow(size, share)) - 1,
@@ -71,7 +71,7 @@ protected:
         const std::uint64_t most = memoryBound(bytes.size());
         const BoundedRead result = readBounded(damaged, most);
         EXPECT_EQ(result.failure, "") << what;
-        EXPECT_LT(result.seconds, kMostSeconds) << what;
+        EXPECT_LT(result.seconds, kMaxSeconds) << what;
         EXPECT_LT(result.memory, most) << what;
         ++(result.isRead ? read : refused);
         worst.seconds = std::max(worst.seconds, result.seconds);
@@ -87,14 +87,14 @@ protected:
 
 TEST_P(DamageBounds, HoldWhereverItIsCutOff) {
     for (int i = 0; i < damages(); ++i) {
-        const std::size_t length = place();
+        const std::size_t length = offset();
         expectWithinBounds(bytes.substr(0, length), "cut to " + std::to_string(length));
     }
 }
 
 TEST_P(DamageBounds, HoldWhicheverBitIsFlipped) {
     for (int i = 0; i < damages(); ++i) {
-        const std::size_t flipped = place();
+        const std::size_t flipped = offset();
         const auto bit = static_cast<unsigned>(random() % 8);
         std::string damaged = bytes;
         damaged[flipped] =

@@ -33,28 +33,28 @@ protected:
 
 /// Where a cut may hit something: the first bytes, around every structural mark, and a spread.
 std::set<std::size_t> cuts(const std::string& bytes) {
-    std::set<std::size_t> places = {0, 1, 2, 3, 4, 5, 10, 16, 17, 18, 21, 22, 100, 1000};
+    std::set<std::size_t> offsets = {0, 1, 2, 3, 4, 5, 10, 16, 17, 18, 21, 22, 100, 1000};
     for (const char* mark : {"\\*", "\\Data offset", "\x1A", "\n\\@2:Z scale", "Gwy", "xres",
                              "yres", "data", "si_unit", "unitstr", "XRes", "ZUnits", "/0", "/1"}) {
-        std::size_t place = bytes.find(mark);
-        for (int count = 0; count < 20 && place != std::string::npos; ++count) {
-            places.insert({place, place + 1, place + 4, place + 9});
-            place = bytes.find(mark, place + 1);
+        std::size_t offset = bytes.find(mark);
+        for (int count = 0; count < 20 && offset != std::string::npos; ++count) {
+            offsets.insert({offset, offset + 1, offset + 4, offset + 9});
+            offset = bytes.find(mark, offset + 1);
         }
     }
     const std::size_t header = bytes.find('\0');
     for (std::size_t i = 0; i < 6; ++i) {
-        places.insert(header + i);
-        places.insert(bytes.size() - 1 - i);
+        offsets.insert(header + i);
+        offsets.insert(bytes.size() - 1 - i);
     }
     for (std::size_t i = 1; i < 200; ++i) {
-        places.insert(bytes.size() * i / 200);
+        offsets.insert(bytes.size() * i / 200);
     }
-    places.erase(places.lower_bound(bytes.size()), places.end());
-    return places;
+    offsets.erase(offsets.lower_bound(bytes.size()), offsets.end());
+    return offsets;
 }
 
-/// How much of a file must be there. Nobody can tell how many lines a matrix or points as text had
+/// Part of a file that must be there. Nobody can know how many lines a matrix or points as text had
 /// where nothing before them says so, nor how many digits the last number; and the trailer of an
 /// SDF file is no part of its data.
 std::size_t neededBytes(const std::string& file, const std::string& bytes) {
@@ -132,11 +132,11 @@ TEST_P(DamagedFile, FlippedBitsAreReadOrRefused) {
         std::string damaged = bytes;
         // Most flips into the header: in the samples they only change a height.
         const std::size_t reach = flip % 4 == 0 ? bytes.size() : header;
-        const std::size_t place = random() % reach;
+        const std::size_t offset = random() % reach;
         const auto bit = static_cast<unsigned char>(1U << (random() % 8));
-        damaged[place] = static_cast<char>(static_cast<unsigned char>(damaged[place]) ^ bit);
+        damaged[offset] = static_cast<char>(static_cast<unsigned char>(damaged[offset]) ^ bit);
         expectReadOrRefused(damaged,
-                            "flip " + std::to_string(flip) + " at byte " + std::to_string(place));
+                            "flip " + std::to_string(flip) + " at byte " + std::to_string(offset));
     }
 }
 
@@ -145,12 +145,12 @@ INSTANTIATE_TEST_SUITE_P(RealScans, DamagedFile, testing::ValuesIn(realScans()),
 
 TEST(DamagedFile, EveryBitOfSmallFilesMayFlip) {
     for (const std::string& bytes : smallFiles()) {
-        for (std::size_t place = 0; place < bytes.size(); ++place) {
+        for (std::size_t offset = 0; offset < bytes.size(); ++offset) {
             for (unsigned bit = 0; bit < 8; ++bit) {
                 std::string damaged = bytes;
-                damaged[place] =
-                    static_cast<char>(static_cast<unsigned char>(damaged[place]) ^ (1U << bit));
-                expectReadOrRefused(damaged, "byte " + std::to_string(place));
+                damaged[offset] =
+                    static_cast<char>(static_cast<unsigned char>(damaged[offset]) ^ (1U << bit));
+                expectReadOrRefused(damaged, "byte " + std::to_string(offset));
             }
         }
     }

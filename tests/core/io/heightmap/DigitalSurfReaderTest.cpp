@@ -27,11 +27,11 @@ std::string refusalOfDigitalSurf(const DigitalSurfText& text) {
     return refusalOf([&] { (void)readAsDigitalSurf(text); });
 }
 
-/// Places behind header, comment and private zone [bytes].
+/// Offsets behind header, comment and private zone [bytes].
 constexpr std::size_t kStreamCount = 512 + 5 + 3;
 constexpr std::size_t kFirstStreamSize = kStreamCount + 4;
 
-/// A file whose samples are packed into so many streams.
+/// A file whose samples are packed into this many streams.
 std::string compressedSurf(const std::vector<double>& numbers, std::size_t streams = 1) {
     DigitalSurfText text;
     text.magic = "DSCOMPRESSED";

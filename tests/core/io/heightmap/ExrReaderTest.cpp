@@ -217,9 +217,9 @@ TEST(ExrReader, EveryTruncationIsRefused) {
 TEST(ExrReader, EveryBitMayFlip) {
     for (const bool isTiled : {false, true}) {
         const std::string bytes = exrFile({.isTiled = isTiled, .texts = {{"Gwy::ZUnit", "m"}}});
-        for (std::size_t place = 0; place < 8 * bytes.size(); ++place) {
+        for (std::size_t bit = 0; bit < 8 * bytes.size(); ++bit) {
             std::string damaged = bytes;
-            damaged[place / 8] = static_cast<char>(damaged[place / 8] ^ (1 << (place % 8)));
+            damaged[bit / 8] = static_cast<char>(damaged[bit / 8] ^ (1 << (bit % 8)));
             try {
                 (void)readAsExr(damaged);
             } catch (const InputError&) {
@@ -235,6 +235,14 @@ TEST(ExrReader, RefusesMorePixelsThanTheFileCanHold) {
     EXPECT_THAT(refusalOfExr(bytes), HasSubstr("cannot hold"));
     bytes.replace(window + 8, 8, std::string("\xFF\xFF\xFF\x7F\xFF\xFF\xFF\x7F", 8));
     EXPECT_THAT(refusalOfExr(bytes), HasSubstr("pixels"));
+}
+
+TEST(ExrReader, RefusesFarMoreBytesThanTheyArePackedIn) {
+    std::string bytes = exrFile({});
+    const std::size_t window = bytes.find("dataWindow") + 11 + 6 + 4;
+    bytes.replace(window, 16, std::string("\0\0\0\0\0\0\0\0\xFF\x7F\0\0\xFF\x7F\0\0", 16));
+    EXPECT_THAT(refusalOfExr(bytes + std::string(1'000'000, 'x')),
+                HasSubstr("its images decode to 4.29 GB or more"));
 }
 
 TEST(ExrReader, RefusesAnAttributeThatTheLibraryWouldReadAtAnotherLength) {

@@ -1,6 +1,6 @@
 #include "core/io/TextValue.h"
-#include "core/io/heightmap/DefaultChannel.h"
 #include "core/io/heightmap/HeightMapFile.h"
+#include "core/io/heightmap/ScanFile.h"
 #include "tests/core/io/heightmap/RealScans.h"
 #include "tests/support/ReferenceTable.h"
 
@@ -27,8 +27,8 @@ std::string stemOf(const ScanChannel& channel) {
     std::string stem = lowerCase(channel.name);
     for (const std::string word :
          {"(forward)", "(backward)", "forward", "backward", "retrace", "trace"}) {
-        if (const std::size_t place = stem.find(word); place != std::string::npos) {
-            stem.erase(place, word.size());
+        if (const std::size_t offset = stem.find(word); offset != std::string::npos) {
+            stem.erase(offset, word.size());
         }
     }
     return std::string(trimmed(stem));

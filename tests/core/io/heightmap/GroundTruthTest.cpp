@@ -1,7 +1,7 @@
 #include "core/Error.h"
 #include "core/PrintableText.h"
-#include "core/io/heightmap/DefaultChannel.h"
 #include "core/io/heightmap/HeightMapFile.h"
+#include "core/io/heightmap/ScanFile.h"
 #include "tests/core/io/heightmap/MapStatistics.h"
 #include "tests/core/io/heightmap/RealScans.h"
 #include "tests/support/ReferenceTable.h"

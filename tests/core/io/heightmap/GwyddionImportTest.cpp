@@ -52,7 +52,7 @@ public:
         return found;
     }
     [[nodiscard]] const ScratchFolder& folder() const { return folder_; }
-    /// Whether the folder that the program worked in is gone.
+    /// Returns whether the folder that the program worked in is gone.
     [[nodiscard]] bool leftNothing() const {
         const std::string home = contentOf(folder_.file("home"));
         return !home.empty() && !std::filesystem::exists(home.substr(0, home.find('\n')));
@@ -81,7 +81,7 @@ std::string refusalOfImport(const Gwyddion& gwyddion, const std::string& content
 
 std::string smallGwy() { return gwyFile(gwyComponent("/0/data", smallGwyField())); }
 
-/// Of 4 x 3 doubles; no format of ours reads NRRD.
+/// A file of 4 x 3 doubles; no format of ours reads NRRD.
 std::string nrrd(const std::string& fields) {
     std::string bytes = "NRRD0004\ntype: double\ndimension: 2\nsizes: 4 3\nendian: little\n"
                         "encoding: raw\n" +
@@ -143,7 +143,7 @@ TEST(GwyddionImport, NamesFormatsThatAreKnownButNotRead) {
     EXPECT_THAT(refusalOfImport({}, "\x01\xB0\x93\xFF"), HasSubstr("this is an NT-MDT file"));
     EXPECT_THAT(refusalOfImport({}, "ISO/TC 201 SPM data transfer format\r\n"),
                 HasSubstr("this is an ISO 28600 file"));
-    // That Gwyddion reads more is said only of what it reads.
+    // Refusals name Gwyddion only where it reads the file.
     EXPECT_THAT(refusalOfImport({}, "ISO/TC 201 SPM data transfer format\r\n"),
                 HasSubstr("gwyddion it is read"));
     EXPECT_THAT(refusalOfImport({}, "\x89HDF\r\n\x1A\n"), Not(HasSubstr("package")));

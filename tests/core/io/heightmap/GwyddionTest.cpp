@@ -26,7 +26,7 @@ bool haveGwyddion() { return !installedGwyddion().program.empty(); }
 
 std::string quoted(const std::filesystem::path& path) { return "'" + path.string() + "'"; }
 
-/// What Gwyddion makes of a file. Its settings go to the scratch folder.
+/// A file as Gwyddion reads it. Its settings are in the scratch folder.
 HeightMapFile throughGwyddion(const ScratchFolder& folder, const std::filesystem::path& path) {
     const std::filesystem::path converted = folder.file("converted.gwy");
     const std::string command = "HOME=" + quoted(folder.path()) +
@@ -54,7 +54,7 @@ double worstDeviation(const HeightMap& ours, const HeightMap& theirs) {
     return worst;
 }
 
-/// What Gwyddion 2.62 does not read as it is; docs/formats.md 5 and 9.
+/// Files that Gwyddion 2.62 does not read as they are; docs/formats.md 5 and 9.
 bool losesEverything(const std::string& file) {
     return file.ends_with(".exr") || file == "derived/cl0_height_u16_noscale.png";
 }
@@ -135,7 +135,7 @@ TEST(Gwyddion, ReadsTheSamePixelsOfSmallInstrumentFiles) {
     }
     NanonisText upward;
     upward.direction = "up";
-    upward.comment.assign(200, 'x');  // Gwyddion takes no shorter file
+    upward.comment.assign(200, 'x');  // Gwyddion accepts no shorter file
     NanosurfChannel wide;
     wide.bits = "32";
     wide.stored = SampleType::Int32;
@@ -195,7 +195,7 @@ TEST(Gwyddion, ReadsWhatWeWrite) {
     }
 }
 
-/// docs/formats.md 9: there is no TIFF of which it takes both scales.
+/// docs/formats.md 9: there is no TIFF of which it reads both scales.
 TEST(Gwyddion, TakesTheValuesOfOurTiffAlone) {
     if (!haveGwyddion()) {
         GTEST_SKIP() << "the program gwyddion is not installed";

@@ -1,8 +1,8 @@
 #include "core/io/heightmap/HeightMapFile.h"
 
 #include "core/Error.h"
-#include "core/io/heightmap/DefaultChannel.h"
 #include "core/io/heightmap/HeightMapWriter.h"
+#include "core/io/heightmap/ScanFile.h"
 #include "tests/core/io/heightmap/BumpyMap.h"
 #include "tests/support/Refusal.h"
 #include "tests/support/ScratchFolder.h"

@@ -60,7 +60,7 @@ HeightMap highMap() {
     return map;
 }
 
-/// So many pixels that two threads share them, and a first row without data.
+/// Enough pixels for two threads, and a first row without data.
 HeightMap largeMap() {
     HeightMap map = bumpyMap(700, 500);
     map.invalid.assign(map.heights.size(), 0);

@@ -19,22 +19,22 @@ void append(std::string& bytes, ByteOrder order, Number value) {
 }
 
 template <typename Number>
-void put(std::string& bytes, std::size_t place, ByteOrder order, Number value) {
+void put(std::string& bytes, std::size_t offset, ByteOrder order, Number value) {
     std::string one;
     append(one, order, value);
-    bytes.replace(place, one.size(), one);
+    bytes.replace(offset, one.size(), one);
 }
 
-void put(std::string& bytes, std::size_t place, const std::string& text) {
-    bytes.replace(place, text.size(), text);
+void put(std::string& bytes, std::size_t offset, const std::string& text) {
+    bytes.replace(offset, text.size(), text);
 }
 
 /// The least that makes the numbers of 16 bits in the first 384 bytes add up to 0.
 std::uint16_t igorChecksum(const std::string& bytes, ByteOrder order) {
     unsigned sum = 0;
-    for (std::size_t place = 0; place < 384; place += 2) {
-        sum += order == ByteOrder::Little ? littleEndian<std::uint16_t>(bytes.data() + place)
-                                          : bigEndian<std::uint16_t>(bytes.data() + place);
+    for (std::size_t offset = 0; offset < 384; offset += 2) {
+        sum += order == ByteOrder::Little ? littleEndian<std::uint16_t>(bytes.data() + offset)
+                                          : bigEndian<std::uint16_t>(bytes.data() + offset);
     }
     return static_cast<std::uint16_t>(0x10000U - (sum & 0xFFFFU));
 }

@@ -18,6 +18,19 @@ using testing::IsEmpty;
 using testing::Not;
 using testing::StartsWith;
 
+/// The archive with another size of an entry in its directory: that alone says what it decodes to
+/// before it is decoded.
+std::string withListedSize(std::string archive, const std::string& entry, std::uint32_t size) {
+    constexpr std::size_t kSize = 24;  // in an entry of the directory
+    constexpr std::size_t kName = 46;
+    const std::size_t listed = archive.rfind(entry) - kName;
+    EXPECT_EQ(archive.substr(listed, 4), "PK\x01\x02");
+    for (std::size_t i = 0; i < sizeof size; ++i) {
+        archive.at(listed + kSize + i) = static_cast<char>(size >> (8 * i));
+    }
+    return archive;
+}
+
 std::string refusalOfJpkArchive(const std::string& bytes) {
     return refusalOf([&] { (void)readHeightMapBytes(bytes, "scan.zip"); });
 }
@@ -62,7 +75,7 @@ TEST(JpkArchiveReader, TheImageMayBeStoredOrCompressed) {
     }
 }
 
-/// The image's name is told with the scan's numbers.
+/// The image's name is among the scan's numbers.
 TEST(JpkArchiveReader, AVeryLongNameOfTheImageIsCut) {
     ASPERITY_NEEDS_SHARED_DATA();
     const std::string image = readFileBytes(sharedData("afm/jpk/map25x25_data-image.force.jpk"));
@@ -92,10 +105,9 @@ TEST(JpkArchiveReader, ADamagedImageIsNamedWithItsArchive) {
 
 /// Less than a megabyte of an archive took as much memory as its image pretends to have.
 TEST(JpkArchiveReader, AnImageOfFarMoreBytesThanItIsPackedInIsNotUnpacked) {
-    std::string image("II*\0", 4);
-    image.resize(std::size_t{150} << 20U, '\0');
-    const std::string bytes =
-        zipFile({{"header.properties", ""}, {"data-image.force", std::move(image)}});
+    const std::string bytes = withListedSize(
+        zipFile({{"header.properties", ""}, {"data-image.force", std::string(1000, '\0')}}),
+        "data-image.force", 150U << 20U);
     EXPECT_THAT(refusalOfJpkArchive(bytes),
                 AllOf(StartsWith("scan.zip: data-image.force: it holds 157286400 bytes"),
                       HasSubstr("at most 134217728 are expected")));
@@ -104,11 +116,11 @@ TEST(JpkArchiveReader, AnImageOfFarMoreBytesThanItIsPackedInIsNotUnpacked) {
 /// It took eight times the archive's size.
 TEST(JpkArchiveReader, AnImageMayBeHalfAsLargeAgainAsALargeArchive) {
     constexpr std::size_t kArchive = std::size_t{100} << 20U;
-    std::string image("II*\0", 4);
-    image.resize(std::size_t{160} << 20U, '\0');
-    const std::string bytes = zipFile({{"header.properties", ""},
-                                       {"data-image.force", std::move(image)},
-                                       {"segments/0", std::string(kArchive, 'x'), false}});
+    const std::string bytes =
+        withListedSize(zipFile({{"header.properties", ""},
+                                {"data-image.force", std::string(1000, '\0')},
+                                {"segments/0", std::string(kArchive, 'x'), false}}),
+                       "data-image.force", 160U << 20U);
     EXPECT_THAT(refusalOfJpkArchive(bytes),
                 AllOf(HasSubstr("it holds 167772160 bytes; at most 157"), HasSubstr("expected")));
 }

@@ -1,6 +1,6 @@
 #include "core/Error.h"
 #include "core/io/heightmap/HeightMapFormat.h"
-#include "core/io/heightmap/jpk/JpkImage.h"
+#include "core/io/heightmap/jpk/JpkSlot.h"
 #include "tests/core/io/heightmap/TiffFiles.h"
 #include "tests/support/Refusal.h"
 

@@ -5,7 +5,7 @@
 
 namespace asperity::test {
 
-/// Of a map whose pixels without data are NaN.
+/// Statistics of a map whose pixels without data are NaN.
 inline HeightStatistics statisticsOf(const HeightMap& map) {
     return heightStatistics([&map](const TakeRow& take) { take(map.heights); });
 }

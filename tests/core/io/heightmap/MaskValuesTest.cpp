@@ -1,7 +1,6 @@
-#include "core/io/heightmap/MaskValues.h"
-
 #include "core/Error.h"
 #include "core/io/heightmap/HeightMapWriter.h"
+#include "core/io/heightmap/SampleRows.h"
 #include "core/io/heightmap/ScanFile.h"
 #include "tests/core/io/heightmap/RealScans.h"
 #include "tests/support/Places.h"
@@ -56,7 +55,7 @@ TEST(MaskValues, AreZeroAndOneOrTheHighestNumberOfAnImage) {
 TEST(MaskValues, AreSharesMostOfThemAtTheirEnds) {
     EXPECT_TRUE(isMask({0, 0, 0.3, 0.7, 1, 1}));
     EXPECT_FALSE(isMask({0, 0.2, 0.3, 0.7, 0.9, 1})) << "heights from 0 to 1";
-    std::vector<double> particles(1000, 0.0);  // on flat ground, the highest of which is 1
+    std::vector<double> particles(1000, 0.0);  // on a flat surface, the highest of which is 1
     particles[1] = 0.9;
     particles[2] = 1.0;
     EXPECT_FALSE(isMask(particles));

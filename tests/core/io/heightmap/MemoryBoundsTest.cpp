@@ -31,17 +31,17 @@ TEST(MemoryBounds, HoldForBlocksThatCannotHoldTheirValues) {
     if (kSanitized) {
         GTEST_SKIP() << "a sanitizer takes memory of its own";
     }
-    constexpr std::uint64_t kMost = 50'000'000;
+    constexpr std::uint64_t kMax = 50'000'000;
     for (const char* const compressor : {"ZLib", "LZ4", "LZMA"}) {
         std::string values;
         for (const std::uint64_t count : {1U, 800'000'000U, 0U, 100U}) {
             appendLittleEndian(values, count);
         }
         const BoundedRead read =
-            readBounded(largeVti(compressor, values + std::string(100, 'x')), kMost);
+            readBounded(largeVti(compressor, values + std::string(100, 'x')), kMax);
         EXPECT_EQ(read.failure, "") << compressor;
         EXPECT_FALSE(read.isRead) << compressor;
-        EXPECT_LT(read.memory, kMost) << compressor;
+        EXPECT_LT(read.memory, kMax) << compressor;
     }
 }
 

@@ -1,6 +1,5 @@
-#include "core/io/heightmap/MissingScale.h"
-
-#include "core/io/heightmap/DefaultChannel.h"
+#include "core/io/heightmap/ImageScale.h"
+#include "core/io/heightmap/ScanFile.h"
 #include "tests/core/io/heightmap/BumpyMap.h"
 
 #include <gmock/gmock.h>
@@ -70,8 +69,8 @@ TEST(MissingScale, OfAMaskSaysFirstThatItIsOne) {
     ASSERT_TRUE(missing);
     EXPECT_TRUE(missing->gap().mask);
     EXPECT_THAT(missing->what(),
-                HasSubstr("channel 'Grains': this is a mask, not heights (material_mask of a scene "
-                          "takes it); the file does not hold the unit of its values (say it by"));
+                HasSubstr("channel 'Grains': this is a mask, not heights (use it as material_mask "
+                          "of a scene); the file does not hold the unit of its values (set it by"));
 }
 
 TEST(MissingScale, IsNoneWhereTheUnitIsKnownAndNoLength) {

@@ -113,8 +113,8 @@ TEST(NanoscopeReader, ParenthesesMayNest) {
 TEST(NanoscopeReader, KeysDifferInCaseBetweenVersions) {
     NanoscopeText text;
     std::string bytes = nanoscopeFile(text);
-    const std::size_t place = bytes.rfind("Scan Size");
-    bytes.replace(place, 9, "sCAN sIZE");
+    const std::size_t offset = bytes.rfind("Scan Size");
+    bytes.replace(offset, 9, "sCAN sIZE");
     EXPECT_DOUBLE_EQ(readHeightMapBytes(bytes, "scan").channels.at(0).map.sizeX(), 30e-9);
 }
 
@@ -193,7 +193,7 @@ TEST(NanoscopeReader, OffsetIsThatOfTheCenterAndARotationIsNoted) {
 }
 
 /// A crop of NanoScope Analysis: the scan list stays that of the scan.
-TEST(NanoscopeReader, APartOfAScanWhosePlaceIsNotGivenIsNoted) {
+TEST(NanoscopeReader, APartOfAScanWhosePositionIsNotGivenIsNoted) {
     NanoscopeText text;
     text.scanList = "\\Scan Size: 60 nm\r\n\\Lines: 2\r\n\\X Offset: 7 nm\r\n"
                     "\\@Sens. ZsensSens: V 100.0000 nm/V\r\n";
@@ -229,8 +229,8 @@ TEST(NanoscopeReader, FirstLineMayNameElectrochemistry) {
 TEST(NanoscopeReader, NameMayBelongToAnotherGroup) {
     for (const char* const key : {"@3:Image Data", "@4:Image Data", "Image data"}) {
         std::string bytes = nanoscopeFile({});
-        const std::size_t place = bytes.find("@2:Image Data");
-        bytes.replace(place, 13, key);
+        const std::size_t offset = bytes.find("@2:Image Data");
+        bytes.replace(offset, 13, key);
         if (std::string_view(key) == "Image data") {
             bytes.insert(bytes.find('\x1A'), 3, '\x1A');
         }
@@ -249,8 +249,8 @@ TEST(NanoscopeReader, ScaleMayBelongToAnotherGroup) {
 TEST(NanoscopeReader, OldFilesStateTheFullScale) {
     std::string bytes = nanoscopeFile({});
     const std::string scale = "Z scale: 440 nm (0.00671387)";
-    const std::size_t place = bytes.find("@2:Z scale");
-    bytes.replace(place, bytes.find('\r', place) - place, scale);
+    const std::size_t offset = bytes.find("@2:Z scale");
+    bytes.replace(offset, bytes.find('\r', offset) - offset, scale);
     bytes.insert(bytes.find('\x1A'), 1200 - bytes.size() + 12, '\x1A');
     const ScanChannel channel = readHeightMapBytes(bytes, "old.001").channels.at(0);
     EXPECT_EQ(channel.unit, "m");
@@ -366,7 +366,7 @@ TEST(NanoscopeReader, RefusesWhatDoesNotFitTogether) {
                 HasSubstr("ZsensSens"));
 }
 
-TEST(NanoscopeReader, RefusalNamesFilePlaceAndExpectation) {
+TEST(NanoscopeReader, RefusalNamesFileLocationAndExpectation) {
     NanoscopeText text;
     text.dataLength = "11";
     EXPECT_THAT(refusalOfNanoscope(text),

@@ -1,5 +1,5 @@
 #include "core/io/heightmap/HeightMapFormat.h"
-#include "core/io/heightmap/MissingScale.h"
+#include "core/io/heightmap/ImageScale.h"
 #include "tests/support/Refusal.h"
 
 #include <gmock/gmock.h>

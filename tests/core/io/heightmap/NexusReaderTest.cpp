@@ -1,6 +1,6 @@
 #include "core/io/heightmap/nexus/NexusReader.h"
 
-#include "core/io/heightmap/StoredRows.h"
+#include "core/io/heightmap/SampleRows.h"
 #include "tests/core/io/hdf5/ContentText.h"
 #include "tests/support/Refusal.h"
 
@@ -9,7 +9,7 @@
 
 #include <memory>
 
-// What nexus_scans.py, which writes whole files, does not reach.
+// Cases that nexus_scans.py, which writes whole files, does not reach.
 
 namespace asperity::test {
 namespace {

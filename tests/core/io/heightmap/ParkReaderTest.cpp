@@ -34,17 +34,17 @@ struct ParkTestFile {
 };
 
 template <typename Number>
-void putInHeader(std::string& header, std::size_t place, Number value) {
+void putInHeader(std::string& header, std::size_t offset, Number value) {
     std::string bytes;
     appendLittleEndian(bytes, value);
-    if (place + bytes.size() <= header.size()) {
-        header.replace(place, bytes.size(), bytes);
+    if (offset + bytes.size() <= header.size()) {
+        header.replace(offset, bytes.size(), bytes);
     }
 }
 
-void putInHeader(std::string& header, std::size_t place, const std::u16string& text) {
+void putInHeader(std::string& header, std::size_t offset, const std::u16string& text) {
     for (std::size_t i = 0; i < text.size(); ++i) {
-        putInHeader(header, place + 2 * i, static_cast<std::uint16_t>(text[i]));
+        putInHeader(header, offset + 2 * i, static_cast<std::uint16_t>(text[i]));
     }
 }
 

@@ -16,6 +16,7 @@ namespace asperity::test {
 
 namespace {
 
+using testing::AllOf;
 using testing::Contains;
 using testing::HasSubstr;
 
@@ -82,12 +83,12 @@ std::string pngFile(const PngTestFile& file) {
     }
     png_write_info(png, info);
     std::vector<std::vector<png_byte>> rows;
-    std::vector<png_bytep> places;
+    std::vector<png_bytep> starts;
     for (int row = 0; row < kPngRows; ++row) {
         rows.push_back(pngRow(file, row));
-        places.push_back(rows.back().data());
+        starts.push_back(rows.back().data());
     }
-    png_write_image(png, places.data());
+    png_write_image(png, starts.data());
     if (file.textsBehind) {
         setTexts(png, info, file);
     }
@@ -174,11 +175,11 @@ TEST(PngReader, AFalseNumberIsRefusedByItsKey) {
 
 TEST(PngReader, EveryBitIsUnderAChecksum) {
     const std::string bytes = pngFile({.texts = kTexts});
-    for (std::size_t place = 8; place < bytes.size(); ++place) {
+    for (std::size_t offset = 8; offset < bytes.size(); ++offset) {
         std::string damaged = bytes;
-        damaged[place] = static_cast<char>(damaged[place] ^ 0x10);
-        EXPECT_THROW((void)readAsPng(damaged), InputError) << place;
-        EXPECT_THROW((void)readAsPng(bytes.substr(0, place)), InputError) << place;
+        damaged[offset] = static_cast<char>(damaged[offset] ^ 0x10);
+        EXPECT_THROW((void)readAsPng(damaged), InputError) << offset;
+        EXPECT_THROW((void)readAsPng(bytes.substr(0, offset)), InputError) << offset;
     }
 }
 
@@ -188,6 +189,16 @@ TEST(PngReader, RefusesMorePixelsThanItsDataCanHold) {
     EXPECT_THAT(refusalOfPng(bytes), HasSubstr("cannot hold 32768 x 32768"));
     bytes.replace(16, 4, std::string("\0\1\0\1", 4));
     EXPECT_THAT(refusalOfPng(bytes), HasSubstr("65537 x 32768 pixels"));
+}
+
+/// 2 MB of equal pixels took 16 s and 2 GB.
+TEST(PngReader, RefusesABillionEqualPixels) {
+    std::string bytes = pngFile({});
+    bytes.replace(16, 8, std::string("\0\0\x80\0\0\0\x80\0", 8));
+    bytes.insert(bytes.size() - 12, std::string("\0\x1E\x84\x80IDAT", 8) +
+                                        std::string(2'000'000 + 4, 'x'));  // and a checksum
+    EXPECT_THAT(refusalOfPng(bytes), AllOf(HasSubstr("its images decode to 2.15 GB"),
+                                           HasSubstr("of 2 MB at most 1.07 GB are expected")));
 }
 
 }  // namespace asperity::test

@@ -1,5 +1,5 @@
 #include "core/io/heightmap/HeightMapWriter.h"
-#include "core/io/heightmap/StoredRows.h"
+#include "core/io/heightmap/SampleRows.h"
 #include "tests/core/io/heightmap/BumpyMap.h"
 #include "tests/support/ScratchFolder.h"
 
@@ -13,7 +13,8 @@
 #include <vector>
 #include <zlib.h>
 
-// How often a file is read: its small parts cost no call each, and packed pixels are unpacked once.
+// Number of reads of a file: its small parts cost no call each, and packed pixels are unpacked
+// once.
 
 namespace asperity::test {
 
@@ -25,10 +26,10 @@ public:
     explicit CountedBytes(std::string_view bytes) : ByteSource("counted"), bytes_(bytes, name()) {}
 
     [[nodiscard]] std::uint64_t size() const override { return bytes_.size(); }
-    void read(std::uint64_t place, std::span<char> bytes) const override {
+    void read(std::uint64_t offset, std::span<char> bytes) const override {
         ++calls_;
         count_ += bytes.size();
-        bytes_.read(place, bytes);
+        bytes_.read(offset, bytes);
     }
     void requireUnchanged() const override {}
 
@@ -41,7 +42,7 @@ private:
     mutable std::uint64_t count_ = 0;
 };
 
-/// What was read for the pixels of all images, one image after the other.
+/// Reads for the pixels of all images, one image after the other.
 struct PixelReads {
     std::vector<HeightMap> maps;
     std::uint64_t calls = 0;

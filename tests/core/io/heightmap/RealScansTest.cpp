@@ -28,13 +28,13 @@ TEST(RealScans, AreThoseOfTheManifestAndNoOthers) {
     EXPECT_THAT(allScans(), testing::UnorderedElementsAreArray(files));
 }
 
-TEST_P(Malformed, IsRefusedWithFilePlaceAndReason) {
+TEST_P(Malformed, IsRefusedWithFileLocationAndReason) {
     const std::string path = sharedData("afm/" + GetParam().file).string();
     try {
         (void)readHeightMapFile(path);
         FAIL() << "it was read";
     } catch (const InputError& error) {
-        EXPECT_THAT(error.what(), testing::StartsWith(path + ": " + GetParam().place + ": "));
+        EXPECT_THAT(error.what(), testing::StartsWith(path + ": " + GetParam().location + ": "));
         EXPECT_THAT(error.what(), testing::HasSubstr(GetParam().reason));
     }
 }

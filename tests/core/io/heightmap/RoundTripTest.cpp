@@ -21,7 +21,7 @@ constexpr double kFloat = 6e-8;            // of a height: half a step of single
 constexpr double kHalfStep = 0.5 / 65534;  // of the range: half a step of 16 bits
 constexpr double kRounding = 1e-15;        // of the largest height: of the arithmetic
 
-/// What a format promises of its heights.
+/// A format's promise on its heights.
 struct Precision {
     double ofHeight = 0.0;
     double ofRange = 0.0;
@@ -184,7 +184,7 @@ TEST(RoundTripOfCounts, KeepsHeightsMaskSizeAndOrigin) {
     }
 }
 
-/// A file that is written is read, whatever an instrument says of itself.
+/// A file that is written is read, whatever its instrument's metadata.
 TEST_P(RoundTrip, TakesAsMuchMetadataAsItCan) {
     HeightMapMeta meta{.title = "Height"};
     for (int i = 0; i < 40; ++i) {

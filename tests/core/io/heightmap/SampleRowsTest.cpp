@@ -53,13 +53,13 @@ void expectRead(SampleType type) {
     for (const ByteOrder order : {ByteOrder::Little, ByteOrder::Big}) {
         const std::string content = stored<Number>(order, numbers);
         const MemoryBytes bytes(content, "a file");
-        SampleLayout layout{.size = kImageSize, .type = type, .order = order, .place = 2};
+        SampleLayout layout{.size = kImageSize, .type = type, .order = order, .offset = 2};
         EXPECT_EQ(sizeOf(type), sizeof(Number));
         EXPECT_EQ(layout.bytes(), 6 * sizeof(Number));
         EXPECT_NO_THROW(requireSamples(bytes, layout, "image"));
         EXPECT_EQ(readRowOf(rowsOf(bytes, layout), 0), (std::vector<double>{low, 0.0, 1.0}));
         EXPECT_EQ(readRowOf(rowsOf(bytes, layout), 1), (std::vector<double>{2.0, 100.0, high}));
-        layout.place = 3;
+        layout.offset = 3;
         EXPECT_THROW(requireSamples(bytes, layout, "image"), InputError);
     }
 }
@@ -89,10 +89,10 @@ TEST(SampleRows, TurnsWhatIsStoredFromBelowOrFromTheRight) {
     EXPECT_EQ(readRowOf(rowsOf(bytes, layout), 0), (std::vector<double>{6, 5, 4}));
 }
 
-TEST(SampleRows, ADistantPlaceIsNoOverflow) {
+TEST(SampleRows, ADistantOffsetIsNoOverflow) {
     const MemoryBytes bytes(kBytes, "a file");
     SampleLayout layout = kLayout;
-    layout.place = std::numeric_limits<std::uint64_t>::max() - 2;
+    layout.offset = std::numeric_limits<std::uint64_t>::max() - 2;
     EXPECT_THROW(requireSamples(bytes, layout, "image"), InputError);
 }
 
@@ -144,7 +144,7 @@ TEST(SampleRows, KeepsTheLatestSamplesForTheNextImage) {
     };
     const auto together = std::make_shared<DecodedSamples>(decode, latest);
     SampleLayout second = kLayout;
-    second.place += kLayout.bytes();
+    second.offset += kLayout.bytes();
     const ReadRow rows = rowsOfDecoded(together, kLayout, "a file");
     const ReadRow next = rowsOfDecoded(together, second, "a file");
     EXPECT_EQ(readRowOf(rows, 0), (std::vector<double>{1, 2, 3}));

@@ -81,7 +81,8 @@ protected:
         }
     }
 
-    /// What is said when that happens to the file before, in the middle and at the end of a load.
+    /// Checks the refusals when that happens to the file before, in the middle and at the end of a
+    /// load.
     void expectRefusals(const std::function<void(const std::filesystem::path&)>& change) {
         for (const double fraction : {0.0, 0.5}) {
             const ScanFile one(path);

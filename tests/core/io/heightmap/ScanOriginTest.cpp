@@ -1,5 +1,3 @@
-#include "core/io/heightmap/ScanOrigin.h"
-
 #include "core/io/heightmap/ScanImage.h"
 
 #include <gmock/gmock.h>

@@ -1,7 +1,6 @@
-#include "core/io/heightmap/StoredRows.h"
-
 #include "core/Error.h"
 #include "core/io/heightmap/HeightMapFormat.h"
+#include "core/io/heightmap/SampleRows.h"
 #include "core/io/heightmap/ScanImage.h"
 
 #include <gtest/gtest.h>

@@ -6,7 +6,7 @@
 
 namespace asperity::test {
 
-/// What a small NanoScope file of one 3 x 2 image says; tests change single lines.
+/// Text of a small NanoScope file of one 3 x 2 image; tests change single lines.
 struct NanoscopeText {
     std::string version = "0x09010201";
     std::string scanList = "\\Scan Size: 20 nm\r\n\\Lines: 2\r\n\\X Offset: 7 nm\r\n"

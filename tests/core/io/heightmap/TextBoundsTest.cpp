@@ -51,16 +51,16 @@ std::string replacedOnce(std::string text, const std::string& part, const std::s
 }
 
 std::string nanoscopeWithTexts() {
-    constexpr int kPlace = 1 << 20;
+    constexpr int kOffset = 1 << 20;
     const std::string lists = repeated(128, [](int i) {
-        return "\\*Ciao image list\r\n\\Data offset: " + std::to_string(kPlace + 12 * i) +
+        return "\\*Ciao image list\r\n\\Data offset: " + std::to_string(kOffset + 12 * i) +
                "\r\n\\Data length: 12\r\n\\Bytes/pixel: 2\r\n\\Samps/line: 3\r\n\\Number of lines: "
                "2\r\n\\Scan size: 30 20 nm\r\n\\@2:Image Data: S [Height] \"Height\"\r\n"
                "\\@2:Z scale: V (0.1 V/LSB) 1 V\r\n";
     });
     std::string bytes = "\\*File list\r\n\\Version: 0x05120000\r\n" +
                         numberedLines(60000, "\\", ": 1\r\n") + lists + "\\*File list end\r\n\x1A";
-    bytes.resize(kPlace, '\0');
+    bytes.resize(kOffset, '\0');
     return bytes + std::string(std::size_t{12} * 128, '\0');
 }
 
@@ -176,7 +176,7 @@ std::string pngChunk(const std::string& type, const std::string& data) {
            bigEndian(static_cast<std::uint32_t>(sum));
 }
 
-/// Of one pixel.
+/// An image of one pixel.
 std::string pngWithTexts() {
     const std::string header =
         bigEndian(1) + bigEndian(1) + std::string("\x10\0\0\0\0", 5);  // 16-bit gray
@@ -193,7 +193,7 @@ std::string exrAttribute(const std::string& name, const std::string& type,
     return bytes + value;
 }
 
-/// Of one pixel, not compressed.
+/// An image of one pixel, not compressed.
 std::string exrFile(int channels, int texts) {
     const std::string list = repeated(channels, [](int i) {
         std::string channel = formatted("c%04d", i) + '\0';
@@ -232,7 +232,7 @@ TEST(TextBounds, HoldForFilesOfEachKind) {
         const char* name;
         std::string bytes;
     };
-    constexpr std::uint64_t kMost = 100'000'000;
+    constexpr std::uint64_t kMax = 100'000'000;
     for (const Kind& kind : std::vector<Kind>{{"NanoScope", nanoscopeWithTexts()},
                                               {"Nanonis", nanonisWithTexts()},
                                               {"Nanosurf", nanosurfWithTexts()},
@@ -249,14 +249,14 @@ TEST(TextBounds, HoldForFilesOfEachKind) {
         EXPECT_THAT(readHeightMapBytes(kind.bytes, "scan").notes, Contains(HasSubstr(kNote)))
             << kind.name;
         if (!kSanitized) {
-            const BoundedRead read = readBounded(kind.bytes, kMost);
+            const BoundedRead read = readBounded(kind.bytes, kMax);
             EXPECT_TRUE(read.isRead) << kind.name << ": " << read.failure;
-            EXPECT_LT(read.memory, kMost) << kind.name;
+            EXPECT_LT(read.memory, kMax) << kind.name;
         }
     }
 }
 
-/// What a file has beyond its first texts is found all the same.
+/// The rest of a file beyond its first texts is found all the same.
 TEST(TextBounds, LeaveValuesBehindManyTextsReadable) {
     const std::string bytes = replacedOnce(nanonisWithTexts(), ":SCAN_RANGE:", ":SCAN_RANGES:");
     const HeightMapFile file = readHeightMapBytes(
@@ -293,7 +293,7 @@ TEST(TextBounds, CutANameOfManyChannels) {
     }
 }
 
-/// The OpenEXR library takes 400 bytes for each, before anything can be left out.
+/// The OpenEXR library needs 400 bytes for each, before anything can be left out.
 TEST(TextBounds, RefuseMoreAttributesAndChannelsThanTheLibraryTakes) {
     EXPECT_THAT(refusalOf(exrFile(1, 70000)), HasSubstr("at most 65536 attributes"));
     EXPECT_THAT(refusalOf(exrFile(129, 0)), HasSubstr("at most 128 images"));

@@ -283,8 +283,8 @@ TEST(TextReader, EsriGridsNameTheirMissingNumber) {
 }
 
 TEST(TextReader, EsriGridsGiveSizeAndCornerInMeters) {
-    const auto grid = [](const std::string& place) {
-        return textChannel("ncols 4\nnrows 2\n" + place + "NODATA_value -1\n1 2 -1 4\n5 6 7 8\n");
+    const auto grid = [](const std::string& corner) {
+        return textChannel("ncols 4\nnrows 2\n" + corner + "NODATA_value -1\n1 2 -1 4\n5 6 7 8\n");
     };
     const ScanChannel corner = grid("xllcorner 3e-6\nyllcorner -1e-6\ncellsize 5e-9\n");
     EXPECT_TRUE(corner.hasSize());

@@ -104,9 +104,9 @@ public:
         for (const auto& [tag, field] : fields) {
             table += entryOf(field);
         }
-        std::string place;
-        appendOffset(place, static_cast<double>(bytes_.size()));
-        bytes_.replace(next_, place.size(), place);
+        std::string offset;
+        appendOffset(offset, static_cast<double>(bytes_.size()));
+        bytes_.replace(next_, offset.size(), offset);
         if (big_) {
             append<std::uint64_t>(bytes_, static_cast<double>(fields.size()), order_);
         } else {
@@ -155,18 +155,18 @@ private:
             strips.emplace_back(first, first + static_cast<std::ptrdiff_t>(
                                                    std::min(stride, image.values.size() - i)));
         }
-        TiffTestField places{.tag = 273, .type = 4, .numbers = {}, .bytes = {}};
+        TiffTestField offsets{.tag = 273, .type = 4, .numbers = {}, .bytes = {}};
         TiffTestField counts{.tag = 279, .type = 4, .numbers = {}, .bytes = {}};
-        places.numbers.resize(strips.size());
+        offsets.numbers.resize(strips.size());
         for (std::size_t i = 0; i < strips.size(); ++i) {
             const std::size_t strip = image.lastStripFirst ? strips.size() - 1 - i : i;
-            places.numbers[strip] = static_cast<double>(bytes_.size());
+            offsets.numbers[strip] = static_cast<double>(bytes_.size());
             bytes_ += sampleBytes(strips[strip], image.type, order_);
         }
         for (const std::vector<double>& strip : strips) {
             counts.numbers.push_back(static_cast<double>(strip.size() * sizeOf(image.type)));
         }
-        fields[273] = places;
+        fields[273] = offsets;
         fields[279] = counts;
     }
 
@@ -195,7 +195,7 @@ private:
     ByteOrder order_;
     bool big_;
     std::string bytes_;
-    std::size_t next_ = 0;  ///< where the place of the next directory stands
+    std::size_t next_ = 0;  ///< location of the offset of the next directory
 };
 
 }  // namespace

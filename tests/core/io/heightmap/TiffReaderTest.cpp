@@ -18,6 +18,7 @@ namespace asperity::test {
 
 namespace {
 
+using testing::AllOf;
 using testing::Contains;
 using testing::ElementsAre;
 using testing::HasSubstr;
@@ -328,7 +329,27 @@ TEST(TiffReader, ImagesThatShareTheirPixelsAreDamaged) {
     EXPECT_THAT(refusalOfTiff(tiffFile(images)), HasSubstr("overlap"));
 }
 
-/// Each takes a byte of the file, but 32 of memory.
+/// 100 images of 32 MB each in 3 MB took a minute one after the other.
+TEST(TiffReader, RefusesManyImagesOfFarMoreBytesThanTheyArePackedIn) {
+    const TiffTestImage image{.columns = 400,
+                              .rows = 400,
+                              .rowsPerStrip = 400,
+                              .values = std::vector<double>(160'000),
+                              .extra = {tiffInteger(256, 16384),
+                                        tiffInteger(257, 16384),
+                                        {.tag = 278, .type = 4, .numbers = {16384}},
+                                        tiffInteger(259, 8)}};
+    EXPECT_EQ(refusalOf([&] {
+                  (void)contentsOf(OwnedBytes(tiffFile({image, image}), "a.tif"), {});
+              }),
+              "")
+        << "1 GiB may be packed in any way";
+    EXPECT_THAT(refusalOfTiff(tiffFile({image, image, image})),
+                AllOf(HasSubstr("image 3: its images decode to 1.61 GB or more"),
+                      HasSubstr("at most 1.07 GB are expected")));
+}
+
+/// Each needs a byte of the file, but 32 of memory.
 TEST(TiffReader, FarTooManyStripsAreRefusedBeforeTheyAreRead) {
     constexpr std::size_t kOneTooMany = (std::size_t{1} << 20U) + 1;
     const TiffTestImage image{
@@ -336,7 +357,7 @@ TEST(TiffReader, FarTooManyStripsAreRefusedBeforeTheyAreRead) {
     EXPECT_THAT(refusalOfTiff(image), HasSubstr("at most 1048576 numbers"));
 }
 
-/// Each takes 12 bytes of the file, but 24 of memory; in an archive the file's may be packed.
+/// Each needs 12 bytes of the file, but 24 of memory; in an archive the file's may be packed.
 TEST(TiffReader, FarTooManyFieldsInAllAreRefused) {
     TiffTestImage image;
     for (std::uint16_t tag = 1000; tag < 61000; ++tag) {
@@ -367,17 +388,17 @@ TEST(TiffReader, DirectoriesInACircleAreRefused) {
 
 TEST(TiffReader, EveryBitOfASmallFileMayFlip) {
     for (const std::string& bytes : {tiffFile({{}}), tiffFile({{}}, ByteOrder::Big, true)}) {
-        for (std::size_t place = 0; place < bytes.size(); ++place) {
+        for (std::size_t offset = 0; offset < bytes.size(); ++offset) {
             for (unsigned bit = 0; bit < 8; ++bit) {
                 std::string damaged = bytes;
-                damaged[place] =
-                    static_cast<char>(static_cast<unsigned char>(damaged[place]) ^ (1U << bit));
+                damaged[offset] =
+                    static_cast<char>(static_cast<unsigned char>(damaged[offset]) ^ (1U << bit));
                 try {
                     (void)readAsTiff(damaged);
                 } catch (const InputError&) {
                 }
             }
-            EXPECT_THROW((void)readAsTiff(bytes.substr(0, place)), InputError) << place;
+            EXPECT_THROW((void)readAsTiff(bytes.substr(0, offset)), InputError) << offset;
         }
     }
 }

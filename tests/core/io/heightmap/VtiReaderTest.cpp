@@ -183,8 +183,8 @@ TEST(VtiReader, ReadsNumbersWithinTheXml) {
     EXPECT_THAT(refusalOfVti(file), HasSubstr("expected 48 bytes of values, found 40"));
 }
 
-/// Of a text between tags only its place and length are kept: no other text may pass for these.
-TEST(VtiReader, TakesNoTextForThePlaceOfOne) {
+/// Only offset and length of a text between tags are kept: no other text may pass for these.
+TEST(VtiReader, TakesNoTextForTheOffsetOfOne) {
     const auto refused = [](const std::string& content, const char* format) {
         VtiText file;
         file.array = R"(type="Int8" Name="z" format=")" + std::string(format) + "\">" + content +
@@ -234,6 +234,19 @@ TEST(VtiReader, ReadsNoMoreThan128Arrays) {
                        R"(" format="appended" offset="0"/>)";
     }
     EXPECT_THAT(refusalOfVti(file), HasSubstr("PointData: at most 128 images are expected"));
+}
+
+/// Arrays may share their bytes: each further one costs a line of XML and is decoded again.
+TEST(VtiReader, BoundsWhatAllArraysOfAnOffsetDecodeTo) {
+    VtiText file;
+    file.attributes += R"( compressor="vtkZLibDataCompressor")";
+    file.extent = "0 16383 0 8191 0 0";
+    EXPECT_THAT(refusalOfVti(file), Not(HasSubstr("decode to"))) << "half a gigabyte may be";
+    for (const char* const name : {"a", "b"}) {
+        file.others += std::string(R"(<DataArray type="Float32" Name=")") + name +
+                       R"(" format="appended" offset="0"/>)";
+    }
+    EXPECT_THAT(refusalOfVti(file), HasSubstr("arrays: its images decode to"));
 }
 
 TEST(VtiReader, TakesTagsInCommentsAndQuotesForText) {

@@ -19,9 +19,9 @@ TEST(WholeImages, NoteNamesThoseThatTheFileLostWithItsEnd) {
     SampleLayout layout = kFourBytes;
     EXPECT_TRUE(images.holds(bytes, layout, "image 1", "Height"));
     EXPECT_TRUE(images.areAll());
-    layout.place = 4;
+    layout.offset = 4;
     EXPECT_FALSE(images.holds(bytes, layout, "image 2", "Phase"));
-    layout.place = 8;
+    layout.offset = 8;
     EXPECT_FALSE(images.holds(bytes, layout, "image 3", "Error"));
     EXPECT_FALSE(images.areAll());
     StoredScan scan;

@@ -21,7 +21,7 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::StartsWith;
 
-/// What a small X3P file of 3 x 2 doubles says; tests change single lines.
+/// Description in a small X3P file of 3 x 2 doubles; tests change single lines.
 struct X3pText {
     std::string feature = "SUR";
     std::string axisX = "<AxisType>I</AxisType><Increment>2e-9</Increment><Offset>7e-9</Offset>";
@@ -314,7 +314,7 @@ TEST(X3pReader, RefusesDamagedXml) {
     EXPECT_THAT(refusalOfX3p(zipFile({{"main.xml", ""}})), StartsWith("scan.x3p: main.xml"));
 }
 
-/// What the files of the wild are known for.
+/// Faults that real files are known for.
 TEST(X3pReader, NotesOnTheRealFiles) {
     ASPERITY_NEEDS_SHARED_DATA();
     EXPECT_THAT(readHeightMapFile(sharedData("afm/x3p/x3p-2_nonsquare_pixels.x3p")).notes,

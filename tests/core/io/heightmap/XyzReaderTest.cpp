@@ -46,10 +46,10 @@ std::string joinedLines(const std::vector<std::string>& lines) {
     return text;
 }
 
-TextPoints pointsAt(const std::vector<double>& places) {
+TextPoints pointsAt(const std::vector<double>& positions) {
     TextPoints points;
-    for (const double place : places) {
-        points.numbers.insert(points.numbers.end(), {place, 0.0, 0.0});
+    for (const double position : positions) {
+        points.numbers.insert(points.numbers.end(), {position, 0.0, 0.0});
     }
     return points;
 }
@@ -100,10 +100,10 @@ TEST(XyzReader, WithoutUnitsTheSizeIsUnknownAndTheStepsAreSaid) {
 
 TEST(XyzReader, ScatteredPointsAreRefusedInWords) {
     std::mt19937 random(3);
-    std::uniform_real_distribution<double> place(0.0, 1.0);
+    std::uniform_real_distribution<double> position(0.0, 1.0);
     std::string text;
     for (int i = 0; i < 200; ++i) {
-        text += std::to_string(place(random)) + " " + std::to_string(place(random)) + " 1\n";
+        text += std::to_string(position(random)) + " " + std::to_string(position(random)) + " 1\n";
     }
     EXPECT_THAT(refusalOfXyz(text), AllOf(HasSubstr("points.xyz: "), HasSubstr("no regular grid")));
     EXPECT_THAT(refusalOfXyz("0 0 1\n1 1 1\n2 2 1\n"), HasSubstr("no regular grid"));
@@ -121,16 +121,16 @@ TEST(XyzReader, RefusesWhatIsNoSetOfPoints) {
 }
 
 TEST(PointGrid, FindsRoundedNodes) {
-    std::vector<double> places;
+    std::vector<double> positions;
     for (int i = 0; i < 256; ++i) {
-        places.push_back(std::round(i * 0.01953125 * 1e4) / 1e4);
+        positions.push_back(std::round(i * 0.01953125 * 1e4) / 1e4);
     }
-    const auto axis = gridAxis(pointsAt(places), 0);
+    const auto axis = gridAxis(pointsAt(positions), 0);
     ASSERT_TRUE(axis);
     EXPECT_EQ(axis->count, 256);
     EXPECT_NEAR(axis->pitch, 0.01953125, 1e-6);
     for (int i = 0; i < 256; ++i) {
-        EXPECT_EQ(axis->nodeOf(places[static_cast<std::size_t>(i)]), i);
+        EXPECT_EQ(axis->nodeOf(positions[static_cast<std::size_t>(i)]), i);
     }
 }
 
@@ -141,7 +141,7 @@ TEST(PointGrid, NodesWithoutAnyPointLieBetween) {
     EXPECT_EQ(axis->nodeOf(5), 5);
 }
 
-TEST(PointGrid, RefusesUnequalStepsAndAbsurdPlaces) {
+TEST(PointGrid, RefusesUnequalStepsAndAbsurdPositions) {
     EXPECT_FALSE(gridAxis(pointsAt({0, 1, 2.5, 4.1}), 0));
     EXPECT_FALSE(gridAxis(pointsAt({-1e308, 1e308}), 0));
     EXPECT_EQ(gridAxis(pointsAt({3, 3}), 0)->count, 1);

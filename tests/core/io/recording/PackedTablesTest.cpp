@@ -1,8 +1,8 @@
 #include "core/io/recording/PackedTables.h"
 
 #include "core/io/hdf5/Hdf5Output.h"
-#include "core/io/hdf5/Hdf5Rows.h"
-#include "core/io/recording/ColumnUnit.h"
+#include "core/io/hdf5/Hdf5TableWriter.h"
+#include "core/io/recording/ColumnList.h"
 #include "core/io/recording/RowChecks.h"
 #include "tests/support/Refusal.h"
 #include "tests/support/ScratchFolder.h"
@@ -17,7 +17,7 @@ namespace {
 
 using testing::HasSubstr;
 
-constexpr const char* kInput = "# in\ntime_s,hand_z_m,alpha_rad,buttons\n"
+constexpr const char* kInput = "# in\ntime_s,device_z_m,alpha_rad,buttons\n"
                                "0,0.10000000000000001,-0,3\n"
                                "0.001,0.20000000000000001,nan,3\n"
                                "0.002,1e-300,inf,4\n";
@@ -45,6 +45,17 @@ TEST_F(PackedTables, KeepAllDigitsOfTheInput) {
     std::filesystem::remove(tables.input);
     unpackTables(file, tables);
     EXPECT_EQ(contentOf(tables.input), before);
+}
+
+TEST_F(PackedTables, OfTextWithFormerNamesHaveTheCurrentOnes) {
+    const auto packed = [this](const char* device) {
+        const std::string name = device;
+        tables.input = scratch.write("tick_input.csv", "time_s," + name + "z_m\n0,1\n");
+        tables.log = scratch.write("force_log.csv", "time_s," + name + "fz_n,flags\n0,2,-\n");
+        packTables(tables, file);
+        return contentOf(file);
+    };
+    EXPECT_EQ(packed("hand_"), packed("device_"));
 }
 
 TEST_F(PackedTables, KeepAllDigitsOfEnergies) {
@@ -114,7 +125,7 @@ TEST(ColumnUnit, IsWhatTheNameEndsIn) {
     EXPECT_EQ(unitOfColumn("est_sigma_fx_n"), "N");
     EXPECT_EQ(unitOfColumn("coupling_stiffness_n_m"), "N/m");
     EXPECT_EQ(unitOfColumn("coupling_damping_n_s_m"), "N s/m");
-    EXPECT_EQ(unitOfColumn("max_hand_speed_m_s"), "m/s");
+    EXPECT_EQ(unitOfColumn("max_device_speed_m_s"), "m/s");
     EXPECT_EQ(unitOfColumn("time_step_s"), "s");
     EXPECT_EQ(unitOfColumn("correction_hz"), "Hz");
     EXPECT_EQ(unitOfColumn("energy_j"), "J");

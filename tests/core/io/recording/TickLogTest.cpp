@@ -101,16 +101,16 @@ TEST(TickLog, ColumnsKeepNamesAndOrder) {
     EXPECT_EQ(columnsOf.operator()<ForceLogWriter>("force_log.csv"),
               "time_s,base_x_m,base_y_m,base_z_m,tip_x_m,tip_y_m,tip_z_m,est_fx_n,est_fy_n,"
               "est_fz_n,est_sigma_fx_n,est_sigma_fy_n,est_sigma_fz_n,model_fx_n,model_fy_n,"
-              "model_fz_n,hand_fx_n,hand_fy_n,hand_fz_n,alpha_rad,theta_rad,gap_m,"
+              "model_fz_n,device_fx_n,device_fy_n,device_fz_n,alpha_rad,theta_rad,gap_m,"
               "contact_radius_m,state,flags,indentation_m,branch");
     EXPECT_EQ(columnsOf.operator()<TickInputWriter>("tick_input.csv"),
-              "time_s,time_step_s,hand_x_m,hand_y_m,hand_z_m,buttons,connected,alpha_rad,"
-              "theta_rad,age_s,starts,hand_max_force_n,hand_streams,hand_age_s,"
+              "time_s,time_step_s,device_x_m,device_y_m,device_z_m,buttons,connected,alpha_rad,"
+              "theta_rad,age_s,starts,device_max_force_n,device_streams,device_age_s,"
               "instrument_connected,position_gain,force_gain,correction_hz,tip_control,forces_on,"
               "rearms,coupling_stiffness_n_m,coupling_damping_n_s_m,proxy_damping_n_s_m,"
-              "max_force_n,engage_s,max_hand_speed_m_s,dead_man_button,clutched,clutch_button,"
+              "max_force_n,engage_s,max_device_speed_m_s,dead_man_button,clutched,clutch_button,"
               "trial_button,"
-              "hand_turn_x_rad,hand_turn_y_rad,hand_turn_z_rad,workspace_x_m,workspace_y_m,"
+              "device_turn_x_rad,device_turn_y_rad,device_turn_z_rad,workspace_x_m,workspace_y_m,"
               "workspace_z_m,workspace_radius_m,workspace_free_share,edge_stiffness_n_m,"
               "edge_force_limit_n,guide,guide_x_m,guide_y_m,guide_z_m,guide_axis_x,guide_axis_y,"
               "guide_axis_z,guide_stiffness_n_m,guide_damping_n_s_m,guide_force_limit_n,"
@@ -120,13 +120,31 @@ TEST(TickLog, ColumnsKeepNamesAndOrder) {
 TEST(TickLog, ReadsInputsFromBeforeThereWasAGovernor) {
     const test::ScratchFolder scratch;
     const auto path = scratch.path() / "tick_input.csv";
-    std::ofstream(path) << "time_s,time_step_s,hand_x_m,hand_y_m,hand_z_m,buttons,connected,"
+    std::ofstream(path) << "time_s,time_step_s,device_x_m,device_y_m,device_z_m,buttons,connected,"
                            "alpha_rad,theta_rad,age_s,position_gain,force_gain,correction_hz,"
                            "tip_control,forces_on,rearms\n"
                            "0,0.001,1,2,3,0,1,0,0,0,1,1,20,0,1,0\n";
     const TickInput input = readTickInputs(path).at(0).input;
     EXPECT_FALSE(input.device.rendersForce());
     EXPECT_EQ(input.settings, Settings{});
+}
+
+TEST(TickLog, ReadsInputsByTheirFormerNames) {
+    const test::ScratchFolder scratch;
+    const auto path = scratch.write(
+        "tick_input.csv",
+        "time_s,time_step_s,hand_x_m,hand_y_m,hand_z_m,buttons,connected,alpha_rad,theta_rad,age_s,"
+        "hand_max_force_n,hand_streams,hand_age_s,position_gain,force_gain,correction_hz,"
+        "tip_control,forces_on,rearms,max_hand_speed_m_s,hand_turn_x_rad,hand_turn_y_rad,"
+        "hand_turn_z_rad\n"
+        "0,0.001,1,2,3,0,1,0,0,0,4,1,0.25,1,1,20,0,1,0,1.25,0.5,0.75,0.125\n");
+    const TickInput input = readTickInputs(path).at(0).input;
+    EXPECT_EQ(input.device.position, Vector3(1.0, 2.0, 3.0));
+    EXPECT_EQ(input.device.maxForce, 4.0);
+    EXPECT_TRUE(input.device.streams);
+    EXPECT_EQ(input.device.age, 0.25);
+    EXPECT_EQ(input.settings.governor.maxDeviceSpeed, 1.25);
+    EXPECT_EQ(input.settings.deviceTurn, Vector3(0.5, 0.75, 0.125));
 }
 
 TEST(TickLog, RefusesADeadManSwitchThatIsNoButton) {
@@ -196,9 +214,10 @@ TEST(TickLog, RefusesCellsThatStandForNothing) {
     const test::ScratchFolder scratch;
     const auto path = scratch.path() / "tick_input.csv";
     const std::string names =
-        "time_s,time_step_s,hand_x_m,hand_y_m,hand_z_m,buttons,connected,alpha_rad,theta_rad,age_s,"
-        "position_gain,force_gain,correction_hz,tip_control,forces_on,rearms,hand_max_force_n,"
-        "hand_streams,hand_age_s,starts,edge_stiffness_n_m\n";
+        "time_s,time_step_s,device_x_m,device_y_m,device_z_m,buttons,connected,alpha_rad,theta_rad,"
+        "age_s,"
+        "position_gain,force_gain,correction_hz,tip_control,forces_on,rearms,device_max_force_n,"
+        "device_streams,device_age_s,starts,edge_stiffness_n_m\n";
     const auto isRead = [&](const std::string& buttons, const std::string& connected,
                             const std::string& starts, const std::string& edge) {
         std::ofstream(path) << names << "0,0.001,1,2,3," << buttons << ',' << connected
@@ -253,7 +272,7 @@ TEST(TickLog, HoldsWhatWasFlushedAndReadsUpToTheLastWholeLine) {
     }
 }
 
-TEST(DevicePathFile, ReadsPlacesAndRefusesTimeThatStandsStill) {
+TEST(DevicePathFile, ReadsPositionsAndRefusesTimeThatStandsStill) {
     const test::ScratchFolder scratch;
     const auto path = scratch.path() / "path.csv";
     std::ofstream(path) << "# a path\ntime_s,x_m,y_m,z_m\n0,1e-9,2e-9,3e-9\n1,0,0,-1e-9\n";

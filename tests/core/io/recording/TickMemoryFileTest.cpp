@@ -1,11 +1,12 @@
-#include "core/io/recording/TickMemoryFile.h"
-
 #include "core/Error.h"
+#include "core/io/FormerKeys.h"
+#include "core/io/recording/TickLog.h"
 #include "core/io/tables/CsvTable.h"
 #include "tests/support/ScratchFolder.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fstream>
 #include <limits>
 
@@ -114,7 +115,7 @@ TEST(TickMemoryFile, ReadsBackToTheSameBits) {
     EXPECT_EQ(read.rearms, written.rearms);
 }
 
-/// What is read of an earlier program's file, which had no columns that begin so.
+/// Returns the memory of an earlier program's file, which had no columns that begin so.
 TickMemory readWithout(const std::string& beginning) {
     const test::ScratchFolder folder;
     const std::filesystem::path file = folder.path() / "memory.csv";
@@ -139,18 +140,44 @@ TEST(TickMemoryFile, ReadsAMemoryWithoutInnovations) {
     EXPECT_EQ(read.base, someMemory().base);
 }
 
+/// Earlier files have hand_x_m for device_x_m and foot0_x_m for contact_point0_x_m.
+TEST(TickMemoryFile, ReadsColumnsByTheirFormerNames) {
+    const test::ScratchFolder folder;
+    const std::filesystem::path file = folder.file("memory.csv");
+    writeTickMemory(file, someMemory());
+    const CsvTable table = readCsv(file);
+    std::string columns;
+    std::string row;
+    std::size_t renamed = 0;
+    for (const std::string& column : table.columns()) {
+        const auto* const former = std::ranges::find(kFormerKeys, column, &FormerKey::current);
+        const bool isRenamed = former != kFormerKeys.end();
+        renamed += isRenamed ? 1 : 0;
+        columns += (columns.empty() ? "" : ",");
+        columns += isRenamed ? former->former : column;
+        row += (row.empty() ? "" : ",") + table.text(0, column);
+    }
+    EXPECT_EQ(renamed, 1U + 4U * 6U + 3U);
+    std::ofstream(file) << columns << '\n' << row << '\n';
+    const std::filesystem::path again = folder.file("again.csv");
+    const std::filesystem::path current = folder.file("current.csv");
+    writeTickMemory(again, readTickMemory(file));
+    writeTickMemory(current, someMemory());
+    EXPECT_EQ(test::contentOf(again), test::contentOf(current));
+}
+
 TEST(TickMemoryFile, AMemoryOfBeforeLacksNoNeck) {
     EXPECT_FALSE(readWithout("may_lack_point").model.mayLackPoint);
 }
 
-TEST(TickMemoryFile, ReadsAMemoryWithoutThePlaceOfTheTip) {
+TEST(TickMemoryFile, ReadsAMemoryWithoutThePositionOfTheTip) {
     const TickMemory read = readWithout("tip_");
     EXPECT_EQ(read.model.tip, read.base + read.model.deflection);
 }
 
 TEST(TickMemoryFile, RefusesWhatIsNoMemory) {
     const test::ScratchFolder folder;
-    std::ofstream(folder.path() / "memory.csv") << "foot_x_m\n1\n2\n";
+    std::ofstream(folder.path() / "memory.csv") << "contact_point0_x_m\n1\n2\n";
     EXPECT_THROW((void)readTickMemory(folder.path() / "memory.csv"), InputError);
 }
 

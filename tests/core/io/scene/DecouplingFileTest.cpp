@@ -1,7 +1,6 @@
-#include "core/io/scene/DecouplingFile.h"
-
 #include "core/Error.h"
 #include "core/io/TextValue.h"
+#include "core/io/scene/ProbeFile.h"
 #include "core/io/tables/CsvTable.h"
 #include "core/probe/ForceDecoupling.h"
 #include "tests/core/probe/ReferenceLever.h"
@@ -90,8 +89,8 @@ void expectRow(const CsvTable& out, std::size_t line, const ReferenceTable& tabl
     const std::map<std::string, std::pair<int, int>> entries{
         {"cxx_n2", {0, 0}}, {"cyy_n2", {1, 1}}, {"czz_n2", {2, 2}},
         {"cxy_n2", {0, 1}}, {"cxz_n2", {0, 2}}, {"cyz_n2", {1, 2}}};
-    for (const auto& [name, place] : entries) {
-        const auto [i, j] = place;
+    for (const auto& [name, indices] : entries) {
+        const auto [i, j] = indices;
         EXPECT_NEAR(given(name.c_str()), covariance(i, j),
                     1e-10 * std::sqrt(covariance(i, i) * covariance(j, j)))
             << name;

@@ -51,13 +51,13 @@ TEST_F(LevelingKeys, RefusesWhatIsNoStepWithItsLine) {
     EXPECT_THAT(refusal("level = 1\n"), HasSubstr("a text in quotes, or a list of such texts"));
 }
 
-TEST_F(LevelingKeys, ThreePointNeedsThreePlacesOffOneLine) {
+TEST_F(LevelingKeys, ThreePointNeedsThreePointsOffOneLine) {
     const SceneDescription scene =
         read("level = \"three_point\"\nlevel_points_m = [[0, 1e-6], [2e-6, 0.5e-6], [1e-6, 0]]\n");
     ASSERT_TRUE(scene.sample.levelPoints);
     EXPECT_EQ((*scene.sample.levelPoints)[1], Vector2(2e-6, 0.5e-6));
     EXPECT_THAT(refusal("level = \"three_point\"\n"), HasSubstr("needs level_points_m"));
-    EXPECT_THAT(refusal("level_points_m = [[0, 0], [1, 1]]\n"), HasSubstr("three places"));
+    EXPECT_THAT(refusal("level_points_m = [[0, 0], [1, 1]]\n"), HasSubstr("three points"));
     EXPECT_THAT(refusal("level_points_m = [[0, 0], [1, 1], [2, 2]]\n"),
                 HasSubstr("do not lie on one line"));
     EXPECT_THAT(refusal("level_points_m = [[0, 0], [1, nan], [2, 0]]\n"), HasSubstr("finite"));

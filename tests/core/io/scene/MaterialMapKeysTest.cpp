@@ -1,6 +1,5 @@
-#include "core/io/scene/MaterialMapKeys.h"
-
 #include "core/io/scene/SceneFile.h"
+#include "core/io/scene/SceneKeys.h"
 #include "tests/support/Refusal.h"
 #include "tests/support/ScratchFolder.h"
 

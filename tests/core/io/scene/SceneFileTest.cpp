@@ -40,6 +40,30 @@ TEST_F(SceneFile, FillsInDefaultsAndResolvesPathsAgainstItself) {
     EXPECT_EQ(scene.truth.material.workOfAdhesion, scene.sample.material.workOfAdhesion);
 }
 
+TEST_F(SceneFile, ReadsKeysByTheirFormerNames) {
+    const std::string start = "[sample]\nfile = \"map.gsf\"\n";
+    const SceneDescription scene =
+        readScene(write("former.toml", start + "[fidelity]\nfoot_search = \"global\"\n"
+                                               "[haptics]\nmax_hand_speed_m_s = 1.25\n"));
+    EXPECT_EQ(scene.choices.closestPointSearch, SearchEffort::Global);
+    EXPECT_EQ(scene.settings.governor.maxDeviceSpeed, 1.25);
+    const std::string written = sceneText(scene);
+    EXPECT_NE(written.find("closest_point_search = 'global'"), std::string::npos) << written;
+    EXPECT_NE(written.find("max_device_speed_m_s = 1.25"), std::string::npos) << written;
+    EXPECT_EQ(written.find("foot_"), std::string::npos) << written;
+    EXPECT_EQ(written.find("hand_"), std::string::npos) << written;
+}
+
+TEST_F(SceneFile, RefusesAKeyByItsFormerAndItsCurrentName) {
+    const std::string start = "[sample]\nfile = \"map.gsf\"\n[haptics]\n";
+    EXPECT_EQ(refusal(start + "max_hand_speed_m_s = 1\nmax_device_speed_m_s = 1\n"),
+              (scratch.path() / "scene.toml").string() +
+                  ": line 4: unknown key 'max_hand_speed_m_s' in [haptics]");
+    EXPECT_EQ(refusal(start + "max_force_n = 1\nmax_hand_speed_m_s = true\n"),
+              (scratch.path() / "scene.toml").string() +
+                  ": line 5, [haptics] max_device_speed_m_s: expected a number");
+}
+
 TEST_F(SceneFile, SmoothsByPixelsOrByALength) {
     const SceneDescription pixels =
         readScene(write("px.toml", "[sample]\nfile = \"map.gsf\"\nsmoothing_px = 2.5\n"));
@@ -314,7 +338,7 @@ TEST_F(SceneFile, RefusesAnUnknownKeyByNameAndLine) {
     EXPECT_NE(refusal("[sample]\nfile=\"m\"\n[samples]\n").find("'samples'"), std::string::npos);
 }
 
-TEST_F(SceneFile, RefusesMistakesWithTheirPlace) {
+TEST_F(SceneFile, RefusesMistakesWithTheirLocation) {
     const char* const sample = "[sample]\nfile = \"map.gsf\"\n";
     const std::pair<std::string, std::string> mistakes[] = {
         {"[sample]\n", "file"},
@@ -356,7 +380,7 @@ TEST_F(SceneFile, RefusesMistakesWithTheirPlace) {
         {std::string(sample) + "[haptics]\nmax_force_n = 0\n", "max_force_n"},
         {std::string(sample) + "[haptics]\nengage_s = 0.49\n", "engage_s"},
         {std::string(sample) + "[haptics]\nengage_s = 2.01\n", "engage_s"},
-        {std::string(sample) + "[haptics]\nmax_hand_speed_m_s = nan\n", "max_hand_speed_m_s"},
+        {std::string(sample) + "[haptics]\nmax_hand_speed_m_s = nan\n", "max_device_speed_m_s"},
         {std::string(sample) + "[haptics]\ndead_man_button = 32\n", "0 to 31, or -1"},
         {std::string(sample) + "[haptics]\ndead_man_button = 0.5\n", "0 to 31, or -1"},
         {std::string(sample) + "[haptics]\ntrial_button = 1\ndead_man_button = 1\n",

@@ -35,7 +35,7 @@ std::set<std::string> candidates() {
     return words;
 }
 
-/// Whether readScene() takes a key in a section, whatever else of the sample it says.
+/// Returns whether readScene() accepts a key in a section, whatever else of the sample it says.
 bool isRead(const test::ScratchFolder& folder, const std::string& section, const std::string& key) {
     for (const char* sample : {"file = \"a.gsf\"", "shape = \"sphere\"", "shape = \"plane\""}) {
         const std::string own = key + " = {}\n";

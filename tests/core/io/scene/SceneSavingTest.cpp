@@ -1,4 +1,3 @@
-#include "core/io/scene/SceneSaving.h"
 
 #include "core/Error.h"
 #include "core/io/scene/ProbeFile.h"

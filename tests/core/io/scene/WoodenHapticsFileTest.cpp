@@ -1,5 +1,4 @@
-#include "core/io/scene/WoodenHapticsFile.h"
-
+#include "core/io/scene/DeviceFiles.h"
 #include "tests/support/Places.h"
 #include "tests/support/Refusal.h"
 #include "tests/support/ScratchFolder.h"
@@ -16,9 +15,9 @@ protected:
     /// Why the shipped file is refused with one text of it replaced.
     std::string refusalWith(const std::string& text, const std::string& replacement) {
         std::string content = test::contentOf(kShipped);
-        const std::size_t place = content.find(text);
-        EXPECT_NE(place, std::string::npos) << text;
-        content.replace(place, text.size(), replacement);
+        const std::size_t offset = content.find(text);
+        EXPECT_NE(offset, std::string::npos) << text;
+        content.replace(offset, text.size(), replacement);
         const std::filesystem::path file = scratch.write("device.toml", content);
         return test::refusalOf([&] { (void)readWoodenHaptics(file); });
     }

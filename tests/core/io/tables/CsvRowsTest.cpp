@@ -1,5 +1,4 @@
-#include "core/io/tables/CsvRows.h"
-
+#include "core/io/tables/CsvTable.h"
 #include "tests/support/Refusal.h"
 #include "tests/support/ScratchFolder.h"
 

@@ -44,6 +44,17 @@ TEST(CsvTable, TakesAByteOrderMarkAndALineWithoutEnd) {
     EXPECT_EQ(table.number(0, "x"), 7.0);
 }
 
+TEST(CsvTable, ReadsRenamedColumnsByTheirCurrentNames) {
+    const CsvTable table("hand_z_m,base_z_m\n1,2\n", "t.csv");
+    EXPECT_EQ(table.columns(), (std::vector<std::string>{"device_z_m", "base_z_m"}));
+    EXPECT_EQ(table.number(0, "device_z_m"), 1.0);
+    EXPECT_FALSE(table.has("hand_z_m"));
+    const CsvTable both("hand_z_m,device_z_m\n1,2\n", "t.csv");
+    EXPECT_EQ(both.number(0, "hand_z_m"), 1.0);
+    EXPECT_EQ(both.number(0, "device_z_m"), 2.0);
+    EXPECT_THAT(tableRefusal("hand_z_m,hand_z_m\n"), HasSubstr("two columns 'device_z_m'"));
+}
+
 TEST(CsvTable, RefusalsNameFileAndLine) {
     EXPECT_THAT(tableRefusal("a,b\n1,2\n3\n"),
                 AllOf(HasSubstr("t.csv: line 3: "), HasSubstr("2 cells"), HasSubstr("found 1")));

@@ -2,7 +2,6 @@
 
 #include "core/Error.h"
 #include "core/io/ByteReader.h"
-#include "core/io/zip/ZipDirectory.h"
 #include "tests/core/io/heightmap/ZipFiles.h"
 #include "tests/support/Refusal.h"
 
@@ -42,11 +41,11 @@ public:
     explicit LostBytes(std::string_view bytes) : ByteSource("lost.zip"), bytes_(bytes) {}
 
     [[nodiscard]] std::uint64_t size() const override { return bytes_.size(); }
-    void read(std::uint64_t place, std::span<char> bytes) const override {
-        if (place < 20000 && place + bytes.size() > 10000) {
-            throw InputError(name(), "byte " + std::to_string(place), "the file became shorter");
+    void read(std::uint64_t offset, std::span<char> bytes) const override {
+        if (offset < 20000 && offset + bytes.size() > 10000) {
+            throw InputError(name(), "byte " + std::to_string(offset), "the file became shorter");
         }
-        std::ranges::copy(bytes_.substr(place, bytes.size()), bytes.begin());
+        std::ranges::copy(bytes_.substr(offset, bytes.size()), bytes.begin());
     }
     void requireUnchanged() const override {}
 
@@ -95,10 +94,10 @@ TEST(ZipArchive, SourcesOutliveTheArchiveAndServeTwoThreads) {
             content = archive.source(archive.entries()[index], manyNumbers().size());
         }
         const auto readAll = [&content](std::size_t step) {
-            for (std::size_t place = 0; place + 100 < manyNumbers().size(); place += step) {
+            for (std::size_t offset = 0; offset + 100 < manyNumbers().size(); offset += step) {
                 std::string part(100, '\0');
-                content->read(place, part);
-                ASSERT_EQ(part, manyNumbers().substr(place, 100));
+                content->read(offset, part);
+                ASSERT_EQ(part, manyNumbers().substr(offset, 100));
             }
         };
         std::thread other(readAll, 977);
@@ -214,7 +213,7 @@ std::string endRecord(std::uint32_t directoryBytes, const std::string& comment =
 }
 
 /// The 64-bit end of an archive and its locator.
-std::string endRecord64(std::uint64_t place, std::uint64_t entries) {
+std::string endRecord64(std::uint64_t offset, std::uint64_t entries) {
     std::string bytes = "PK\6\6";
     appendLittleEndian(bytes, std::uint64_t{44});
     bytes += std::string("\x2D\0\x2D\0", 4) + std::string(8, '\0');
@@ -222,7 +221,7 @@ std::string endRecord64(std::uint64_t place, std::uint64_t entries) {
         appendLittleEndian(bytes, number);
     }
     bytes += "PK\6\7" + std::string(4, '\0');
-    appendLittleEndian(bytes, place);
+    appendLittleEndian(bytes, offset);
     appendLittleEndian(bytes, std::uint32_t{1});
     return bytes;
 }

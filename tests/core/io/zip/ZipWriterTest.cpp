@@ -18,9 +18,9 @@ namespace {
 using testing::HasSubstr;
 namespace fs = std::filesystem;
 
-constexpr std::uint64_t kMost = 1U << 20U;
+constexpr std::uint64_t kMax = 1U << 20U;
 
-/// What an action says when it cannot write; empty when it can.
+/// Message of an action that cannot write; empty when it can.
 template <typename Action>
 std::string writingError(const Action& action) {
     try {
@@ -42,8 +42,8 @@ TEST(ZipWriter, WritesWhatIsReadBack) {
     const FileBytes bytes(scratch.file("a.zip"));
     const ZipArchive archive(bytes);
     ASSERT_NE(archive.find("scan/größe.gsf"), nullptr);
-    EXPECT_EQ(archive.decoded(*archive.find("scan/größe.gsf"), kMost), noise);
-    EXPECT_EQ(archive.decoded(*archive.find("scene.toml"), kMost), "[sample]\n");
+    EXPECT_EQ(archive.decoded(*archive.find("scan/größe.gsf"), kMax), noise);
+    EXPECT_EQ(archive.decoded(*archive.find("scene.toml"), kMax), "[sample]\n");
     EXPECT_EQ(archive.entries().size(), 2U);
 }
 

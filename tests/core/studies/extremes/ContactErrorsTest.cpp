@@ -1,4 +1,4 @@
-#include "core/studies/extremes/ContactErrors.h"
+#include "core/studies/extremes/ContactExtremes.h"
 
 #include <gtest/gtest.h>
 
@@ -16,7 +16,7 @@ TEST(ContactErrors, StatesOnTheSameBranchAreHeldAgainstEachOtherByForceAndRadius
     EXPECT_EQ(errors.jump, 0.0);
 }
 
-TEST(ContactErrors, WhereOnlyOneHasJumpedThePlacesOfTheJumpsCount) {
+TEST(ContactErrors, WhereOnlyOneHasJumpedThePositionsOfTheJumpsCount) {
     const ContactState apart;
     const ContactState bonded{.force = -1e-9, .branch = ContactBranch::Bonded};
     const ContactCourse late{.states = {apart, bonded}, .jumpIn = -1e-9, .pullOff = -4e-9};

@@ -1,7 +1,6 @@
-#include "core/studies/extremes/CouplingExtremes.h"
-
 #include "core/Units.h"
 #include "core/haptics/coupling/CouplingDesign.h"
+#include "core/studies/extremes/TickExtremes.h"
 
 #include <gtest/gtest.h>
 

@@ -45,13 +45,13 @@ TEST(ExtremesRegion, AStateWithoutAReferenceIsUnprovenAndHasNoErrors) {
     EXPECT_EQ(region.tally(Verdict::Flagged).states, 1) << "what is flagged says so itself";
 }
 
-TEST(ExtremesRegion, IsSummedOverPlaces) {
+TEST(ExtremesRegion, IsSummedOverPositions) {
     const auto one = [](const char* setting, double radius) {
         ExtremesRegion region({.model = "md", .setting = setting, .tipRadius = radius});
         region.add({.errors = {.force = radius}}, [] { return std::string(); });
         return region;
     };
-    const auto sums = summedOverPlaces({one("a", 1e-6), one("a", 2e-6), one("b", 1e-6)});
+    const auto sums = summedBySample({one("a", 1e-6), one("a", 2e-6), one("b", 1e-6)});
     ASSERT_EQ(sums.size(), 2U);
     EXPECT_EQ(sums[0].states(), 2);
     EXPECT_EQ(sums[0].unflagged().force.error, 2e-6);

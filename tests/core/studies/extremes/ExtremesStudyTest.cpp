@@ -2,9 +2,7 @@
 
 #include "core/ShareOut.h"
 #include "core/Units.h"
-#include "core/studies/extremes/ContactDefect.h"
 #include "core/studies/extremes/ContactExtremes.h"
-#include "core/studies/extremes/CouplingExtremes.h"
 #include "core/studies/extremes/TickExtremes.h"
 
 #include <gtest/gtest.h>
@@ -30,7 +28,7 @@ protected:
                                             .adhesions = {adhesion},
                                             .films = {{.thickness = 10.0_nm}},
                                             .leverStiffnesses = {14.0, kRigid},
-                                            .places = 16}};
+                                            .stops = 16}};
         const ExtremesFindings findings = studyExtremes(grid);
         EXPECT_EQ(findings.defects, 0);
         return findings.regions;
@@ -39,7 +37,7 @@ protected:
     static const ExtremesRegion& region(const std::vector<ExtremesRegion>& all, ContactLaw law,
                                         const std::string& sample) {
         return *std::find_if(all.begin(), all.end(), [&](const ExtremesRegion& one) {
-            return one.place().model == keyOf(law) && one.place().sample == sample;
+            return one.key().model == keyOf(law) && one.key().sample == sample;
         });
     }
 
@@ -70,14 +68,14 @@ TEST_F(ExtremesStudy, NoLawIsFarOffWithoutAFlag) {
                                         .adhesions = {0.05},
                                         .films = {{.thickness = 100.0_nm}},
                                         .leverStiffnesses = {14.0, kRigid},
-                                        .places = 24}};
+                                        .stops = 24}};
     for (const ExtremesRegion& one : studyExtremes(grid).regions) {
-        if (one.place().model.starts_with("split") || one.place().model == "tick") {
+        if (one.key().model.starts_with("split") || one.key().model == "tick") {
             continue;  // a law with a tail is another than the reference: near jumps that shows
         }
         // On films the reference is a paraboloid, so that a sphere just below the flag misses 5 %.
-        const bool isFilm = one.place().sample == "film";
-        EXPECT_LE(count(one, Verdict::Off), one.states() / (isFilm ? 25 : 50)) << one.place().model;
+        const bool isFilm = one.key().sample == "film";
+        EXPECT_LE(count(one, Verdict::Off), one.states() / (isFilm ? 25 : 50)) << one.key().model;
         EXPECT_LT(one.unflagged().force.error, 0.07) << one.unflagged().force.where;
         EXPECT_LT(one.unflagged().jump.error, 0.05) << one.unflagged().jump.where;
     }
@@ -132,7 +130,7 @@ TEST_F(ExtremesStudy, ALeverTooSoftToPressSoDeepIsRefused) {
                                         .moduli = {1e12},
                                         .adhesions = {0.0},
                                         .leverStiffnesses = {1e-3},
-                                        .places = 8}};
+                                        .stops = 8}};
     const ExtremesFindings findings = studyExtremes(grid);
     const ExtremesRegion& hertz = region(findings.regions, ContactLaw::Hertz, "no adhesion");
     EXPECT_GT(count(hertz, Verdict::Refused), 0);
@@ -150,8 +148,8 @@ TEST_F(ExtremesStudy, TheTickIsExactOnAFlatSampleWithAnyEffort) {
     EXPECT_EQ(findings.defects, 0);
     EXPECT_EQ(findings.states, grid.states());
     for (const ExtremesRegion& region : findings.regions) {
-        if (region.place().model == "tick") {
-            EXPECT_GT(count(region, Verdict::Exact), 0) << region.place().setting;
+        if (region.key().model == "tick") {
+            EXPECT_GT(count(region, Verdict::Exact), 0) << region.key().setting;
             EXPECT_EQ(region.unflagged().force.error, 0.0);
         }
     }
@@ -165,13 +163,13 @@ std::vector<ExtremesRegion> roughTicks(double tipRadius, int perRun = 60) {
                                      .depths = {0.2},
                                      .ticks = perRun}};
     std::vector<ExtremesRegion> ticks = studyExtremes(grid).regions;
-    std::erase_if(ticks, [](const ExtremesRegion& one) { return one.place().model != "tick"; });
+    std::erase_if(ticks, [](const ExtremesRegion& one) { return one.key().model != "tick"; });
     return ticks;
 }
 
 TEST_F(ExtremesStudy, ALocalClosestPointSearchDiffersFromACertifiedOneOnRoughGroundAndSaysSo) {
     for (const ExtremesRegion& region : roughTicks(100.0_nm)) {
-        if (region.place().setting == "local") {
+        if (region.key().setting == "local") {
             EXPECT_LT(region.unflagged().force.error, kExactWithin);
             EXPECT_GT(region.tally(Verdict::Flagged).force.error, 0.01);
         }
@@ -184,19 +182,19 @@ TEST_F(ExtremesStudy, ANeckThatASearchMissedIsFlaggedUntilNoneCanHoldTheTip) {
     constexpr double kSharp = 3.6238983183884783e-09;  // [m]
     for (const ExtremesRegion& region : roughTicks(kSharp, 51)) {
         EXPECT_EQ(count(region, Verdict::Off), 0)
-            << region.place().setting << " at " << region.unflagged().force.where;
-        EXPECT_LT(region.unflagged().force.error, kExactWithin) << region.place().setting;
-        EXPECT_GT(count(region, Verdict::Exact), 0) << region.place().setting;
+            << region.key().setting << " at " << region.unflagged().force.where;
+        EXPECT_LT(region.unflagged().force.error, kExactWithin) << region.key().setting;
+        EXPECT_GT(count(region, Verdict::Exact), 0) << region.key().setting;
     }
 }
 
 TEST_F(ExtremesStudy, WhereTheCertifiedSearchProvesNothingNoSearchIsExact) {
     const std::vector<ExtremesRegion> ticks = roughTicks(0.5_nm);
     const auto certified = std::ranges::find(
-        ticks, "certified", [](const ExtremesRegion& one) { return one.place().setting; });
+        ticks, "certified", [](const ExtremesRegion& one) { return one.key().setting; });
     ASSERT_NE(certified, ticks.end());
     for (const ExtremesRegion& region : ticks) {
-        const std::string& setting = region.place().setting;
+        const std::string& setting = region.key().setting;
         EXPECT_EQ(count(region, Verdict::Exact), count(*certified, Verdict::Exact)) << setting;
         EXPECT_EQ(region.unflagged().states, count(region, Verdict::Exact)) << setting;
         EXPECT_LT(region.unflagged().force.error, kExactWithin) << setting;
@@ -211,7 +209,7 @@ TEST_F(ExtremesStudy, GivesTheSameTwice) {
                                         .moduli = {2.0_GPa},
                                         .adhesions = {0.05},
                                         .leverStiffnesses = {14.0},
-                                        .places = 8},
+                                        .stops = 8},
                             .tick = {.tipRadii = {15.0_nm},
                                      .roughnesses = {0.1},
                                      .leverStiffnesses = {14.0},
@@ -258,7 +256,7 @@ bool endsEarly(const std::function<void(const CancelCheck&)>& work) {
 // A part takes up to half a minute.
 TEST_F(ExtremesStudy, EachPartEndsEarlyWhenCanceled) {
     EXPECT_TRUE(endsEarly([](const CancelCheck& check) {
-        (void)contactExtremes({.tipRadii = {15.0_nm}, .leverStiffnesses = {14.0}, .places = 8},
+        (void)contactExtremes({.tipRadii = {15.0_nm}, .leverStiffnesses = {14.0}, .stops = 8},
                               {.modulus = 2.0_GPa, .adhesion = 0.05}, check);
     }));
     EXPECT_TRUE(endsEarly([](const CancelCheck& check) {

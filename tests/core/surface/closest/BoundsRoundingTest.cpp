@@ -204,22 +204,22 @@ TEST(BoundsRounding, WhatIsALittleMoreThanAShortCodeHasTheNext) {
 
 /// Whether the window around a query says that a cell may hold a point within the distance.
 bool isReached(const BSplineSurface& surface, const Vector3& query, double distance,
-               const Vector2& place) {
+               const Vector2& position) {
     const BoundsWindow window(surface, query, distance);
-    const int row = window.rowAt(place.y());
-    const int column = window.columnAt(place.x());
+    const int row = window.rowAt(position.y());
+    const int column = window.columnAt(position.x());
     return row >= 0 && row < window.rows().count && column >= 0 &&
            column < window.columns().count &&
            ((window.reaching(row) >> static_cast<unsigned>(column)) & 1U) != 0 &&
            window.reaches(row, column, distance);
 }
 
-/// The place of a cell that is nearest to (x, y) [m]; not quite at the cell's far sides, which
+/// The position of a cell that is nearest to (x, y) [m]; not quite at the cell's far sides, which
 /// belong to the next cells.
 Vector2 nearestInCell(const BSplineSurface::Grid& grid, int row, int column, const Vector3& query) {
-    const auto nearest = [](double place, int cell, double pitch) {
+    const auto nearest = [](double position, int cell, double pitch) {
         const double low = (cell + 0.5) * pitch;
-        return std::clamp(place, low, low + pitch * (1.0 - 1e-12));
+        return std::clamp(position, low, low + pitch * (1.0 - 1e-12));
     };
     return {nearest(query.x(), column, grid.pitchX), nearest(query.y(), row, grid.pitchY)};
 }
@@ -231,8 +231,8 @@ double distanceBetween(const Vector3& a, const Vector3& b) {
                           std::numeric_limits<double>::infinity());
 }
 
-/// Queries about ground that is level at the datum, but for the corner that holds the extremes.
-/// @param highest above or below the ground that queries lie [m]
+/// Queries about a surface that is level at the datum, but for the corner that holds the extremes.
+/// @param highest above or below the surface that queries lie [m]
 void expectReachesWhatLiesAtTheDistance(const Pixels& pixels, const Extremes& extremes,
                                         double highest) {
     const BSplineSurface surface = plateau(pixels, extremes, 0.0F);
@@ -242,9 +242,9 @@ void expectReachesWhatLiesAtTheDistance(const Pixels& pixels, const Extremes& ex
                             pixels.datum + highest * random.uniform(-1.0, 1.0));
         const int row = static_cast<int>(random.uniform() * (pixels.rows - 6)) + 1;
         const int column = static_cast<int>(random.uniform() * (pixels.columns - 6)) + 1;
-        const Vector2 place = nearestInCell(surface.grid(), row, column, query);
-        const double distance = distanceBetween(query, {place.x(), place.y(), pixels.datum});
-        ASSERT_TRUE(isReached(surface, query, distance, place))
+        const Vector2 position = nearestInCell(surface.grid(), row, column, query);
+        const double distance = distanceBetween(query, {position.x(), position.y(), pixels.datum});
+        ASSERT_TRUE(isReached(surface, query, distance, position))
             << "datum " << pixels.datum << " query " << query.transpose() << " cell " << row << ' '
             << column;
     }

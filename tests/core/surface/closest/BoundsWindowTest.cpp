@@ -28,12 +28,12 @@ protected:
         int column = 0;  ///< of the closest point's block
         int settled = -1;
     };
-    /// Whether a place lies in a block that is settled around the closest point.
+    /// Whether a position lies in a block that is settled around the closest point.
     [[nodiscard]] static bool isSettled(const Window& window, double x, double y) {
         return std::max(std::abs(window.bounds.rowAt(y) - window.row),
                         std::abs(window.bounds.columnAt(x) - window.column)) <= window.settled;
     }
-    /// Whether the window holds the place's block and says that it reaches so near.
+    /// Whether the window holds the position's block and says that it reaches so near.
     [[nodiscard]] static bool isReached(const BoundsWindow& window, double x, double y) {
         const int row = window.rowAt(y);
         const int column = window.columnAt(x);
@@ -43,10 +43,10 @@ protected:
     }
 };
 
-TEST_P(BoundsWindowOf, LeavesOutNoPlaceWithinItsDistanceAndSettlesNoneThatIsNearer) {
+TEST_P(BoundsWindowOf, LeavesOutNoPositionWithinItsDistanceAndSettlesNoneThatIsNearer) {
     int settled = 0;
     for (int i = 0; i < 60; ++i) {
-        const Vector2 under = test::placeOn(surface_, random_);
+        const Vector2 under = test::positionOn(surface_, random_);
         const Vector3 query(under.x(), under.y(),
                             surface_.at(under.x(), under.y()).height +
                                 std::pow(10.0, random_.uniform(-1.0, 1.8)) * 1.0_nm);
@@ -61,18 +61,19 @@ TEST_P(BoundsWindowOf, LeavesOutNoPlaceWithinItsDistanceAndSettlesNoneThatIsNear
                             .settled = bounds.settledAround(row, column)};
         settled += static_cast<int>(window.settled >= 0);
         for (int k = 0; k < 2000; ++k) {
-            const Vector2 place = test::placeOn(surface_, random_);
-            const Vector3 point(place.x(), place.y(), surface_.at(place.x(), place.y()).height);
+            const Vector2 position = test::positionOn(surface_, random_);
+            const Vector3 point(position.x(), position.y(),
+                                surface_.at(position.x(), position.y()).height);
             const double away = (point - query).norm();
             if (away <= distance) {
-                ASSERT_TRUE(isReached(bounds, place.x(), place.y())) << place.transpose();
-                ASSERT_TRUE(
-                    bounds.reaches(bounds.rowAt(place.y()), bounds.columnAt(place.x()), away));
-                if (closest.converged && isSettled(window, place.x(), place.y())) {
+                ASSERT_TRUE(isReached(bounds, position.x(), position.y())) << position.transpose();
+                ASSERT_TRUE(bounds.reaches(bounds.rowAt(position.y()),
+                                           bounds.columnAt(position.x()), away));
+                if (closest.converged && isSettled(window, position.x(), position.y())) {
                     ASSERT_GE(away, std::abs(closest.distance) * (1.0 - kSameDistance));
                     // On the straight line from there the distance only grows.
-                    const Vector2 way = place - closest.point.head<2>();
-                    const LocalModel there = HalfSquaredDistance(surface_, query)(place);
+                    const Vector2 way = position - closest.point.head<2>();
+                    const LocalModel there = HalfSquaredDistance(surface_, query)(position);
                     ASSERT_GE(there.gradient.dot(way), -1e-9 * away * way.norm());
                 }
             }

@@ -10,8 +10,8 @@ namespace asperity::test {
 
 namespace {
 
-/// Places searched from: between two samples the distance can fall by little, so that the nearest
-/// closest point starts at one of the nearest.
+/// Positions searched from: between two samples the distance can fall by little, so that the
+/// nearest closest point starts at one of the nearest.
 constexpr std::size_t kMaxStarts = 60;
 
 }  // namespace
@@ -36,11 +36,12 @@ double BruteClosestPoints::squaredAt(const Vector3& query, int row, int column) 
     return (Vector3(x(column), y(row), heights_[index]) - query).squaredNorm();
 }
 
-bool BruteClosestPoints::isLowest(const Vector3& query, const Place& place) const {
-    for (int row = std::max(place.row - 1, 0); row <= std::min(place.row + 1, rows_ - 1); ++row) {
-        for (int column = std::max(place.column - 1, 0);
-             column <= std::min(place.column + 1, columns_ - 1); ++column) {
-            if (squaredAt(query, row, column) < place.squared) {
+bool BruteClosestPoints::isLowest(const Vector3& query, const Position& position) const {
+    for (int row = std::max(position.row - 1, 0); row <= std::min(position.row + 1, rows_ - 1);
+         ++row) {
+        for (int column = std::max(position.column - 1, 0);
+             column <= std::min(position.column + 1, columns_ - 1); ++column) {
+            if (squaredAt(query, row, column) < position.squared) {
                 return false;
             }
         }
@@ -48,27 +49,28 @@ bool BruteClosestPoints::isLowest(const Vector3& query, const Place& place) cons
     return true;
 }
 
-std::vector<BruteClosestPoints::Place>
-BruteClosestPoints::lowestPlaces(const Vector3& query) const {
-    std::vector<Place> lowest;
+std::vector<BruteClosestPoints::Position>
+BruteClosestPoints::lowestPositions(const Vector3& query) const {
+    std::vector<Position> lowest;
     for (int row = 0; row < rows_; ++row) {
         for (int column = 0; column < columns_; ++column) {
-            const Place place{
+            const Position position{
                 .squared = squaredAt(query, row, column), .row = row, .column = column};
-            if (isLowest(query, place)) {
-                lowest.push_back(place);
+            if (isLowest(query, position)) {
+                lowest.push_back(position);
             }
         }
     }
-    std::ranges::sort(lowest, {}, &Place::squared);
+    std::ranges::sort(lowest, {}, &Position::squared);
     lowest.resize(std::min(lowest.size(), kMaxStarts));
     return lowest;
 }
 
 std::vector<ClosestPoint> BruteClosestPoints::near(const Vector3& query) const {
     std::vector<ClosestPoint> points;
-    for (const Place& place : lowestPlaces(query)) {
-        points.push_back(localClosestPoint(surface_, query, {x(place.column), y(place.row), true}));
+    for (const Position& position : lowestPositions(query)) {
+        points.push_back(
+            localClosestPoint(surface_, query, {x(position.column), y(position.row), true}));
     }
     std::ranges::sort(points, {},
                       [](const ClosestPoint& closest) { return std::abs(closest.distance); });

@@ -8,7 +8,7 @@
 namespace asperity::test {
 
 /// Closest points by looking everywhere: heights on a lattice much finer than the pixels, edges of
-/// the scan included, and a search downhill from each place that is lower than its neighbors.
+/// the scan included, and a search downhill from each position that is lower than its neighbors.
 class BruteClosestPoints {
 public:
     BruteClosestPoints(const BSplineSurface& surface, int perPixel);
@@ -19,15 +19,15 @@ public:
     [[nodiscard]] ClosestPoint nearest(const Vector3& query) const { return near(query).front(); }
 
 private:
-    struct Place {
+    struct Position {
         double squared = 0.0;  ///< distance [m^2]
         int row = 0;
         int column = 0;
     };
 
     [[nodiscard]] double squaredAt(const Vector3& query, int row, int column) const;
-    [[nodiscard]] bool isLowest(const Vector3& query, const Place& place) const;
-    [[nodiscard]] std::vector<Place> lowestPlaces(const Vector3& query) const;
+    [[nodiscard]] bool isLowest(const Vector3& query, const Position& position) const;
+    [[nodiscard]] std::vector<Position> lowestPositions(const Vector3& query) const;
     [[nodiscard]] double x(int column) const { return column * stepX_; }
     [[nodiscard]] double y(int row) const { return row * stepY_; }
 

@@ -38,7 +38,7 @@ std::vector<RoughMap> roughMaps() {
     };
 }
 
-/// The places that a block covers, world [m].
+/// The positions that a block covers, world [m].
 struct Patch {
     double lowX = 0.0;
     double highX = 0.0;
@@ -76,7 +76,7 @@ struct Seen {
     }
 };
 
-/// Corners and sides, where bounds are reached, and places between.
+/// Corners and sides, where bounds are reached, and positions between.
 Seen seenIn(const BSplineSurface& surface, const Patch& patch, Random& random) {
     constexpr int kSteps = 8;
     Seen seen;

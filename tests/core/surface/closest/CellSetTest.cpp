@@ -1,4 +1,4 @@
-#include "core/surface/closest/CellSet.h"
+#include "core/surface/closest/KnownParts.h"
 
 #include <gtest/gtest.h>
 

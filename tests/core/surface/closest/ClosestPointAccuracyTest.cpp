@@ -21,8 +21,8 @@ constexpr double kHalfSize = 0.5 * kSize;
 
 /// z = sqrt(R^2 - distance^2 from an axis or a center) about the scan's middle; from 0.8 R on, far
 /// from all closest points, straight down the tangent there (whose derivatives nobody asks for).
-HeightSample roundAt(double radius, const Eigen::Matrix2d& across, const Vector2& place) {
-    const Vector2 offset = across * (place - Vector2::Constant(kHalfSize));
+HeightSample roundAt(double radius, const Eigen::Matrix2d& across, const Vector2& position) {
+    const Vector2 offset = across * (position - Vector2::Constant(kHalfSize));
     const double beyond = offset.norm() - 0.8 * radius;
     if (beyond > 0.0) {
         return {.height = 0.6 * radius - 0.8 / 0.6 * beyond};
@@ -38,21 +38,21 @@ HeightSample roundAt(double radius, const Eigen::Matrix2d& across, const Vector2
             .dyy = bend(1, 1)};
 }
 
-HeightSample eggBoxAt(const Vector2& place) {
-    return EggBox{.amplitude = 5.0_nm, .periodX = 90.0_nm, .periodY = 70.0_nm}.at(place.x(),
-                                                                                  place.y());
+HeightSample eggBoxAt(const Vector2& position) {
+    return EggBox{.amplitude = 5.0_nm, .periodX = 90.0_nm, .periodY = 70.0_nm}.at(position.x(),
+                                                                                  position.y());
 }
-HeightSample sphereAt(const Vector2& place) {
-    return roundAt(60.0_nm, Eigen::Matrix2d::Identity(), place);
+HeightSample sphereAt(const Vector2& position) {
+    return roundAt(60.0_nm, Eigen::Matrix2d::Identity(), position);
 }
 /// Its axis is turned by 30 degrees from x.
-HeightSample cylinderAt(const Vector2& place) {
+HeightSample cylinderAt(const Vector2& position) {
     const Vector2 normal(-0.5, std::sqrt(0.75));
-    return roundAt(60.0_nm, normal * normal.transpose(), place);
+    return roundAt(60.0_nm, normal * normal.transpose(), position);
 }
-HeightSample steepPlaneAt(const Vector2& place) {
+HeightSample steepPlaneAt(const Vector2& position) {
     const double slope = std::tan(80.0 * M_PI / 180.0);
-    const Vector2 offset = place - Vector2::Constant(kHalfSize);
+    const Vector2 offset = position - Vector2::Constant(kHalfSize);
     return {.height = slope * (0.8 * offset.x() + 0.6 * offset.y()),
             .dx = 0.8 * slope,
             .dy = 0.6 * slope};
@@ -60,7 +60,7 @@ HeightSample steepPlaneAt(const Vector2& place) {
 
 struct Analytic {
     std::string name;
-    HeightSample (*at)(const Vector2& place);
+    HeightSample (*at)(const Vector2& position);
 
     [[nodiscard]] double height(double x, double y) const { return at({x, y}).height; }
 };
@@ -68,7 +68,7 @@ struct Analytic {
 // NOLINTNEXTLINE(readability-identifier-naming): the name that GoogleTest looks for
 void PrintTo(const Analytic& shape, std::ostream* out) { *out << shape.name; }
 
-/// Largest errors of closest points whose true places are known.
+/// Largest errors of closest points whose true positions are known.
 struct Errors {
     double position = 0.0;   ///< along the normal [m]
     double normal = 0.0;     ///< also moves the closest point along the surface [rad]
@@ -88,9 +88,10 @@ protected:
         Errors errors;
         Random random(12);
         for (int i = 0; i < 400; ++i) {
-            const Vector2 place(kSize * random.uniform(0.4, 0.6), kSize * random.uniform(0.4, 0.6));
-            const HeightSample truth = GetParam().at(place);
-            const Vector3 point(place.x(), place.y(), truth.height);
+            const Vector2 position(kSize * random.uniform(0.4, 0.6),
+                                   kSize * random.uniform(0.4, 0.6));
+            const HeightSample truth = GetParam().at(position);
+            const Vector3 point(position.x(), position.y(), truth.height);
             const ClosestPoint closest =
                 closestPoint(surface, point + kDistance * truth.normal(), {});
             EXPECT_TRUE(closest.certified());
@@ -109,7 +110,7 @@ protected:
 /// Source: de Boor, A Practical Guide to Splines (1978): cubic interpolation has order 4, and each
 /// derivative one less.
 TEST_P(ClosestPointAccuracyOn, FallsWithThePowersOfThePitch) {
-    constexpr double kNearly = 0.85;  // of the order: the largest of random places
+    constexpr double kNearly = 0.85;  // of the order: the largest of random positions
     Errors coarse = errorsOf(sampledBy(30));
     for (const int pixels : {60, 120}) {
         const BSplineSurface surface = sampledBy(pixels);

@@ -63,17 +63,17 @@ std::vector<Extreme> extremes() {
 
 class ClosestPointOnExtremes : public testing::TestWithParam<Extreme> {};
 
-/// Places of a query: above, far above, on, and ten tip radii below the surface, also beside it.
+/// Positions of a query: above, far above, on, and ten tip radii below the surface, also beside it.
 std::vector<Vector3> queriesFor(const BSplineSurface& surface) {
     std::vector<Vector3> queries;
     Random random(8);
     for (int i = 0; i < 200; ++i) {
         const double x = random.uniform(-0.2, 1.2) * surface.sizeX();
         const double y = random.uniform(-0.2, 1.2) * surface.sizeY();
-        const double ground = surface.at(x, y).height;
+        const double height = surface.at(x, y).height;
         for (const double above :
              {kTipRadius, 0.0, 50.0 * kTipRadius, -10.0 * kTipRadius, -0.1_nm}) {
-            queries.emplace_back(x, y, ground + above);
+            queries.emplace_back(x, y, height + above);
         }
     }
     return queries;
@@ -89,7 +89,7 @@ TEST_P(ClosestPointOnExtremes, IsFiniteOnTheSurfaceAndNoFartherThanItsStart) {
         ASSERT_TRUE(closest.point.allFinite());
         ASSERT_NEAR(closest.normal.norm(), 1.0, 1e-12);
         ASSERT_TRUE(surface.contains(closest.point.x(), closest.point.y()));
-        // The last step follows the tangent plane: rounding of place and height may differ.
+        // The last step follows the tangent plane: rounding of position and height may differ.
         const HeightSample there = surface.at(closest.point.x(), closest.point.y());
         const double steep = std::abs(there.dx) + std::abs(there.dy);
         ASSERT_NEAR(there.height, closest.point.z(),
@@ -119,7 +119,7 @@ TEST_P(ClosestPointOnExtremes, MeetsTheGradientConditionWhereItConverges) {
         const Vector3 r = closest.point - query;
         const Vector3 alongX(1.0, 0.0, s.dx);
         const Vector3 alongY(0.0, 1.0, s.dy);
-        // Rounding of place and height, as the slope and curvature there amplify it.
+        // Rounding of position and height, as the slope and curvature there amplify it.
         const double bend = std::abs(s.dxx) + std::abs(s.dxy) + std::abs(s.dyy);
         const double scale = (surface.sizeX() + surface.heightScale() + r.norm()) *
                              (1.0 + alongX.norm() + alongY.norm()) *

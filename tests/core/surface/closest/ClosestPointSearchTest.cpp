@@ -64,12 +64,13 @@ void expectPoint(const BSplineSurface& surface, const ClosestPoint& closest,
                  const ExpectedClosestPoint& expected) {
     constexpr double kMaxBend = 1.0 / 20.0_nm;
     const test::StorageError storage = test::storageErrorOf(surface);
-    const double place = 1e-12 * kQuadricSize + closestPointError(surface, expected.distance);
+    const double position = 1e-12 * kQuadricSize + closestPointError(surface, expected.distance);
     EXPECT_TRUE(closest.converged);
     EXPECT_TRUE(closest.insideScan);
     EXPECT_TRUE(closest.certified());
-    EXPECT_LT((closest.point - expected.point).norm(), place);
-    EXPECT_LT((closest.normal - expected.normal).norm(), 1e-11 + storage.slope + kMaxBend * place);
+    EXPECT_LT((closest.point - expected.point).norm(), position);
+    EXPECT_LT((closest.normal - expected.normal).norm(),
+              1e-11 + storage.slope + kMaxBend * position);
     EXPECT_NEAR(closest.distance, expected.distance, 1e-12 * kQuadricSize + storage.height);
 }
 

@@ -46,7 +46,7 @@ std::vector<ClosestPoint> within(const ClosestPointList& points, const SearchRea
 class ClosestPointTrackerOn : public testing::TestWithParam<RoughMap> {
 protected:
     [[nodiscard]] Vector3 someQuery() {
-        const Vector2 under = test::placeOn(surface_, random_);
+        const Vector2 under = test::positionOn(surface_, random_);
         const double height = std::pow(10.0, random_.uniform(-0.5, 1.6)) * 1.0_nm;
         return {under.x(), under.y(), surface_.at(under.x(), under.y()).height + height};
     }

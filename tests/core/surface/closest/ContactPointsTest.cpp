@@ -31,7 +31,7 @@ constexpr ScanSize kScan{.columns = kScanPixels,
                          .sizeX = kScanPixels * kPitch,
                          .sizeY = kScanPixels * kPitch};
 
-/// A surface by its height over places counted from the middle of the scan.
+/// A surface by its height over positions counted from the middle of the scan.
 struct Shape {
     std::function<double(double x, double y)> above;
 
@@ -82,7 +82,7 @@ TEST(ContactPoints, OnARidgeAreOne) {
     EXPECT_TRUE(standsAt(points, 0.0, 0.0, kFit));
 }
 
-/// A ball that stands out of a level ground. Where it is steeper than 45 degrees, a cone takes its
+/// A ball that rises from a level surface. Where it is steeper than 45 degrees, a cone takes its
 /// place, so that a spline can follow.
 struct Ball {
     Vector3 center = Vector3::Zero();  ///< x and y from the scan's middle [m]
@@ -96,9 +96,9 @@ struct Ball {
     }
 };
 
-BSplineSurface surfaceOf(const std::vector<Ball>& balls, double ground) {
+BSplineSurface surfaceOf(const std::vector<Ball>& balls, double level) {
     return surfaceOf([&](double x, double y) {
-        double height = ground;
+        double height = level;
         for (const Ball& ball : balls) {
             height = std::max(height, ball.height(x, y));
         }
@@ -120,7 +120,7 @@ TEST(ContactPoints, BetweenTwoParticlesTouchBoth) {
     EXPECT_NEAR(points.list.all().front().distance, 15.0_nm, kFit);
 }
 
-/// Least distance of (0, z) from a curve, by looking at places 1e-5 nm apart.
+/// Least distance of (0, z) from a curve, by looking at positions 1e-5 nm apart.
 double offsetOfNearest(double z, const std::function<double(double)>& curve) {
     double best = 0.0;
     double least = std::hypot(0.0, z - curve(0.0));
@@ -181,7 +181,7 @@ struct Ring {
         return contactPoints(balls, {.center = {kMiddle, kMiddle, kHeight}, .radius = nearest()},
                              kBallReach, {});
     }
-    /// Place of the closest point on ball i, from the scan's middle.
+    /// Position of the closest point on ball i, from the scan's middle.
     [[nodiscard]] Vector2 closest(std::size_t i) const {
         const double away = nearest() + kBall + behind[i];
         return center(i).head<2>() * (1.0 - kBall / away);
@@ -195,8 +195,8 @@ TEST(ContactPoints, AreInTheOrderOfTheirDistance) {
     ASSERT_GE(points.list.all().size(), order.size());
     for (std::size_t i = 0; i < order.size(); ++i) {
         const ClosestPoint& closest = points.list.all()[i];
-        const Vector2 place = closest.point.head<2>() - Vector2::Constant(kMiddle);
-        EXPECT_LT((place - ring.closest(order[i])).norm(), 0.1_nm) << i;
+        const Vector2 position = closest.point.head<2>() - Vector2::Constant(kMiddle);
+        EXPECT_LT((position - ring.closest(order[i])).norm(), 0.1_nm) << i;
         EXPECT_NEAR(closest.distance, Ring::nearest() + ring.behind[order[i]], 0.01_nm) << i;
     }
 }
@@ -264,11 +264,12 @@ TEST(ContactPoints, FarBelowTheSurfaceAreTheNearest) {
     ClosestPointTracker tracker;
     int proven = 0;
     for (int i = 0; i < 200; ++i) {
-        const Vector2 place(random.uniform(20.0_nm, 100.0_nm), random.uniform(20.0_nm, 100.0_nm));
+        const Vector2 position(random.uniform(20.0_nm, 100.0_nm),
+                               random.uniform(20.0_nm, 100.0_nm));
         const double deep = kTipRadius + kReach + random.uniform(0.0, 60.0_nm);
-        const TipSphere tip{
-            .center = {place.x(), place.y(), rough.at(place.x(), place.y()).height - deep},
-            .radius = kTipRadius};
+        const TipSphere tip{.center = {position.x(), position.y(),
+                                       rough.at(position.x(), position.y()).height - deep},
+                            .radius = kTipRadius};
         const ClosestPoint nearest = closestPoint(rough, tip.center, {});
         for (const ContactPoints& points : {contactPoints(rough, tip, kReach, {}),
                                             contactPoints(rough, tip, {kReach}, {}, tracker)}) {
@@ -315,18 +316,18 @@ TEST(ClosestPointList, KeepsTheNearestInOrderAndNoClosestPointTwice) {
         return closest;
     };
     ClosestPointList list;
-    for (const double place : {5.0, 3.0, -7.0, 4.0, 1.0, 6.0}) {
-        list.add(closestPointAt(place, -place), 0.5);
+    for (const double position : {5.0, 3.0, -7.0, 4.0, 1.0, 6.0}) {
+        list.add(closestPointAt(position, -position), 0.5);
     }
     list.add(closestPointAt(3.4, 0.1), 0.5);  // as good as the one at 3
-    const auto places = [&list] {
+    const auto positions = [&list] {
         std::vector<double> result;
         for (const ClosestPoint& closest : list.all()) {
             result.push_back(closest.point.x());
         }
         return result;
     };
-    EXPECT_EQ(places(), (std::vector<double>{1.0, 3.0, 4.0, 5.0, 6.0, -7.0}));
+    EXPECT_EQ(positions(), (std::vector<double>{1.0, 3.0, 4.0, 5.0, 6.0, -7.0}));
     EXPECT_FALSE(list.hasLeftOut(1000.0));
     for (std::size_t i = 0; i < kMaxMinima; ++i) {
         list.add(closestPointAt(100.0 + static_cast<double>(i), 10.0 + static_cast<double>(i)),
@@ -338,7 +339,7 @@ TEST(ClosestPointList, KeepsTheNearestInOrderAndNoClosestPointTwice) {
 }
 
 /// In a pit that is the same all around, the order in which its points are found must not matter.
-TEST(ClosestPointList, OrdersPointsOfOneDistanceByTheirPlace) {
+TEST(ClosestPointList, OrdersPointsOfOneDistanceByTheirPosition) {
     const auto at = [](double x, double y) {
         ClosestPoint closest;
         closest.point = {x, y, 0.0};

@@ -133,7 +133,7 @@ TEST_P(ClosestPointSearchOn, FindsTheSameClosestPointFromAnyGuess) {
     for (const Vector3& query : queriesAround(surface_, 60)) {
         const ClosestPoint first = closestPoint(surface_, query, {});
         for (int i = 0; first.certified() && i < 10; ++i) {
-            const Vector2 start = test::placeOn(surface_, random);
+            const Vector2 start = test::positionOn(surface_, random);
             const ClosestPoint closest =
                 closestPoint(surface_, query, {start.x(), start.y(), true});
             if (!closest.certified()) {
@@ -159,9 +159,9 @@ TEST_P(ClosestPointSearchOn, ContactPointsMissNone) {
     Random random(6);
     for (int i = 0; i < 80; ++i) {
         const double radius = pitch * std::pow(10.0, random.uniform(-0.3, 1.5));
-        const Vector2 place = test::placeOn(surface_, random);
-        const double z = surface_.at(place.x(), place.y()).height + radius;
-        const TipSphere tip{.center = {place.x(), place.y(), z}, .radius = radius};
+        const Vector2 position = test::positionOn(surface_, random);
+        const double z = surface_.at(position.x(), position.y()).height + radius;
+        const TipSphere tip{.center = {position.x(), position.y(), z}, .radius = radius};
         const ContactPoints points = contactPoints(surface_, tip, 10.0_nm, {});
         if (points.proof != SearchProof::Nearest) {
             continue;

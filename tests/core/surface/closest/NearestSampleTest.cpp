@@ -1,6 +1,5 @@
-#include "core/surface/closest/NearestSample.h"
-
 #include "core/surface/closest/ClosestPointSearch.h"
+#include "core/surface/closest/ClosestPointTracker.h"
 #include "tests/core/surface/closest/RoughSurface.h"
 
 #include <gtest/gtest.h>
@@ -25,10 +24,10 @@ TEST(NearestSample, OnASlopeIsBesideTheClosestPoint) {
                             random.uniform(20.0, 40.0) * 1.0_nm,
                             random.uniform(0.0, 50.0) * 1.0_nm);
         const ClosestPoint closest = closestPoint(slope, query, {});
-        const auto place = nearestSample(slope, query, std::abs(closest.distance) + 3.0_nm);
-        ASSERT_TRUE(place);
-        EXPECT_LE(std::abs(place->x() - closest.point.x()), 2.0_nm);
-        EXPECT_LE(std::abs(place->y() - closest.point.y()), 3.0_nm);
+        const auto position = nearestSample(slope, query, std::abs(closest.distance) + 3.0_nm);
+        ASSERT_TRUE(position);
+        EXPECT_LE(std::abs(position->x() - closest.point.x()), 2.0_nm);
+        EXPECT_LE(std::abs(position->y() - closest.point.y()), 3.0_nm);
     }
 }
 
@@ -39,10 +38,10 @@ TEST(NearestSample, IsTheSpikeBesideTheTip) {
         }));
         const Vector2 peak((column + 0.5) * 2.0_nm, 10.5 * 3.0_nm);
         for (const double away : {-8.0_nm, 8.0_nm}) {
-            const auto place =
+            const auto position =
                 nearestSample(spike, Vector3(peak.x() + away, peak.y(), 28.0_nm), 25.0_nm);
-            ASSERT_TRUE(place);
-            EXPECT_LE((*place - peak).norm(), 2.1_nm) << column << " from " << away;
+            ASSERT_TRUE(position);
+            EXPECT_LE((*position - peak).norm(), 2.1_nm) << column << " from " << away;
         }
     }
 }

@@ -1,5 +1,4 @@
-#include "core/surface/closest/PartBatch.h"
-
+#include "core/surface/closest/PartFacts.h"
 #include "tests/core/surface/closest/RoughParts.h"
 
 #include <gtest/gtest.h>
@@ -52,15 +51,15 @@ TEST_P(PartBatchOf, LoadsPartsOfCells) {
                 ASSERT_NEAR(batch.net[row][column][0], quarters.net[row][column][lane], rounding);
             }
         }
-        const double place = 1e-12 * (surface_.sizeX() + surface_.sizeY());
-        ASSERT_NEAR(batch.centerX[0], quarters.centerX[lane], place);
-        ASSERT_NEAR(batch.centerY[0], quarters.centerY[lane], place);
-        ASSERT_NEAR(batch.halfX[0], quarters.halfX[lane], place);
-        ASSERT_NEAR(batch.halfY[0], quarters.halfY[lane], place);
+        const double position = 1e-12 * (surface_.sizeX() + surface_.sizeY());
+        ASSERT_NEAR(batch.centerX[0], quarters.centerX[lane], position);
+        ASSERT_NEAR(batch.centerY[0], quarters.centerY[lane], position);
+        ASSERT_NEAR(batch.halfX[0], quarters.halfX[lane], position);
+        ASSERT_NEAR(batch.halfY[0], quarters.halfY[lane], position);
     }
 }
 
-TEST_P(PartBatchOf, KnowsWhichPlacesItsPartsHold) {
+TEST_P(PartBatchOf, KnowsWhichPositionsItsPartsHold) {
     const BSplineSurface::Grid& grid = surface_.grid();
     const CellBounds::Level& cells = surface_.bounds().level(0);
     const auto below = [&](int count) { return static_cast<int>(random_.uniform() * count); };
@@ -73,9 +72,9 @@ TEST_P(PartBatchOf, KnowsWhichPlacesItsPartsHold) {
         loadParts(grid, {&part, 1}, batch);
         const double shareX = random_.uniform(-2.0, 2.0);
         const double shareY = random_.uniform(-2.0, 2.0);
-        const Vector2 place(batch.centerX[0] + shareX * batch.halfX[0],
-                            batch.centerY[0] + shareY * batch.halfY[0]);
-        ASSERT_EQ(part.contains(grid, place), std::abs(shareX) < 1.0 && std::abs(shareY) < 1.0);
+        const Vector2 position(batch.centerX[0] + shareX * batch.halfX[0],
+                               batch.centerY[0] + shareY * batch.halfY[0]);
+        ASSERT_EQ(part.contains(grid, position), std::abs(shareX) < 1.0 && std::abs(shareY) < 1.0);
     }
 }
 

@@ -55,7 +55,7 @@ TEST_P(PartFactsOf, KnowsTheDistanceAtItsCentersAndHowItsGradientDiffers) {
     }
 }
 
-/// What a fact rules out must not be seen at any place of the part.
+/// What a fact rules out must not be seen at any position of the part.
 TEST_P(PartFactsOf, SaysNothingOfItsPartsThatIsNotSo) {
     int far = 0;
     int convex = 0;

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/surface/closest/LocalClosestPoint.h"
-#include "core/surface/closest/PartBatch.h"
+#include "core/surface/closest/PartFacts.h"
 #include "tests/core/surface/closest/RoughSurface.h"
 
 #include <gtest/gtest.h>

@@ -57,8 +57,8 @@ HeightMap mapOf(const ScanSize& size, const Height& height) {
     return map;
 }
 
-/// A place anywhere on the scan, its edge and the half pixel before it included.
-inline Vector2 placeOn(const BSplineSurface& surface, Random& random) {
+/// A position anywhere on the scan, its edge and the half pixel before it included.
+inline Vector2 positionOn(const BSplineSurface& surface, Random& random) {
     return {random.uniform() * surface.sizeX(), random.uniform() * surface.sizeY()};
 }
 

@@ -22,7 +22,7 @@ bool isFarther(const ClosestPoint& closest, const ClosestPoint& nearest) {
     return std::abs(closest.distance) > std::abs(nearest.distance) + 1e-6_nm;
 }
 
-/// Slides a point over rough ground, each search starting from its own last closest point.
+/// Slides a point over a rough sample, each search starting from its own last closest point.
 Slide slideOver(const BSplineSurface& surface) {
     ClosestPointTracker tracker;
     ClosestPointTracker none;

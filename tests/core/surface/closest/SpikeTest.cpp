@@ -46,15 +46,15 @@ std::vector<Vector3> queries() {
     const Vector3 spike((kSpikeColumn + 0.5) * kSpikePitch,
                         (kSpikePixels - kSpikeRow - 0.5) * kSpikePitch, 0.0);
     Random random(7);
-    std::vector<Vector3> places;
+    std::vector<Vector3> positions;
     for (int i = 0; i < 60; ++i) {
         const double height = std::pow(10.0, random.uniform(-8.0, -2.5));
-        places.push_back(spike +
-                         Vector3(random.normal() * 10.0_nm, random.normal() * 10.0_nm, height));
-        places.emplace_back(random.uniform() * kSpikePixels * kSpikePitch,
-                            random.uniform() * kSpikePixels * kSpikePitch, height);
+        positions.push_back(spike +
+                            Vector3(random.normal() * 10.0_nm, random.normal() * 10.0_nm, height));
+        positions.emplace_back(random.uniform() * kSpikePixels * kSpikePitch,
+                               random.uniform() * kSpikePixels * kSpikePitch, height);
     }
-    return places;
+    return positions;
 }
 
 /// Distance of the nearest pixel center on the surface.

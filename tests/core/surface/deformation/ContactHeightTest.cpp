@@ -69,7 +69,7 @@ TEST(TipContactHeight, OnASlopeIsTheRadiusOverTheCosine) {
 TEST(TipContactHeight, OnAHillTouchesWhereTheNormalPointsAtTheTip) {
     const double bend = -1.0 / 40.0_nm;
     const BSplineSurface surface = fitSurface(sampledMap(kWideScan, Shape{.bend = bend}));
-    const double offset = 18.0_nm;  // of the place of contact from the apex
+    const double offset = 18.0_nm;  // of the position of contact from the apex
     const double slope = bend * offset;
     const double x = 0.5 * kWideSize + offset - kTipRadius * slope / std::hypot(1.0, slope);
     const double expected = 0.5 * bend * offset * offset + kTipRadius / std::hypot(1.0, slope);
@@ -125,7 +125,7 @@ TEST(TipContactHeight, BesideTheScanIsThatOfTheEdge) {
     EXPECT_NEAR(tipContactHeight(surface, 1.0_um, 50.0_nm, kTipRadius), kTipRadius, 1e-20);
 }
 
-TEST(TipContactHeight, RefusesWhatIsNoTipOrNoPlace) {
+TEST(TipContactHeight, RefusesWhatIsNoTipOrNoPosition) {
     const BSplineSurface surface = fitSurface(sampledMap(kWideScan, Shape{}));
     EXPECT_THROW((void)tipContactHeight(surface, 0.0, 0.0, 0.0), Error);
     EXPECT_THROW((void)tipContactHeight(surface, 0.0, 0.0, kNan), Error);

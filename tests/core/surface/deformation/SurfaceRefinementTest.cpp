@@ -1,9 +1,8 @@
-#include "core/surface/deformation/SurfaceRefinement.h"
-
 #include "core/Error.h"
 #include "core/Random.h"
 #include "core/Units.h"
 #include "core/surface/closest/BoxNewton.h"
+#include "core/surface/deformation/DisplacementField.h"
 #include "core/surface/fit/BSplineFit.h"
 #include "core/surface/synthetic/SyntheticSurface.h"
 

@@ -38,12 +38,12 @@ HeightMap mapOf(int pixels, double offset) {
 
 /// Largest error of a second derivative in the middle half of the scan, at and between pixels.
 double curvatureError(const BSplineSurface& surface) {
-    constexpr int kPlaces = 157;
+    constexpr int kPositions = 157;
     double worst = 0.0;
-    for (int i = 0; i < kPlaces; ++i) {
-        const double x = kHillsSize * (0.25 + 0.5 * i / kPlaces);
-        for (int j = 0; j < kPlaces; ++j) {
-            const double y = kHillsSize * (0.25 + 0.5 * j / kPlaces);
+    for (int i = 0; i < kPositions; ++i) {
+        const double x = kHillsSize * (0.25 + 0.5 * i / kPositions);
+        for (int j = 0; j < kPositions; ++j) {
+            const double y = kHillsSize * (0.25 + 0.5 * j / kPositions);
             const HeightSample found = surface.at(x, y);
             const HeightSample exact = scanWideHills().at(x, y);
             worst = std::max({worst, std::abs(found.dxx - exact.dxx),

@@ -1,6 +1,5 @@
-#include "core/surface/imaging/CertaintyMap.h"
-
 #include "core/Units.h"
+#include "core/surface/imaging/TipErosion.h"
 #include "core/surface/synthetic/SyntheticSurface.h"
 
 #include <gtest/gtest.h>
@@ -10,7 +9,7 @@
 namespace asperity {
 namespace {
 
-TEST(CertaintyMap, KnowsPixelsByTheirPlaceInTheWorld) {
+TEST(CertaintyMap, KnowsPixelsByTheirPositionInTheWorld) {
     const HeightMap map = flatMap({.columns = 3, .rows = 2, .sizeX = 3.0_nm, .sizeY = 4.0_nm});
     const CertaintyMap certainty(map, {1, 1, 0, 1, 0, 1});
     EXPECT_TRUE(certainty.isKnown());
@@ -20,7 +19,7 @@ TEST(CertaintyMap, KnowsPixelsByTheirPlaceInTheWorld) {
     EXPECT_DOUBLE_EQ(certainty.certainShare(), 4.0 / 6.0);
 }
 
-TEST(CertaintyMap, TakesPlacesOutsideForTheNearestInside) {
+TEST(CertaintyMap, TakesPositionsOutsideForTheNearestInside) {
     const HeightMap map = flatMap({.columns = 2, .rows = 2, .sizeX = 2.0_nm, .sizeY = 2.0_nm});
     const CertaintyMap certainty(map, {1, 0, 1, 1});
     EXPECT_TRUE(certainty.isUncertain(2.0_nm, 2.0_nm)) << "the corner itself";

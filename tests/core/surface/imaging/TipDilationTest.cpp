@@ -62,7 +62,7 @@ Span particleErrors(const ScanSize& size) {
 /// the plane the surface there is inclined by 60 degrees.
 double subPixelBound(double halfDiagonal) {
     const double curvature = 1.0 / 10.0_nm + 1.0 / 30.0_nm;
-    const double steepening = 8.0;  // 1 / cos^3 of the steepest place that is touched
+    const double steepening = 8.0;  // 1 / cos^3 of the steepest position that is touched
     return 0.5 * halfDiagonal * halfDiagonal * curvature * steepening;
 }
 

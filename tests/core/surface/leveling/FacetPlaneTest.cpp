@@ -1,7 +1,6 @@
-#include "core/surface/leveling/FacetPlane.h"
-
 #include "core/Error.h"
 #include "core/Units.h"
+#include "core/surface/leveling/PlaneFit.h"
 #include "core/surface/synthetic/SyntheticSurface.h"
 #include "tests/support/ScanMaps.h"
 

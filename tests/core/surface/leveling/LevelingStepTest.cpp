@@ -22,7 +22,7 @@ TEST(LevelingStep, WordsThatAreNoStepAreNone) {
     }
 }
 
-TEST(LevelingStep, PlacesMustSpanATriangle) {
+TEST(LevelingStep, PositionsMustSpanATriangle) {
     const Vector2 a(1e-6, 2e-6);
     const Vector2 b(3e-6, 2e-6);
     EXPECT_EQ(refusalOf({a, b, Vector2(2e-6, 2.1e-6)}), "");

@@ -1,8 +1,7 @@
-#include "core/surface/leveling/QuadraticFit.h"
-
 #include "core/Error.h"
 #include "core/Units.h"
 #include "core/surface/leveling/Leveling.h"
+#include "core/surface/leveling/PlaneFit.h"
 #include "core/surface/synthetic/SyntheticSurface.h"
 #include "tests/support/ScanMaps.h"
 

@@ -1,7 +1,7 @@
 #include "core/Error.h"
 #include "core/io/heightmap/HeightMapFile.h"
 #include "core/surface/leveling/Leveling.h"
-#include "core/surface/leveling/RowAlignment.h"
+#include "core/surface/leveling/ScarRemoval.h"
 #include "tests/support/ReferenceTable.h"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,6 @@
-#include "core/surface/leveling/RowAlignment.h"
-
 #include "core/Units.h"
 #include "core/surface/leveling/Leveling.h"
+#include "core/surface/leveling/ScarRemoval.h"
 #include "core/surface/synthetic/SyntheticSurface.h"
 #include "tests/support/DoubleLimits.h"
 

@@ -1,8 +1,7 @@
-#include "core/surface/leveling/ThreePointPlane.h"
-
 #include "core/Error.h"
 #include "core/Units.h"
 #include "core/surface/leveling/Leveling.h"
+#include "core/surface/leveling/PlaneFit.h"
 #include "core/surface/synthetic/SyntheticSurface.h"
 
 #include <gmock/gmock.h>
@@ -34,7 +33,7 @@ LevelPoints lowPoints() {
     return {Vector2(0.0, 0.0), Vector2(213.0_nm, 41.0_nm), Vector2(87.0_nm, 577.0_nm)};
 }
 
-TEST(ThreePointPlane, IsThatOfTheTerraceThatThePlacesAreOn) {
+TEST(ThreePointPlane, IsThatOfTheTerraceThatThePositionsAreOn) {
     const PlaneFit plane = threePointPlane(terrace(), lowPoints());
     EXPECT_NEAR(plane.slopeX, 0.02, 1e-14);
     EXPECT_NEAR(plane.slopeY, -0.05, 1e-14);
@@ -49,11 +48,11 @@ TEST(ThreePointPlane, TakesTheMeanOfTheValidPixelsAround) {
     map.heights[map.index(4, 4)] = 9.0;
     map.heights[map.index(4, 5)] = std::numeric_limits<double>::quiet_NaN();
     const LevelPoints points{Vector2(4.5, 4.5), Vector2(1.5, 1.5), Vector2(7.5, 1.5)};
-    // 9 m in one of eight pixels, whose mean place is an eighth of a pixel to the left.
+    // 9 m in one of eight pixels, whose mean position is an eighth of a pixel to the left.
     EXPECT_NEAR(threePointPlane(map, points).at(4.375, 4.5), 9.0 / 8.0, 1e-14);
 }
 
-TEST(ThreePointPlane, RefusesPlacesThatFixNoPlane) {
+TEST(ThreePointPlane, RefusesPositionsThatFixNoPlane) {
     const auto refusalFor = [](const std::optional<LevelPoints>& points,
                                const HeightMap& map) -> std::string {
         try {
@@ -63,7 +62,7 @@ TEST(ThreePointPlane, RefusesPlacesThatFixNoPlane) {
         }
         return "";
     };
-    EXPECT_THAT(refusalFor(std::nullopt, terrace()), HasSubstr("needs three places"));
+    EXPECT_THAT(refusalFor(std::nullopt, terrace()), HasSubstr("needs three points"));
     EXPECT_THAT(refusalFor(LevelPoints{Vector2(0.0, 0.0), Vector2(100.0_nm, 100.0_nm),
                                        Vector2(200.0_nm, 200.0_nm)},
                            terrace()),

@@ -2,7 +2,6 @@
 
 #include "core/Random.h"
 #include "core/surface/fit/BSplineFit.h"
-#include "core/surface/measure/HeightNoise.h"
 #include "core/surface/synthetic/SyntheticSurface.h"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,5 @@
-#include "core/surface/measure/HeightNoise.h"
-
 #include "core/Random.h"
+#include "core/surface/measure/CurvatureNoise.h"
 
 #include <gtest/gtest.h>
 
@@ -30,7 +29,7 @@ HeightMap noisySphere(double noise, double step) {
 }
 
 TEST(HeightNoise, IsThatOfTheHeightsWhateverTheShape) {
-    // Of 15,000 places, each third of them independent, the median is good to 2 %.
+    // Of 15,000 positions, each third of them independent, the median is good to 2 %.
     EXPECT_NEAR(heightNoise(noisySphere(kNoise, 0.0)), kNoise, 0.06 * kNoise);
     EXPECT_NEAR(heightNoise(noisySphere(kNoise, 20e-9)), kNoise, 0.08 * kNoise);
     EXPECT_LT(heightNoise(noisySphere(0.0, 0.0)), 1e-4 * kNoise);

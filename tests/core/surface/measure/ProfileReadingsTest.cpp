@@ -1,5 +1,4 @@
-#include "core/surface/measure/ProfileReadings.h"
-
+#include "core/surface/measure/Profile.h"
 #include "tests/support/DoubleLimits.h"
 
 #include <gtest/gtest.h>

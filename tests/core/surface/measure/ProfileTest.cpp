@@ -41,7 +41,7 @@ TEST(Profile, HasEvenDistancesAndBothEnds) {
         EXPECT_NEAR(profile.heights[i], 12.0 + 34.0 * share, 1e-14);
     }
     EXPECT_EQ(profile.heights.back(), 46.0);
-    EXPECT_EQ(profile.place(5), Vector2(4.0, 6.0));
+    EXPECT_EQ(profile.position(5), Vector2(4.0, 6.0));
 }
 
 TEST(Profile, OfAMapIsBilinearBetweenPixelCenters) {
@@ -50,8 +50,8 @@ TEST(Profile, OfAMapIsBilinearBetweenPixelCenters) {
     const Vector2 to(53.0_nm, 88.0_nm);
     const Profile profile = ofMap(map, from, to, 40);
     for (std::size_t i = 0; i < profile.heights.size(); ++i) {
-        const Vector2 place = profile.place(i);
-        EXPECT_NEAR(profile.heights[i], 0.5 * place.x() - 0.25 * place.y(), 1e-23);
+        const Vector2 position = profile.position(i);
+        EXPECT_NEAR(profile.heights[i], 0.5 * position.x() - 0.25 * position.y(), 1e-23);
     }
     EXPECT_EQ(bilinearHeight(map, 35.0_nm, 30.0_nm), map.at(3, 3));
 }

@@ -1,6 +1,5 @@
-#include "core/surface/measure/StepHeight.h"
-
 #include "core/Units.h"
+#include "core/surface/measure/Profile.h"
 #include "core/surface/synthetic/SyntheticSurface.h"
 
 #include <gtest/gtest.h>

@@ -26,7 +26,7 @@ using test::kInfinity;
 using test::kNan;
 using test::kRadius;
 
-/// Knots of a uniform cubic with so many control points, none repeated.
+/// Knots of a uniform cubic with this many control points, none repeated.
 std::vector<double> uniformKnots(int controls) {
     std::vector<double> knots(static_cast<std::size_t>(controls) + 4);
     std::iota(knots.begin(), knots.end(), 0.0);

@@ -1,0 +1,474 @@
+#include "app/window/device/DeviceControl.h"
+
+#include "app/program/DataFolder.h"
+#include "app/window/live/ControlBar.h"
+#include "app/window/live/LivePanels.h"
+#include "app/window/live/OverviewPanel.h"
+#include "core/Error.h"
+#include "core/haptics/DevicePath.h"
+#include "core/haptics/SetpointApproach.h"
+#include "core/haptics/device/HapticDevice.h"
+#include "core/haptics/mapping/WorkspaceMapping.h"
+#include "core/scene/SettingFields.h"
+#include "core/words/DeviceWords.h"
+#include "hardware/DeviceRegistry.h"
+#include "ui/shell/Menus.h"
+#include "ui/view/ZoomView.h"
+#include "ui/widgets/HeldKeys.h"
+#include "ui/widgets/ShownText.h"
+
+#include <QAction>
+#include <QActionGroup>
+#include <QMenu>
+
+#include <algorithm>
+#include <limits>
+#include <memory>
+#include <utility>
+
+namespace asperity {
+
+namespace {
+
+constexpr double kJourney = 1.5;  // [s]
+
+// To engage takes about two seconds: down to right above the sample, then slowly to the setpoint.
+constexpr double kCoarse = 0.7;  // [s]
+constexpr double kFine = 3.0;    // of an approach with its way back [s]
+
+constexpr double kKeySpeed = 0.25;    // along the sample, of held keys [half widths/s]
+constexpr double kTurnSpeed = 1.0;    // of a device's axes: the force turns with them [rad/s]
+constexpr double kKeySpeedUp = 0.05;  // and across it [half widths/s]
+
+/// Where held keys send the device, world frame [half widths/s].
+Vector3 keyVelocity(const KeyDirection& keys, const ViewCamera& camera) {
+    const Vector3 forward = Vector3::UnitZ().cross(camera.right());
+    return kKeySpeed * (keys.right * camera.right() + keys.forward * forward) +
+           kKeySpeedUp * keys.up * Vector3::UnitZ();
+}
+
+}  // namespace
+
+void ActiveDevice::attach(LiveRun& run) {
+    run_ = &run;
+    use(pointerDriver());
+}
+
+void ActiveDevice::use(const DeviceDriver& driver) {
+    take(&driver, [this, &driver] {
+        return driver.open({.hid = [this]() -> HidTransport& { return hid(); },
+                            .data = dataFolder(),
+                            .start = run_->devicePosition()});
+    });
+}
+
+void ActiveDevice::take(const DeviceDriver* driver, const LiveRun::MakeDevice& make) {
+    run_->takeDevice(make);
+    device_ = &run_->device();
+    driver_ = driver;
+    approach_ = nullptr;
+    if (const PilotedDevice* const piloted = run_->device().piloted()) {
+        pilot_ = DevicePilot(piloted->start());
+    }
+}
+
+DevicePath ActiveDevice::leadIn(const Vector3& start) {
+    DevicePath path = journey(run_->scene(), run_->basePosition(), start.head<2>(), kJourney);
+    path.push_back({path.back().time + 0.1 * kJourney, start});
+    return path;
+}
+
+void ActiveDevice::follow(const DevicePath& path) {
+    take(nullptr, [this, &path] {
+        DevicePath way = leadIn(path.front().position);
+        const double begin = way.back().time - path.front().time;
+        for (std::size_t i = 1; i < path.size(); ++i) {
+            way.push_back({begin + path[i].time, path[i].position});
+        }
+        return std::make_unique<ScriptedDevice>(std::move(way), run_->settings().positionGain,
+                                                run_->devicePosition());
+    });
+}
+
+void ActiveDevice::approachBy(const MakeLeadIn& makeLeadIn, const ApproachPlan& plan) {
+    const ApproachDevice* made = nullptr;
+    take(nullptr, [&] {
+        auto device = std::make_unique<ApproachDevice>(
+            makeLeadIn(), plan, run_->settings().positionGain, run_->devicePosition());
+        made = device.get();
+        return device;
+    });
+    approach_ = made;
+}
+
+void ActiveDevice::approach(const PlannedApproach& approach) {
+    approachBy([&] { return leadIn(approach.start); }, approach.plan);
+}
+
+void ActiveDevice::engage(double setpoint) {
+    const Vector2 here = run_->basePosition().head<2>();
+    PlannedApproach planned =
+        planApproach(run_->scene(), {.duration = kFine, .position = here, .setpoint = setpoint});
+    planned.plan.dwell = std::numeric_limits<double>::infinity();
+    const auto straightDown = [&]() -> DevicePath {
+        const Vector3 base = run_->basePosition();
+        return {{0.0, base}, {kCoarse, {base.x(), base.y(), planned.start.z()}}};
+    };
+    approachBy(straightDown, planned.plan);
+}
+
+HidTransport& ActiveDevice::hid() {
+    if (!transport_) {
+        transport_.emplace();
+    }
+    return *transport_;
+}
+
+PilotedDevice* ActiveDevice::piloted() const {
+    return isOurs() && run_->loop().running() ? run_->device().piloted() : nullptr;
+}
+
+bool ActiveDevice::isHardware() const {
+    return run_ != nullptr && run_->device().piloted() == nullptr && !followsPath();
+}
+
+double ActiveDevice::reach() const {
+    return driver() == &pointerDriver() ? 1.0 : 1.0 / run_->settings().positionGain;
+}
+
+void ActiveDevice::displace(const Vector3& displacement) {
+    if (piloted() != nullptr) {
+        pilot_.displace(reach() * displacement);
+    }
+}
+
+double ActiveDevice::pilotedHeight() const {
+    const ContactState& contact = run_->loop().snapshot().sample.output.model.contact;
+    const double height = contact.branch == ContactBranch::Far ? -contact.indentation : 0.0;
+    const Vector3 ahead = pilot_.target() - run_->devicePosition();
+    return height + run_->settings().positionGain * ahead.z();
+}
+
+void ActiveDevice::lift(double notches, double fineStep) {
+    if (piloted() == nullptr || !(fineStep > 0.0)) {
+        return;
+    }
+    const double gain = run_->settings().positionGain;
+    const double height = pilotedHeight();
+    const double lifted = liftedHeight(height, notches, gain * reach() * fineStep);
+    pilot_.displace((lifted - height) / gain * Vector3::UnitZ());
+}
+
+void ActiveDevice::setVelocity(const Vector3& velocity) {
+    if (run_ != nullptr) {
+        pilot_.setVelocity(reach() * velocity);
+    }
+}
+
+void ActiveDevice::travelTo(const Vector2& position) {
+    if (piloted() != nullptr) {
+        pilot_.follow(journey(run_->scene(), run_->basePosition(), position, kJourney));
+    }
+}
+
+void ActiveDevice::advance(double seconds, double halfWidth) {
+    if (PilotedDevice* const device = piloted()) {
+        const DeviceMapping now{.device = run_->devicePosition(),
+                                .base = run_->basePosition(),
+                                .positionGain = run_->settings().positionGain};
+        device->moveTo(pilot_.advance(seconds, now));
+    }
+    if (run_ != nullptr) {
+        run_->device().setSeenHalfWidth(halfWidth);
+    }
+}
+
+DeviceControl::DeviceControl(Stage& stage) : Feature(stage), keys_(new HeldKeys(&live_.view())) {
+    stage.onFrame(FrameStep::Move, [this](double elapsed) { advance(elapsed); });
+    const auto drivers = deviceDrivers();
+    list_.assign(drivers.begin(), drivers.end());
+    list_.insert(list_.begin() + 1, nullptr);
+    QStringList names;
+    for (const DeviceDriver* const driver : list_) {
+        names << (driver != nullptr ? tr(driver->label) : tr("Scripted path"));
+    }
+    ControlBar& controls = live_.controls();
+    controls.setDevices(names);
+    connect(&controls, &ControlBar::deviceChosen, this, &DeviceControl::choose);
+    connect(&controls, &ControlBar::knobTurned, this, &DeviceControl::turnKnob);
+    connect(&live_.view(), &ZoomView::tipDragged, this, [this](double dx, double dy) {
+        if (runs_.tipRefusal().isEmpty()) {
+            device_.displace({dx, dy, 0.0});
+        }
+    });
+    connect(&live_.view(), &ZoomView::lifted, this, [this](double notches) {
+        if (runs_.run() != nullptr && runs_.tipRefusal().isEmpty()) {
+            const Scene& scene = runs_.run()->scene();
+            device_.lift(notches, fineLiftStep(live_.view().halfWidth(), scene.description.setpoint,
+                                               scene.belief.cantilever.stiffness()));
+        }
+    });
+    connect(&live_.overview(), &OverviewPanel::positionChosen, this, [this](double x, double y) {
+        travelTo({x, y});
+    });
+    addEntries();
+    connect(&runs_, &RunControl::begun, this, &DeviceControl::attach);
+    connect(&runs_, &RunControl::rebuilt, this, &DeviceControl::takeUp);
+    connect(&runs_, &RunControl::ending, this, &DeviceControl::detach);
+}
+
+void DeviceControl::addEntries() {
+    Menus& menus = host_.menus();
+    followsView_ = &menus.add(
+        {MenuName::Device, 0, 30}, "followsView",
+        {.text = tr("Device follows the &view"),
+         .tip = tr("Right, back and up on the device are right, back and up on the screen"),
+         .isCheckable = true,
+         .refusal = [this] {
+             return runs_.run() != nullptr && hasHardware()
+                        ? QString()
+                        : tr("Mouse and keyboard follow the view already; for other devices only");
+         }});
+    addGuides();
+    const QAction& calibrate = menus.add(
+        {MenuName::Device, 1, 10}, "calibrate",
+        {.text = tr("C&alibrate (handle in its rest pose)"),
+         .tip = tr("Set the zero of the device's angles"),
+         .refusal = [this] {
+             LiveRun* const run = runs_.run();
+             return run != nullptr && run->device().specification().calibrates
+                        ? QString()
+                        : tr("This device needs no calibration: it has no encoders to zero");
+         }});
+    connect(&calibrate, &QAction::triggered, this, [this] {
+        if (runs_.run() != nullptr) {
+            runs_.run()->device().calibrate();
+        }
+    });
+}
+
+void DeviceControl::addGuides() {
+    Menus& menus = host_.menus();
+    QMenu& menu = menus.addMenu({MenuName::Device, 0, 40}, "guides", tr("&Guide"));
+    auto* group = new QActionGroup(&menu);
+    const auto add = [&](FixtureKind kind, const char* name, const QString& text) {
+        QAction* entry = group->addAction(text);
+        entry->setObjectName(QString::fromLatin1(name));
+        entry->setCheckable(true);
+        entry->setToolTip(kind == FixtureKind::None ? tr("No guide: the device moves freely")
+                                                    : tr("Guide the device to this position"));
+        menu.addAction(entry);
+        guides_[kind] = entry;
+        connect(entry, &QAction::triggered, this, [this, kind] { chooseGuide(kind); });
+        if (kind != FixtureKind::None) {
+            menus.refuseBy(*entry, [this] { return guideRefusal(); });
+        }
+    };
+    add(FixtureKind::None, "guideNone", tr("&None"));
+    add(FixtureKind::Point, "guidePoint", tr("&Point at the tip"));
+    add(FixtureKind::Line, "guideLine", tr("Vertical &line through the tip"));
+    add(FixtureKind::Plane, "guidePlane", tr("&Horizontal plane through the tip"));
+    const auto show = [this](FixtureKind kind) { guides_.at(kind)->setChecked(true); };
+    show(FixtureKind::None);
+    connect(&runs_, &RunControl::knobsShown, this,
+            [this, show] { show(runs_.run()->settings().guide.kind); });
+}
+
+QString DeviceControl::guideRefusal() const {
+    if (!runs_.fixedBy().isEmpty()) {
+        return runs_.fixedBy();
+    }
+    const LiveRun* const run = runs_.run();
+    return run != nullptr && run->settings().coupling.couples()
+               ? QString()
+               : tr("A guide needs a coupling: a force-feedback device's or the scene's");
+}
+
+void DeviceControl::attach() {
+    device_.attach(*runs_.run());
+    show();
+}
+
+void DeviceControl::detach() {
+    const LiveRun& run = *runs_.run();
+    before_ = device_.driver();
+    scaleBefore_ = {run.settings().positionGain, run.settings().forceGain};
+    device_.detach();
+}
+
+void DeviceControl::takeUp() {
+    if (before_ == nullptr || before_ == device_.driver()) {
+        return;
+    }
+    use(*before_);
+    if (runs_.run()->coupling().coupled() != nullptr) {
+        runs_.turn([this](Settings& settings) {
+            settings.positionGain = scaleBefore_.positionGain;
+            settings.forceGain = scaleBefore_.forceGain;
+        });
+        tell();
+    }
+}
+
+void DeviceControl::choose(int index) {
+    if (runs_.run() == nullptr) {
+        return;
+    }
+    if (const DeviceDriver* const driver = list_.at(static_cast<std::size_t>(index))) {
+        use(*driver);
+    } else {
+        Q_EMIT pathWanted();
+    }
+}
+
+void DeviceControl::use(const DeviceDriver& driver) {
+    try {
+        device_.use(driver);
+        tell();
+    } catch (const Error& error) {
+        host_.complain(QString::fromUtf8(error.what()));
+    }
+    show();
+}
+
+void DeviceControl::follow(const DevicePath& path) {
+    device_.follow(path);
+    show();
+}
+
+void DeviceControl::approach(const PlannedApproach& approach) {
+    device_.approach(approach);
+    show();
+}
+
+void DeviceControl::engage(double setpoint) {
+    device_.engage(setpoint);
+    show();
+}
+
+void DeviceControl::withdraw() {
+    if (device_.followsPath()) {
+        use(pointerDriver());
+    }
+    const Vector3 base = runs_.run()->basePosition();
+    if (base.z() < waitingPosition(runs_.run()->scene(), base.head<2>()).z()) {
+        travelTo(base.head<2>());
+    }
+}
+
+void DeviceControl::releaseApproach() {
+    if (device_.approaching() != nullptr) {
+        use(pointerDriver());
+    }
+}
+
+void DeviceControl::pilotDevice(const DevicePath& path) {
+    device_.use(simulatedDriver());
+    device_.pilotAlong(path);
+    show();
+}
+
+void DeviceControl::travelTo(const Vector2& position) {
+    if (runs_.run() == nullptr) {
+        return;
+    }
+    const QString& why = runs_.fixedBy().isEmpty() ? runs_.tipRefusal() : runs_.fixedBy();
+    if (!why.isEmpty()) {
+        host_.tell(why);
+        return;
+    }
+    if (device_.driver() != &pointerDriver()) {
+        device_.use(pointerDriver());
+        show();
+    }
+    device_.travelTo(position);
+}
+
+void DeviceControl::turnKnob(const QString& column, double value) {
+    // A number that was being typed into the knob when it was disabled.
+    if (column == QLatin1String("position_gain") && device_.followsPath()) {
+        live_.controls().setKnobs(runs_.run()->settings());
+        return;
+    }
+    runs_.turn([&](Settings& settings) { setSetting(settings, column.toStdString(), value); });
+}
+
+void DeviceControl::chooseGuide(FixtureKind kind) {
+    if (runs_.run() == nullptr) {
+        return;
+    }
+    LiveRun& run = *runs_.run();
+    const TickSample sample = run.loop().snapshot().sample;
+    runs_.turn([&](Settings& settings) {
+        settings.guide = run.scene().description.settings.guide;
+        settings.guide.kind = kind;
+        settings.guide.axis = Vector3::UnitZ();
+        settings.guide.point = settings.positionControl == PositionControl::Tip
+                                   ? sample.output.model.tip
+                                   : sample.output.base.position;
+    });
+}
+
+void DeviceControl::advance(double seconds) {
+    const double halfWidth = live_.view().halfWidth();
+    const Vector3 keys = keyVelocity(keys_->direction(), live_.view().camera());
+    device_.setVelocity(runs_.tipRefusal().isEmpty() ? Vector3(halfWidth * keys)
+                                                     : Vector3(Vector3::Zero()));
+    device_.advance(seconds, halfWidth);
+    turnAxes(seconds);
+    const std::string words = wordsOf(runs_.run()->device().status());
+    if (words != std::exchange(told_, words) && !words.empty()) {
+        host_.tell(coreWords(words));
+    }
+    followDelay();
+}
+
+void DeviceControl::turnAxes(double seconds) {
+    const bool turns = followsView_->isChecked() && device_.isHardware();
+    const ViewCamera& camera = live_.view().camera();
+    const auto axes = turns ? viewAxes(camera.right(), camera.up()) : std::nullopt;
+    const Vector3 wanted = axes ? turnOf(*axes) : Vector3(Vector3::Zero());
+    const Vector3& now = runs_.run()->settings().deviceTurn;
+    const Vector3 turned = turnedTowards(now, wanted, kTurnSpeed * seconds);
+    if (turned != now) {
+        runs_.turn([&turned](Settings& settings) { settings.deviceTurn = turned; });
+    }
+}
+
+void DeviceControl::followDelay() {
+    if (!runs_.run()->followDelay()) {
+        return;
+    }
+    show();
+    const CoupledDevice& coupled = *runs_.run()->coupling().coupled();
+    if (coupled.holds()) {
+        tell();
+    } else {
+        host_.complain(tr("Forces are off: %1").arg(coreWords(refusalOf(coupled))));
+    }
+}
+
+void DeviceControl::show() {
+    runs_.setDriver(device_.driver());
+    const bool isListed = device_.driver() != nullptr || device_.followsPath();
+    const auto found = std::find(list_.begin(), list_.end(), device_.driver());
+    live_.controls().setDevice(isListed ? static_cast<int>(found - list_.begin()) : -1);
+    runs_.setEmergencyStop(runs_.run()->device().specification().rendersForce());
+    live_.controls().refuseKnob(
+        "position_gain",
+        device_.followsPath()
+            ? tr("A path gives positions on the scan: the position gain has no effect")
+            : QString());
+    runs_.showKnobs();
+}
+
+/// Of one with motors: its scale, and what is felt; so short that the bottom line has room for it.
+void DeviceControl::tell() {
+    if (const CoupledDevice* const coupled = runs_.run()->coupling().coupled()) {
+        const Settings& settings = runs_.run()->settings();
+        host_.tell(
+            coreWords(feltWords({settings.positionGain, settings.forceGain}, coupled->judgment)));
+    }
+}
+
+}  // namespace asperity

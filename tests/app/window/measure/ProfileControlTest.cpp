@@ -1,0 +1,116 @@
+#include "app/window/measure/ProfileControl.h"
+
+#include "app/window/live/OverviewPanel.h"
+#include "core/surface/fit/BSplineFit.h"
+#include "tests/app/window/ControlFixture.h"
+#include "tests/ui/widgets/MouseEvents.h"
+#include "ui/view/OverviewMap.h"
+#include "ui/widgets/PageParts.h"
+
+#include <QCheckBox>
+#include <QCoreApplication>
+#include <QSpinBox>
+#include <QToolButton>
+
+#include <cmath>
+#include <limits>
+
+namespace asperity::test {
+namespace {
+
+class ProfileControlTest : public ControlFixture {
+protected:
+    ProfileControlTest() {
+        useFlatScene();
+        map().resize(256, 256);
+    }
+    OverviewMap& map() { return panels.overview().map(); }
+    ProfilePage& page() { return profile.page(); }
+    /// Between two positions [nm].
+    void draw(double x1, double y1, double x2, double y2) {
+        page().setDrawing(true);
+        dragMouse(map(), map().toPixel({1e-9 * x1, 1e-9 * y1}),
+                  map().toPixel({1e-9 * x2, 1e-9 * y2}));
+    }
+
+    ProfileControl& profile = stage.add<ProfileControl>();
+};
+
+TEST_F(ProfileControlTest, SamplesTheLineThatIsDrawn) {
+    EXPECT_EQ(page().readings().text("profileLength"), QStringLiteral("–"));
+    draw(20, 30, 100, 30);
+    EXPECT_TRUE(page().readings().text("profileLength").startsWith(QStringLiteral("8")))
+        << page().readings().text("profileLength").toStdString();
+    EXPECT_EQ(page().readings().text("cursorRise"), QStringLiteral("0 pm")) << "the scan is level";
+    EXPECT_EQ(page().readings().text("cursorAngle"), QStringLiteral("0.00°"));
+    page().findChild<QToolButton*>("removeProfile")->click();
+    EXPECT_EQ(page().readings().text("profileLength"), QStringLiteral("–"));
+}
+
+TEST_F(ProfileControlTest, TheSwitchShowsWhetherItsToolIsActive) {
+    auto* drawing = page().findChild<QToolButton*>("drawProfile");
+    drawing->click();
+    EXPECT_NE(map().activeTool(), nullptr);
+    map().activate(nullptr);
+    EXPECT_FALSE(drawing->isChecked());
+    drawing->click();
+    drawing->click();
+    EXPECT_EQ(map().activeTool(), nullptr);
+}
+
+TEST_F(ProfileControlTest, ItsCursorsAndStretchesCanBeDragged) {
+    draw(20, 30, 100, 30);
+    page().resize(700, 260);
+    page().grab();                      // lays out
+    QCoreApplication::processEvents();  // the plot positions its axes anew once it has its size
+    ProfilePlot& plot = page().plot();
+    const double length = 80e-9;
+    dragMouse(plot.canvas(), {plot.pixelOf(0.0) + 1.0, 40.0}, {plot.pixelOf(0.25 * length), 40.0});
+    EXPECT_NEAR(page().stops().front(), 0.25, 0.02);
+    const QString distance = page().readings().text("cursorDistance");
+    EXPECT_NEAR(distance.section(' ', 0, 0).toDouble(), 60.0, 1.6) << distance.toStdString();
+    EXPECT_TRUE(distance.endsWith(QStringLiteral(" nm"))) << distance.toStdString();
+    EXPECT_EQ(page().readings().text("stepReading"), QStringLiteral("–"));
+    page().findChild<QCheckBox*>("stepHeight")->click();
+    EXPECT_EQ(page().readings().text("stepReading"), QStringLiteral("0 ± 0 pm"));
+}
+
+/// Steps of 4 nm up at x = 64 nm, with a ridge of one row and a hole.
+HeightMap steppedMap() {
+    HeightMap map = flatMap();
+    for (int row = 0; row < map.rows; ++row) {
+        for (int column = 0; column < map.columns; ++column) {
+            double& height = map.heights[map.index(row, column)];
+            height = column < 32 ? 0.0 : 4e-9;
+            height += row == 20 ? 3e-9 : 0.0;
+        }
+    }
+    return map;
+}
+
+TEST(MeanProfile, IsTheMeanOfTheLinesBesideOneAnother) {
+    const BSplineSurface surface = fitSurface(steppedMap());
+    // Pixels are 2 nm; row 20 from the top has its middle at y = 87 nm.
+    const QLineF onRidge(10e-9, 87e-9, 50e-9, 87e-9);
+    const Profile one = meanProfile(surface, onRidge, 1);
+    EXPECT_NEAR(one.heights.front(), 3e-9, 1e-14);
+    const Profile three = meanProfile(surface, onRidge, 3);
+    EXPECT_NEAR(three.heights.front(), 1e-9, 1e-14);
+    EXPECT_EQ(one.heights.size(), three.heights.size());
+    EXPECT_NEAR(three.length(), 40e-9, 1e-20);
+}
+
+TEST(MeanProfile, LeavesOutWhatHoldsNoData) {
+    HeightMap map = steppedMap();
+    for (int column = 0; column < 12; ++column) {
+        map.heights[map.index(21, column)] = std::numeric_limits<double>::quiet_NaN();
+    }
+    const BSplineSurface surface = fitSurface(map);
+    const QLineF beside(9e-9, 85e-9, 61e-9, 85e-9);  // along row 21
+    EXPECT_TRUE(std::isnan(meanProfile(surface, beside, 1).heights.front()));
+    EXPECT_FALSE(std::isnan(meanProfile(surface, beside, 1).heights.back()));
+    EXPECT_FALSE(std::isnan(meanProfile(surface, beside, 3).heights.front()));
+}
+
+}  // namespace
+}  // namespace asperity::test
