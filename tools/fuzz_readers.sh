@@ -10,6 +10,9 @@ export top seconds
 export programs=$top/build/asan/bin
 export work=$top/build/asan/fuzz_readers  # inputs found, logs, inputs that break a reader
 
+# As in tests/fuzz/CMakeLists.txt: -rss_limit_mb is for what a reader holds, not for what it freed.
+export ASAN_OPTIONS=quarantine_size_mb=16
+
 # The real files that a reader takes.
 real_files() {
     case $1 in
