@@ -35,6 +35,7 @@ constexpr Measurement kMeasurements[] = {{"closest-point", "asperity_surface_ben
                                          {"contact", "asperity_contact_bench"},
                                          {"load", "asperity_load_bench"},
                                          {"needs", "asperity_needs_bench"},
+                                         {"feedback", "asperity_feedback_bench"},
                                          {"view", "asperity_view_bench"},
                                          {"program", "asperity_program_bench"},
                                          {"scaling", "asperity_scaling_bench"},

@@ -179,6 +179,25 @@ DevicePath scratchPath(const Scene& scene, const PathPlan& plan) {
     return path.take();
 }
 
+DevicePath linesPath(const Vector3& from, const LinesPlan& plan) {
+    const Vector3 along(std::cos(plan.direction), std::sin(plan.direction), 0.0);
+    const Vector3 across = Vector3::UnitZ().cross(along);
+    DevicePath path{{0.0, from}};
+    const auto moveTo = [&](const Vector3& to) {
+        const double way = (to - path.back().position).norm();
+        if (way > 0.0) {
+            path.push_back({path.back().time + way / plan.speed, to});
+        }
+    };
+    for (int line = 0; line < plan.lines; ++line) {
+        const Vector3 start = from + line * plan.pitch * across;
+        moveTo(start);
+        moveTo(start + plan.length * along);
+        moveTo(start);
+    }
+    return path;
+}
+
 Vector3 waitingPosition(const Scene& scene, const Vector2& position) {
     return above(scene, position.x(), position.y(), clearanceFor(scene, {}));
 }
@@ -231,6 +250,13 @@ void DevicePilot::setVelocity(const Vector3& velocity) {
 void DevicePilot::follow(DevicePath journey) {
     journey_ = std::move(journey);
     journeyTime_ = journey_.front().time;
+}
+
+void DevicePilot::keepNear(const Vector3& position, double most) {
+    const Vector2 ahead = (target_ - position).head<2>();
+    if (ahead.norm() > most) {
+        target_.head<2>() = position.head<2>() + most / ahead.norm() * ahead;
+    }
 }
 
 Vector3 DevicePilot::advance(double seconds, const DeviceMapping& mapping) {

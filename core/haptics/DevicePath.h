@@ -52,6 +52,18 @@ struct PathPlan {
 /// One long line along x, ever deeper; by itself across the middle of the scan.
 [[nodiscard]] DevicePath scratchPath(const Scene& scene, const PathPlan& plan);
 
+/// Lines to and fro along the sample.
+struct LinesPlan {
+    double length = 100e-9;  ///< of a line [m]
+    double speed = 100e-9;   ///< along it, and to the next one [m/s]
+    double direction = 0.0;  ///< of the first way, from world x to y [rad]
+    int lines = 1;           ///< to and fro each
+    double pitch = 0.0;      ///< from a line to the next, left of the direction; 0: the same [m]
+};
+
+/// Returns the lines from where the base is, at its height.
+[[nodiscard]] DevicePath linesPath(const Vector3& from, const LinesPlan& plan);
+
 /// Returns where the base waits above a position of the scan (x, y), out of the sample's reach [m].
 [[nodiscard]] Vector3 waitingPosition(const Scene& scene, const Vector2& position);
 
@@ -109,6 +121,9 @@ public:
     /// Present target of the device [m].
     [[nodiscard]] const Vector3& target() const noexcept { return target_; }
     [[nodiscard]] bool traveling() const noexcept { return !journey_.empty(); }
+    /// Keeps the target along the sample near the device, which cannot follow any faster.
+    /// @param position of the device [m] @param most distance [m]
+    void keepNear(const Vector3& position, double most);
 
     /// Returns the target of the device after a frame of this duration. @param seconds of the frame
     Vector3 advance(double seconds, const DeviceMapping& mapping);

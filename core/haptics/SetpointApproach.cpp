@@ -44,7 +44,7 @@ constexpr double kDwellShare = 0.05;
 
 /// Returns the base's depth below first touch at a position, for a force without adhesion [m]:
 /// Hertz and the lever. Source: docs/theory.md 2.2.
-double expectedDepth(const Scene& scene, const Vector3& position, double force) {
+double depthByHertz(const Scene& scene, const Vector3& position, double force) {
     const ContactPair pair = scene.belief.pairAt(position, scene.belief.tipRadius());
     const double stiffness = 4.0 / 3.0 * pair.reducedModulus * std::sqrt(pair.tipRadius);
     const double compliance = scene.belief.cantilever.compliance()(2, 2);
@@ -235,11 +235,15 @@ void SetpointApproach::retract(double timeStep) noexcept {
     }
 }
 
+double expectedDepth(const Scene& scene, const Vector3& position, double force) {
+    return std::max(depthByHertz(scene, position, force), depthByLaw(scene, position, force));
+}
+
 PlannedApproach planApproach(const Scene& scene, const PathPlan& plan) {
     const Vector3 start = pathStart(scene, plan);
     const double clearance = start.z() - touchHeight(scene, start.x(), start.y());
     const double setpoint = plan.setpoint.value_or(scene.description.setpoint);
-    const double expected = clearance + expectedDepth(scene, start, setpoint);
+    const double expected = clearance + depthByHertz(scene, start, setpoint);
     // Adhesion holds a soft sample on a cone far above where Hertz has the setpoint.
     const double needed = clearance + depthByLaw(scene, start, setpoint);
     const double descent = needed > kLimitShare / kDescentShare * expected ? needed : expected;
@@ -269,6 +273,7 @@ DeviceState ApproachDevice::advance(double timeStep) noexcept {
     if (approach_.hasMeasured() && !measured_) {
         measuredForce_ = approach_.measuredForce();
         measuredDeviation_ = approach_.measuredDeviation();
+        freeForce_ = approach_.freeForce();
         measured_ = true;
     }
     blocked_ = approach_.isBlocked();

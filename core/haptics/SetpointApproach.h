@@ -92,8 +92,10 @@ public:
     [[nodiscard]] bool isBlocked() const noexcept { return unsolved_ >= kMaxUnsolved; }
     /// Returns whether the force at the setpoint has been measured, by a mean of the dwell alone.
     [[nodiscard]] bool hasMeasured() const noexcept { return engaged_ && isRestKnown(); }
-    /// Returns the force above the baseline [N]; it may exceed the setpoint.
+    /// Returns the force above the free one [N]; it may exceed the setpoint.
     [[nodiscard]] double measuredForce() const noexcept { return rest_.mean() - free_.mean(); }
+    /// Returns the force far from the sample, the baseline [N].
+    [[nodiscard]] double freeForce() const noexcept { return free_.mean(); }
     /// Standard deviation of that by noise, of the mean and of the baseline [N].
     [[nodiscard]] double measuredDeviation() const noexcept;
 
@@ -135,6 +137,10 @@ struct PlannedApproach {
     Vector3 start = Vector3::Zero();  ///< of the base, out of the sample's reach, world [m]
     ApproachPlan plan;
 };
+
+/// Depth of the base below first touch at which the force along z is `force` [N], as far as the
+/// scene knows its sample [m].
+[[nodiscard]] double expectedDepth(const Scene& scene, const Vector3& position, double force);
 
 /// Straight down to a setpoint and up again; by itself at the highest feature of the
 /// scan. Speed and distances are such that all of it takes the plan's duration where the sample is
@@ -190,6 +196,9 @@ public:
     [[nodiscard]] double measuredForce() const noexcept { return measuredForce_; }
     /// Its standard deviation by noise [N]. Any thread; wait-free.
     [[nodiscard]] double measuredDeviation() const noexcept { return measuredDeviation_; }
+    /// Returns the force far from the sample, once the force of the dwell has been measured [N].
+    /// Any thread; wait-free.
+    [[nodiscard]] double freeForce() const noexcept { return freeForce_; }
 
 private:
     [[nodiscard]] Vector3 nextBase(double timeStep) noexcept;
@@ -208,6 +217,7 @@ private:
     std::atomic<bool> measured_ = false;
     std::atomic<double> measuredForce_ = 0.0;
     std::atomic<double> measuredDeviation_ = 0.0;
+    std::atomic<double> freeForce_ = 0.0;
 };
 
 }  // namespace asperity

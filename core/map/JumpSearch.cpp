@@ -202,7 +202,7 @@ double slopeAt(const VerticalPath& path, const TipAtHeight& tip) {
 /// The search between a height that pushes less than the force and one that pushes as hard.
 class Bracket {
 public:
-    Bracket(VerticalPath& path, TipAtHeight less, TipAtHeight more, double force)
+    Bracket(VerticalPath& path, TipAtHeight less, TipAtHeight more, const SoughtForce& force)
         : path_(path)
         , force_(force)
         , less_(std::move(less))
@@ -224,10 +224,12 @@ public:
     }
 
 private:
-    [[nodiscard]] double miss(const TipAtHeight& tip) const { return tip.force() - force_; }
+    [[nodiscard]] double miss(const TipAtHeight& tip) const {
+        return force_.of(tip) - force_.value;
+    }
     [[nodiscard]] bool isDone() const {
         return std::min(std::abs(miss(less_)), std::abs(miss(more_))) <=
-               kTolerance * std::abs(force_);
+               kTolerance * std::abs(force_.value);
     }
 
     void take(TipAtHeight tip) {
@@ -246,7 +248,7 @@ private:
     }
 
     VerticalPath& path_;
-    double force_;
+    SoughtForce force_;
     TipAtHeight less_;
     TipAtHeight more_;
     double lessMiss_;
@@ -333,21 +335,22 @@ double heightToPullOff(const VerticalPath& path, const TipAtHeight& from) {
     return wayToJump(path, from, Way::Up);
 }
 
-std::optional<TipAtHeight> findForce(VerticalPath& path, TipAtHeight from, double force) {
+std::optional<TipAtHeight> findForce(VerticalPath& path, TipAtHeight from,
+                                     const SoughtForce& force) {
     TipAtHeight now = std::move(from);
-    const bool isBelow = now.force() < force;
+    const bool isBelow = force.of(now) < force.value;
     double longest = 0.1 * path.instrument().system().tipRadius();
     int away = 0;
     for (int i = 0; i < kMaxForceSteps; ++i) {
-        const double missing = std::abs(force - now.force()) / slopeAt(path, now);
+        const double missing = std::abs(force.value - force.of(now)) / slopeAt(path, now);
         const double step = std::clamp(missing, kSmallestStep, longest);
         TipAtHeight next = path.at(now.base + (isBelow ? -step : step), now.memory);
-        if ((next.force() < force) != isBelow) {
+        if ((force.of(next) < force.value) != isBelow) {
             TipAtHeight& less = isBelow ? now : next;
             TipAtHeight& more = isBelow ? next : now;
             return Bracket(path, std::move(less), std::move(more), force).solve();
         }
-        away = (next.force() < now.force()) == isBelow ? away + 1 : 0;
+        away = (force.of(next) < force.of(now)) == isBelow ? away + 1 : 0;
         if (away > kMaxAway) {
             return std::nullopt;
         }
@@ -366,7 +369,7 @@ std::optional<Engagement> engage(VerticalPath& path, double setpoint) {
     }
     std::optional<TipAtHeight> reached = snapIn->after;
     if (reached->force() < setpoint) {
-        reached = findForce(path, std::move(*reached), setpoint);
+        reached = findForce(path, std::move(*reached), {.value = setpoint});
     }
     return reached ? std::optional(Engagement{std::move(*snapIn), std::move(*reached)})
                    : std::nullopt;

@@ -132,12 +132,22 @@ findPullOff(VerticalPath& path, TipAtHeight from, double maxStep, std::vector<Ti
 /// Returns how far the base must rise until the tip pulls off, by the law at its position [m].
 [[nodiscard]] double heightToPullOff(const VerticalPath& path, const TipAtHeight& from);
 
-/// Finds the height where the force along z is `force` [N], from a bonded tip: down where it pushes
-/// less than that, else up. To 1e-12 of the force, or as near as the rounding of the base's height
-/// lets it. None: no such height is found, such as on a wall so steep that friction jams the tip:
-/// the lower the base, the less it pushes along z.
+/// Force that a search ends at: a component, or what the bending shows of it.
+struct SoughtForce {
+    double value = 0.0;               ///< [N]
+    Vector3 axis = Vector3::UnitZ();  ///< its product with the force on the tip is the value
+
+    [[nodiscard]] double of(const TipAtHeight& tip) const noexcept {
+        return axis.dot(tip.state.force);
+    }
+};
+
+/// Finds the height where the force is as sought, from a bonded tip: down where it pushes less than
+/// that, else up. To 1e-12 of the force, or as near as the rounding of the base's height lets it.
+/// None: no such height is found, such as on a wall so steep that friction jams the tip: the lower
+/// the base, the less it pushes along z.
 [[nodiscard]] std::optional<TipAtHeight> findForce(VerticalPath& path, TipAtHeight from,
-                                                   double force);
+                                                   const SoughtForce& force);
 
 /// An approach of the tip to the sample.
 struct Engagement {

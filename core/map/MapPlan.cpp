@@ -123,18 +123,19 @@ constexpr RasterWay kRetrace{-1.0, MapQuantity::HeightRetrace, MapQuantity::Late
                              MapQuantity::ErrorRetrace};
 
 /// Returns whether friction holds the tip down on a wall by about as much as the wall pushes it up:
-/// hardly anything of what presses the tip to it is left along z, and the base goes on.
-bool isJammed(const ProbeSystem& system, const TipState& state) {
+/// hardly anything of what presses the tip to it shows in the bending, and the base goes on.
+bool isJammed(const ProbeSystem& system, const TipState& state, const Vector3& axis) {
     constexpr double kMinShare = 0.05;
     const double friction = system.frictionAt(state.closest.point).coefficient;
-    return state.closest.normal.z() + (friction * state.slip.z()) < kMinShare;
+    return axis.dot(state.closest.normal + (friction * state.slip)) < kMinShare;
 }
 
 /// The tip on its way along a row.
 class Raster {
 public:
     Raster(const MapInstrument& instrument, double setpoint)
-        : instrument_(instrument), setpoint_(setpoint) {}
+        : instrument_(instrument)
+        , held_{.value = setpoint, .axis = bendingAxis(instrument.system().cantilever)} {}
 
     /// Draws the tip there, where it has engaged; else it engages there.
     void moveTo(const Vector2& position, const RasterWay& way, MapValues& values) {
@@ -153,7 +154,7 @@ public:
     [[nodiscard]] ValidityFlags takeFlags() { return std::exchange(flags_, {}); }
 
 private:
-    /// Moves the base to the next position and there to the setpoint.
+    /// Moves the base to the next position, and there until the bending is that of the setpoint.
     void hold(const Vector2& position, double direction) {
         const Vector3 drawn = direction * VerticalPath::kSpeed * Vector3::UnitX();
         position_ = position;
@@ -163,12 +164,12 @@ private:
             tip_ = path.at(tip_->base, tip_->memory);
         }
         if (!tip_ || !tip_->isBonded()) {  // at the beginning, or the sample fell away
-            std::optional<Engagement> engaged = engage(path, setpoint_);
+            std::optional<Engagement> engaged = engage(path, held_.value);
             tip_ = engaged ? std::optional(std::move(engaged->atSetpoint)) : std::nullopt;
             path.setVelocity(drawn);
             tip_ = tip_ ? std::optional(path.at(tip_->base, tip_->memory)) : std::nullopt;
         }
-        tip_ = tip_ ? findForce(path, std::move(*tip_), setpoint_) : std::nullopt;
+        tip_ = tip_ ? findForce(path, std::move(*tip_), held_) : std::nullopt;
         letGoWhereStuck();
         solved_ += path.solved();
     }
@@ -179,7 +180,7 @@ private:
             return;
         }
         const TipState& state = tip_->state;
-        const bool sticks = state.locked || isJammed(instrument_.system(), state);
+        const bool sticks = state.locked || isJammed(instrument_.system(), state, held_.axis);
         if (sticks || !state.converged) {
             flags_.add(instrument_.validity(state));
             flags_.set(Validity::FrictionLock, sticks);
@@ -193,15 +194,15 @@ private:
         }
         const Cantilever& lever = instrument_.system().cantilever;
         const Vector3& force = tip_->state.force;
-        const double sensed = leverSignals(lever, force).bending / lever.bendingPerFz();
-        values[way.height] = VerticalPath(instrument_, position_).recordedHeight(*tip_);
+        const double sensed = held_.axis.dot(force);
+        values[way.height] = tip_->base + lever.compliance()(2, 2) * sensed;
         values[way.lateral] = force.x();
-        values[way.error] = (sensed - setpoint_) / lever.stiffness();
+        values[way.error] = (sensed - force.z()) / lever.stiffness();
         flags_.add(instrument_.validity(tip_->state));
     }
 
     const MapInstrument& instrument_;
-    double setpoint_;  ///< [N]
+    SoughtForce held_;
     std::optional<TipAtHeight> tip_;
     Vector2 position_ = Vector2::Zero();  ///< of the base [m]
     ValidityFlags flags_;

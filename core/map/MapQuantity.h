@@ -44,7 +44,7 @@ enum class MapQuantity : std::uint8_t {
     LateralTrace,    ///< along x, the fast axis
     LateralRetrace,  ///< along x
     FrictionForce,   ///< half the difference of lateral force between retrace and trace
-    ErrorTrace,      ///< deflection that the lever shows beyond that of the setpoint
+    ErrorTrace,      ///< deflection that the lever shows beyond that of the force along z
     ErrorRetrace,
     Validity,    ///< bits of ValidityFlags, of the whole cycle's states that quantities come from
     Iterations,  ///< equilibria of the tip that were solved

@@ -13,6 +13,26 @@ LeverSignals leverSignals(const Cantilever& cantilever, const Vector3& force) no
             .torsion = cantilever.torsionPerFy() * local.y()};
 }
 
+Vector3 bendingAxis(const Cantilever& cantilever) noexcept {
+    const Vector3 local(cantilever.bendingPerFx(), 0.0, cantilever.bendingPerFz());
+    const Vector3 axis = cantilever.rotation().transpose() * local;
+    return axis / axis.z();
+}
+
+namespace {
+
+/// Slope per deflection on a hard wall [rad/m].
+double slopePerDeflection(const Cantilever& cantilever) noexcept {
+    return 3.0 / (2.0 * cantilever.geometry().loadPoint());
+}
+
+}  // namespace
+
+double shownDeflectionPerForce(const Cantilever& cantilever) noexcept {
+    return std::abs(leverSignals(cantilever, Vector3::UnitZ()).bending) /
+           slopePerDeflection(cantilever);
+}
+
 VoltsToSignals::VoltsToSignals(const Cantilever& cantilever, const DetectorCalibration& detector) {
     if (!detector.invOls || !detector.torsionPerVolt) {
         throw Error("signals in volts need inv_ols_m_v and lateral_sensitivity_rad_v of the probe");
@@ -25,8 +45,7 @@ VoltsToSignals::VoltsToSignals(const Cantilever& cantilever, const DetectorCalib
     // measured = [1, vertical; lateral, 1] true, in volts.
     Eigen::Matrix2d unmixed;
     unmixed << 1.0, -detector.verticalCrossTalk, -detector.lateralCrossTalk, 1.0;
-    const double bendingPerVolt =
-        *detector.invOls * 3.0 / (2.0 * cantilever.geometry().loadPoint());
+    const double bendingPerVolt = *detector.invOls * slopePerDeflection(cantilever);
     perVolt_ = Eigen::Vector2d(bendingPerVolt, *detector.torsionPerVolt).asDiagonal() * unmixed;
     perVolt_ /= determinant;
 }

@@ -20,6 +20,15 @@ struct LeverSignals {
 [[nodiscard]] LeverSignals leverSignals(const Cantilever& cantilever,
                                         const Vector3& force) noexcept;
 
+/// Returns the vector whose product with a force on the tip (lab frame) is the force along z that
+/// the bending shows: 1 along z; along the lever it is what friction pretends. Source:
+/// docs/theory.md 5.4.
+[[nodiscard]] Vector3 bendingAxis(const Cantilever& cantilever) noexcept;
+
+/// Deflection per force along z that an optical lever calibrated on a hard wall shows [m/N]: what
+/// an instrument's setpoint in nanometers counts. Source: docs/theory.md 5.2.
+[[nodiscard]] double shownDeflectionPerForce(const Cantilever& cantilever) noexcept;
+
 /// Relation of the photodiode's volts to the lever's slopes. Source: docs/theory.md 5.2.
 struct DetectorCalibration {
     /// Inverse optical lever sensitivity: deflection along the lever's normal per volt of the

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <numbers>
 
 namespace asperity {
 namespace {
@@ -76,6 +77,23 @@ TEST(DevicePath, UnderABluntTipASlideHasFewSteps) {
     const DevicePath path = slidePath(scene, {.slideLength = 20.0_um});
     EXPECT_GT(path.size(), 50U);
     EXPECT_LT(path.size(), 100U) << "steps of half a nanometer took minutes to lay out";
+}
+
+TEST(DevicePath, LinesGoToAndFroAtOneSpeedAndHeight) {
+    const Vector3 from(40.0_nm, 50.0_nm, -2.0_nm);
+    const DevicePath path = linesPath(from, {.length = 30.0_nm,
+                                             .speed = 10e-9,
+                                             .direction = std::numbers::pi / 2.0,
+                                             .lines = 3,
+                                             .pitch = 5.0_nm});
+    EXPECT_EQ(path.front().position, from);
+    EXPECT_NEAR(path.back().time, 3 * 6.0 + 2 * 0.5, 1e-12);
+    EXPECT_LT((path.back().position - Vector3(30.0_nm, 50.0_nm, -2.0_nm)).norm(), 1e-20)
+        << "left of a line along y is -x";
+    EXPECT_LT((positionAt(path, 3.0) - Vector3(40.0_nm, 80.0_nm, -2.0_nm)).norm(), 1e-20);
+    const DevicePath same = linesPath(from, {.length = 30.0_nm, .speed = 10e-9, .lines = 2});
+    EXPECT_NEAR(same.back().time, 12.0, 1e-12);
+    EXPECT_EQ(same.back().position, from);
 }
 
 }  // namespace

@@ -55,5 +55,13 @@ TEST(DevicePilot, ThePersonEndsAJourney) {
     EXPECT_FALSE(pilot.traveling());
 }
 
+TEST(DevicePilot, StaysNearADeviceThatCannotFollow) {
+    DevicePilot pilot({30.0_nm, 40.0_nm, 9.0_nm});
+    pilot.keepNear(Vector3::Zero(), 60.0_nm);
+    EXPECT_EQ(pilot.target(), Vector3(30.0_nm, 40.0_nm, 9.0_nm));
+    pilot.keepNear(Vector3::Zero(), 5.0_nm);
+    EXPECT_TRUE(pilot.target().isApprox(Vector3(3.0_nm, 4.0_nm, 9.0_nm)));
+}
+
 }  // namespace
 }  // namespace asperity

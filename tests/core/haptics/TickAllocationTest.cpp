@@ -4,6 +4,7 @@
 #include "core/haptics/HapticTick.h"
 #include "core/haptics/SetpointApproach.h"
 #include "core/haptics/VirtualRun.h"
+#include "core/haptics/ZFeedback.h"
 #include "core/scene/BelievedModel.h"
 #include "core/scene/Scene.h"
 #include "tests/support/AllocationCounter.h"
@@ -172,6 +173,24 @@ TEST(TickAllocation, NorDoesAnApproachToTheSetpoint) {
         before = test::allocationCount();
     });
     EXPECT_TRUE(device.hasEngaged());
+}
+
+TEST(TickAllocation, NorDoesAFeedback) {
+    const Scene scene = buildScene(test::plainScene(), test::hillyMap());
+    const Vector3 base(40e-9, 60e-9, touchHeight(scene, 40e-9, 60e-9));
+    const double gain = scene.settings.positionGain;
+    FeedbackDevice device(
+        std::make_unique<ScriptedDevice>(linesPath(base, {.length = 40e-9, .speed = 100e-9}), gain),
+        {.lowest = base.z() - 1e-6, .highest = base.z() + 1e-6}, base.z(), gain);
+    SimulatedAfm afm(scene.surface, truthOf(scene));
+    std::size_t before = 0;
+    runVirtually(scene, device, afm, 801, [&](const TickSample& sample) {
+        if (sample.time > 0.0) {
+            ASSERT_EQ(test::allocationCount(), before) << "at " << sample.time << " s";
+        }
+        before = test::allocationCount();
+    });
+    EXPECT_FALSE(device.hasStopped());
 }
 
 TEST(TickAllocation, CounterSeesOperatorNewAndEigen) {

@@ -73,5 +73,26 @@ TEST(DetectorCalibration, RefusesVoltsWithoutSensitivities) {
     EXPECT_THROW((VoltsToSignals{lever, detector}), Error);
 }
 
+/// What an instrument's setpoint in volts or nanometers counts.
+TEST(DetectorCalibration, ShowsAForceAlongZAndTheFrictionAlongTheLever) {
+    for (const double tilt : {0.0, 0.2}) {
+        CantileverGeometry geometry = referenceLever("G1_k14");
+        geometry.mountTilt = tilt;
+        const Cantilever lever(geometry);
+        const Vector3 axis = bendingAxis(lever);
+        const Vector3 force(3_nN, 4_nN, 5_nN);
+        const double perZ = leverSignals(lever, Vector3::UnitZ()).bending;
+        expectRelative(axis.dot(force), leverSignals(lever, force).bending / perZ, 1e-14);
+        EXPECT_EQ(axis.z(), 1.0);
+        EXPECT_EQ(axis.y(), 0.0);
+        const double volts = 5_nN * shownDeflectionPerForce(lever) / 50_nm;
+        const double slope =
+            VoltsToSignals(lever, calibrated()).signals({.vertical = volts}).bending;
+        expectRelative(slope, std::abs(5_nN * perZ), 1e-14);
+    }
+    const Cantilever level(referenceLever("G1_k14"));
+    expectRelative(shownDeflectionPerForce(level), 1.0 / level.stiffness(), 1e-13);
+}
+
 }  // namespace
 }  // namespace asperity
