@@ -60,7 +60,7 @@ state() {  # STATE SAMPLE WIDTH HEIGHT SCALE NAME [dark]
     pngquant --force --ext .png --speed 1 --quality 70-95 "$out/$6.png"
 }
 state profile grating 1280 800 1 window_profile
-for name in start roughness touches map scene haptics; do
+for name in start roughness touches map path scene haptics; do
     state "$name" granular_film 1280 800 1 "window_$name"
 done
 state section granular_film 1280 800 1 window_dark dark

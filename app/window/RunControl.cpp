@@ -15,6 +15,8 @@
 #include <QAction>
 #include <QStandardPaths>
 
+#include <algorithm>
+
 namespace asperity {
 
 namespace {
@@ -35,6 +37,32 @@ std::string scanKey(const Scene& scene) {
 }
 
 }  // namespace
+
+void SteadyForce::take(const TickSample& sample) noexcept {
+    const ForceEstimate& estimate = sample.output.estimate;
+    const double step = sample.time - time_;
+    const bool begins = isEmpty_ || !(step > 0.0) || sample.output.region() != region_;
+    time_ = sample.time;
+    region_ = sample.output.region();
+    isEmpty_ = !estimate.force.allFinite();
+    if (begins) {
+        span_ = sample.input.timeStep;
+        force_ = estimate.force;
+        covariance_ = estimate.covariance;
+        return;
+    }
+    span_ = std::min(span_ + step, kPeriod);
+    const double share = std::min(step / span_, 1.0);
+    force_ += share * (estimate.force - force_);
+    covariance_ += share * (estimate.covariance - covariance_);
+}
+
+void SteadyForce::apply(TickOutput& output) const noexcept {
+    if (!isEmpty_ && output.region() == region_ && output.estimate.force.allFinite()) {
+        output.estimate.force = force_;
+        output.estimate.covariance = covariance_;
+    }
+}
 
 RunControl::RunControl(Host& host, LivePanels& live) : host_(host), live_(live) {
     ControlBar& controls = live_.controls();
@@ -252,6 +280,22 @@ void RunControl::setForces(bool on) {
         host_.tell(on ? tr("Forces are on")
                       : tr("Forces are off; the button above switches them on again"));
     }
+}
+
+void RunControl::fetch() {
+    run_->fetch([this](const TickSample& sample) {
+        steady_.take(sample);
+        sink_(sample);
+    });
+}
+
+const Snapshot& RunControl::shown() {
+    if (recorded_) {
+        return *recorded_;
+    }
+    latest_ = run_->loop().snapshot();
+    steady_.apply(latest_.sample.output);
+    return latest_;
 }
 
 std::vector<TickSample> RunControl::shownTicks() {

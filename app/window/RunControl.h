@@ -23,6 +23,26 @@ struct DeviceDriver;
 class Host;
 class LivePanels;
 
+/// The force as people read it: the mean of a tenth of a second, so that arrow and numbers stand
+/// still while the tip does. A jump into contact or out of it begins another mean.
+class SteadyForce {
+public:
+    static constexpr double kPeriod = 0.1;  ///< time constant of the mean [s]
+
+    /// Takes the next tick.
+    void take(const TickSample& sample) noexcept;
+    /// Gives a tick the mean up to it. Of a single tick it is the tick's own.
+    void apply(TickOutput& output) const noexcept;
+
+private:
+    Vector3 force_ = Vector3::Zero();       ///< [N]
+    Matrix3 covariance_ = Matrix3::Zero();  ///< mean of the ticks': that of one of them [N^2]
+    TipRegion region_ = TipRegion::Far;
+    double time_ = 0.0;  ///< of the last tick [s]
+    double span_ = 0.0;  ///< that the mean covers, at most kPeriod [s]
+    bool isEmpty_ = true;
+};
+
 /// The run behind the window: begins and ends it, lets it pause and go on, turns its knobs.
 class RunControl : public QObject {
     Q_OBJECT
@@ -36,7 +56,7 @@ public:
     /// Who gets every tick, in order.
     void setSink(TickSink sink) { sink_ = std::move(sink); }
     /// Passes all ticks of the run since the last time to the sink. There is a run.
-    void fetch() { run_->fetch(sink_); }
+    void fetch();
 
     /// Shows a scene that is loaded, and starts its loop. Forces that are off, or that a fault
     /// keeps away, stay off. @param tip waits above this position if it is on the scan [m]
@@ -63,10 +83,8 @@ public:
     void showKnobs();
 
     /// The tick that the window shows: of a recording that is looked at, else the latest one of the
-    /// loop. There is a run.
-    [[nodiscard]] const Snapshot& shown() {
-        return recorded_ ? *recorded_ : run_->loop().snapshot();
-    }
+    /// loop, with the steady force (SteadyForce). There is a run.
+    [[nodiscard]] const Snapshot& shown();
     /// The last seconds up to that tick, in order. There is a run.
     [[nodiscard]] std::vector<TickSample> shownTicks();
     [[nodiscard]] bool showsRecording() const { return recorded_.has_value(); }
@@ -138,6 +156,8 @@ private:
     QAction* clutch_ = nullptr;
     TickSink sink_ = [](const TickSample&) {};
     std::unique_ptr<LiveRun> run_;
+    SteadyForce steady_;
+    Snapshot latest_;                       ///< as it is shown
     std::optional<Snapshot> recorded_;      ///< none: the loop's ticks are shown
     std::deque<TickSample> recordedTicks_;  ///< the last seconds up to it
     QString tipRefusal_;

@@ -158,11 +158,11 @@ struct PlannedPathRow {
 };
 
 template <>
-inline constexpr auto kEnumTable<PlannedPath> =
-    std::to_array<PlannedPathRow>({{PlannedPath::Approach, "approach", "Approach", nullptr},
-                                   {PlannedPath::Slide, "slide", "Slide", slidePath},
-                                   {PlannedPath::Raster, "raster", "Raster", rasterPath},
-                                   {PlannedPath::Scratch, "scratch", "Scratch", scratchPath}});
+inline constexpr auto kEnumTable<PlannedPath> = std::to_array<PlannedPathRow>(
+    {{PlannedPath::Approach, "approach", "Approach", nullptr},
+     {PlannedPath::Slide, "slide", "Slide", slidePath},
+     {PlannedPath::Raster, "raster", "Raster", rasterPath},
+     {PlannedPath::Scratch, "scratch", "Slide at high load", scratchPath}});
 
 /// A device that approaches the sample until the estimated force reaches a setpoint. It knows the
 /// force of the tick before; what it makes of it is a device position as any other, so that a

@@ -55,6 +55,7 @@ FeedbackDevice::FeedbackDevice(std::unique_ptr<HapticDevice> lateral, const Feed
     , feedback_(plan)
     , stiffness_(plan.stiffness)
     , axis_(plan.axis)
+    , freeForce_(plan.freeForce)
     , positionGain_(positionGain)
     , force_(plan.freeForce + plan.setpoint)
     , height_(height)

@@ -111,6 +111,13 @@ public:
     /// Returns the force above free force and setpoint, as the bending shows it [N]. Any thread;
     /// wait-free.
     [[nodiscard]] double error() const noexcept { return error_; }
+    /// Returns the force that is held [N]. Any thread; wait-free.
+    [[nodiscard]] double setpoint() const noexcept { return setpoint_; }
+    /// Returns the error of a tick, as error() of the tick after it has it [N]. Any thread;
+    /// wait-free.
+    [[nodiscard]] double errorOf(const TickOutput& output) const noexcept {
+        return axis_.dot(output.estimate.force) - freeForce_ - setpoint_;
+    }
     /// Returns the speed along the sample that mouse and keyboard are held to, of the device [m/s].
     /// Any thread; wait-free.
     [[nodiscard]] double maxSpeed() const noexcept { return maxSpeed_; }
@@ -125,6 +132,7 @@ private:
     ZFeedback feedback_;
     double stiffness_;  ///< as FeedbackPlan has it [N/m]
     Vector3 axis_;      ///< same
+    double freeForce_;  ///< same [N]
     double positionGain_;
     Vector3 position_ = Vector3::Zero();  ///< of the device [m]
     double force_ = 0.0;            ///< of the tick before, along z as the bending shows it [N]

@@ -1,7 +1,7 @@
 /// Opens the live window on a scan, brings it into one of the states of docs/window.md as a user
 /// does, and saves what the screen shows then.
-/// Usage: asperity_window_picture start|profile|roughness|touches|map|section|scene|haptics
-///        SCENE_OR_SCAN WIDTH HEIGHT OUT.png [dark]
+/// Usage: asperity_window_picture start|profile|roughness|touches|map|path|section|scene|
+///        haptics SCENE_OR_SCAN WIDTH HEIGHT OUT.png [dark]
 
 #include "app/commands/VirtualDisplay.h"
 #include "app/loading/SceneLoader.h"
@@ -21,6 +21,7 @@
 #include <QAbstractButton>
 #include <QAction>
 #include <QElapsedTimer>
+#include <QLabel>
 #include <QMouseEvent>
 #include <QStatusBar>
 #include <QTabWidget>
@@ -144,6 +145,15 @@ void showMap(User& user) {
     live(kMoment);
 }
 
+void showPath(User& user) {
+    user.window().menus().entry("showPath").trigger();
+    user.click("startPath");
+    const auto* progress = user.window().findChild<QLabel*>(QStringLiteral("pathProgress"));
+    waitFor("a path", [&] { return progress->text().startsWith(QStringLiteral("Line")); });
+    waitFor("its end", [&] { return !progress->text().startsWith(QStringLiteral("Line")); });
+    live(kMoment);
+}
+
 void showSection(User& user) {
     user.window().menus().entry("secondView").trigger();
     user.engage();
@@ -160,6 +170,7 @@ int run(char** argv) {
         {"roughness", [&] { showRoughness(user); }},
         {"touches", [&] { showForceCycles(user); }},
         {"map", [&] { showMap(user); }},
+        {"path", [&] { showPath(user); }},
         {"section", [&] { showSection(user); }},
         {"scene", [&] { user.showPage(1); }},
         {"haptics", [&] { user.showPage(2); }}};
@@ -191,7 +202,7 @@ int run(char** argv) {
 int main(int argc, char** argv) {
     return asperity::runPictureTool(
         {argv, static_cast<std::size_t>(argc)}, argc == 7 ? 6 : 5,
-        "asperity_window_picture start|profile|roughness|touches|map|section|scene|haptics "
-        "SCENE_OR_SCAN WIDTH HEIGHT OUT.png [dark]",
+        "asperity_window_picture start|profile|roughness|touches|map|path|section|scene|"
+        "haptics SCENE_OR_SCAN WIDTH HEIGHT OUT.png [dark]",
         asperity::run);
 }

@@ -4,7 +4,6 @@
 #include "core/deformation/SurfaceField.h"
 #include "core/scene/Scene.h"
 #include "ui/view/ContactShape.h"
-#include "ui/view/ForceLayer.h"
 #include "ui/view/ViewFrame.h"
 #include "ui/widgets/ShownText.h"
 #include "ui/widgets/Theme.h"
@@ -71,6 +70,7 @@ void ContactPlot::setScene(const Scene* scene) {
     sample_.reset();
     crossHair_.reset();
     writtenForce_.clear();
+    evidence_.forget();
     if (scene_ != nullptr) {
         const ViewScale scale = viewScale(*scene_);
         paraboloidReach_ = scale.paraboloidReach;
@@ -90,6 +90,7 @@ void ContactPlot::showSnapshot(const Snapshot& snapshot) {
         return;
     }
     sample_ = snapshot.sample;
+    isForceKnown_ = evidence_.take(sample_->output.estimate, sample_->time);
     cut();
 }
 
@@ -230,7 +231,7 @@ void ContactPlot::drawForce(QPainter& painter) const {
     const Vector3 force = estimate.force;
     const Vector2 inPlane(force.head<2>().dot(section_->direction), force.z());
     const double size = inPlane.norm();
-    if (!(size > 0.0) || !std::isfinite(size)) {
+    if (!isForceKnown_ || !(size > 0.0) || !std::isfinite(size)) {
         return;
     }
     const double length = arrowLength(size, forceScale_, 0.45 * area().height());

@@ -2,6 +2,7 @@
 
 #include "core/deformation/ContactDeformation.h"
 #include "core/haptics/VirtualRun.h"
+#include "ui/view/ForceLayer.h"
 #include "ui/view/SurfacePick.h"
 
 #include <QPointF>
@@ -89,8 +90,10 @@ private:
     double middleHeight_ = 0.0;      ///< world z in the middle of the plot [m]
     double paraboloidReach_ = 0.0;   ///< see ViewScale [m]
     double forceScale_ = 1e-9;       ///< usual force [N]
-    std::string writtenForce_;       ///< at the arrow; empty: of the sample
-    double leastHalfWidth_ = 0.0;    ///< [m]
+    ForceEvidence evidence_;
+    bool isForceKnown_ = false;
+    std::string writtenForce_;     ///< at the arrow; empty: of the sample
+    double leastHalfWidth_ = 0.0;  ///< [m]
     std::optional<Vector2> crossHair_;
     std::optional<SurfaceReading> reading_;
 };

@@ -25,6 +25,15 @@ constexpr double kConfirmation = 0.05;
 
 }  // namespace
 
+bool ForceEvidence::take(const ForceEstimate& estimate, double time) {
+    const Vector3 direction = estimate.force.stableNormalized();
+    const double sigma = std::sqrt(direction.dot(estimate.covariance * direction));
+    if (!(estimate.force.stableNorm() > kSignificant * sigma)) {
+        lastNoise_ = time;
+    }
+    return !lastNoise_ || time < *lastNoise_ || time - *lastNoise_ > kConfirmation;
+}
+
 ForceLayer::ForceLayer(vtkRenderer* renderer) {
     source_->SetResolution(kConeFacets);
     arrow_ = plainSurface(source_->GetOutput(), theme::palette().force);
@@ -44,14 +53,8 @@ void ForceLayer::show(const ForceEstimate& estimate, const Vector3& start, doubl
                       double usual, double room) {
     const Vector3& force = estimate.force;
     const double magnitude = force.stableNorm();
-    const Vector3 direction = force.stableNormalized();
-    const double sigma = std::sqrt(direction.dot(estimate.covariance * direction));
     const double length = arrowLength(magnitude, usual, room);
-    if (!(magnitude > kSignificant * sigma)) {
-        lastNoise_ = time;
-    }
-    const bool isKnown = !lastNoise_ || time < *lastNoise_ || time - *lastNoise_ > kConfirmation;
-    if (!isKnown || !(length > kMinLength * room) || !force.allFinite()) {
+    if (!evidence_.take(estimate, time) || !(length > kMinLength * room) || !force.allFinite()) {
         hide();
         return;
     }
@@ -61,7 +64,7 @@ void ForceLayer::show(const ForceEstimate& estimate, const Vector3& start, doubl
     source_->SetMetersPerNewton(length / magnitude);
     source_->Update();
     arrow_->VisibilityOn();
-    end_ = start + length * direction;
+    end_ = start + length * force.stableNormalized();
 }
 
 double arrowLength(double magnitude, double usual, double room) {

@@ -15,8 +15,19 @@ class vtkRenderer;
 
 namespace asperity {
 
-/// The force on the tip as an arrow from the contact, once it is known to be there: while it is not
-/// larger than three of its standard deviations, and shortly after, there is none.
+/// Decides whether a force is known to be there: not while it is not larger than three of its
+/// standard deviations, and not shortly after.
+class ForceEvidence {
+public:
+    /// Takes the next estimate, and returns whether its force is known. @param time of the run [s]
+    bool take(const ForceEstimate& estimate, double time);
+    void forget() { lastNoise_.reset(); }
+
+private:
+    std::optional<double> lastNoise_;  ///< when the force was within its noise [s]
+};
+
+/// The force on the tip as an arrow from the contact, once it is known to be there.
 class ForceLayer {
 public:
     explicit ForceLayer(vtkRenderer* renderer);
@@ -38,7 +49,7 @@ public:
 private:
     vtkNew<vtkAspForceGlyphSource> source_;
     vtkSmartPointer<vtkActor> arrow_;
-    std::optional<double> lastNoise_;  ///< when the force was within its noise [s]
+    ForceEvidence evidence_;
     std::optional<Vector3> end_;
 };
 

@@ -37,6 +37,7 @@ constexpr double kCoarse = 0.7;  // [s]
 constexpr double kFine = 3.0;    // of an approach with its way back [s]
 
 constexpr double kKeySpeed = 0.25;    // along the sample, of held keys [half widths/s]
+constexpr double kLead = 0.06;        // of the mouse over a tip that a feedback slows down [s]
 constexpr double kTurnSpeed = 1.0;    // of a device's axes: the force turns with them [rad/s]
 constexpr double kKeySpeedUp = 0.05;  // and across it [half widths/s]
 
@@ -67,6 +68,7 @@ void ActiveDevice::take(const DeviceDriver* driver, const LiveRun::MakeDevice& m
     device_ = &run_->device();
     driver_ = driver;
     approach_ = nullptr;
+    feedback_ = nullptr;
     if (const PilotedDevice* const piloted = run_->device().piloted()) {
         pilot_ = DevicePilot(piloted->start());
     }
@@ -78,9 +80,11 @@ DevicePath ActiveDevice::leadIn(const Vector3& start) {
     return path;
 }
 
-void ActiveDevice::follow(const DevicePath& path) {
-    take(nullptr, [this, &path] {
+double ActiveDevice::follow(const DevicePath& path) {
+    double leadTime = 0.0;
+    take(nullptr, [this, &path, &leadTime] {
         DevicePath way = leadIn(path.front().position);
+        leadTime = way.back().time;
         const double begin = way.back().time - path.front().time;
         for (std::size_t i = 1; i < path.size(); ++i) {
             way.push_back({begin + path[i].time, path[i].position});
@@ -88,6 +92,7 @@ void ActiveDevice::follow(const DevicePath& path) {
         return std::make_unique<ScriptedDevice>(std::move(way), run_->settings().positionGain,
                                                 run_->devicePosition());
     });
+    return leadTime;
 }
 
 void ActiveDevice::approachBy(const MakeLeadIn& makeLeadIn, const ApproachPlan& plan) {
@@ -101,20 +106,51 @@ void ActiveDevice::approachBy(const MakeLeadIn& makeLeadIn, const ApproachPlan& 
     approach_ = made;
 }
 
+void ActiveDevice::followFromHere(const MakePath& makePath) {
+    take(nullptr, [&] {
+        return std::make_unique<ScriptedDevice>(
+            makePath(run_->basePosition()), run_->settings().positionGain, run_->devicePosition());
+    });
+}
+
+void ActiveDevice::hold(const HeldForce& force, const MakePath& makePath) {
+    FeedbackDevice* made = nullptr;
+    take(makePath ? nullptr : &pointerDriver(), [&] {
+        const Vector3 base = run_->basePosition();
+        const double gain = run_->settings().positionGain;
+        std::unique_ptr<HapticDevice> lateral;
+        if (makePath) {
+            lateral =
+                std::make_unique<ScriptedDevice>(makePath(base), gain, run_->devicePosition());
+        } else {
+            lateral = std::make_unique<PointerDevice>(run_->devicePosition());
+        }
+        auto device = std::make_unique<FeedbackDevice>(
+            std::move(lateral), planFeedback(run_->scene(), base, force.setpoint, force.freeForce),
+            base.z(), gain);
+        device->hold(force.setpoint, force.gain);
+        made = device.get();
+        return device;
+    });
+    feedback_ = made;
+}
+
 void ActiveDevice::approach(const PlannedApproach& approach) {
     approachBy([&] { return leadIn(approach.start); }, approach.plan);
 }
 
-void ActiveDevice::engage(double setpoint) {
-    const Vector2 here = run_->basePosition().head<2>();
-    PlannedApproach planned =
-        planApproach(run_->scene(), {.duration = kFine, .position = here, .setpoint = setpoint});
+void ActiveDevice::engage(double setpoint, const Vector2& position) {
+    PlannedApproach planned = planApproach(
+        run_->scene(), {.duration = kFine, .position = position, .setpoint = setpoint});
     planned.plan.dwell = std::numeric_limits<double>::infinity();
-    const auto straightDown = [&]() -> DevicePath {
+    const auto wayThere = [&]() -> DevicePath {
         const Vector3 base = run_->basePosition();
+        if (base.head<2>() != position) {
+            return leadIn(planned.start);
+        }
         return {{0.0, base}, {kCoarse, {base.x(), base.y(), planned.start.z()}}};
     };
-    approachBy(straightDown, planned.plan);
+    approachBy(wayThere, planned.plan);
 }
 
 HidTransport& ActiveDevice::hid() {
@@ -176,7 +212,11 @@ void ActiveDevice::advance(double seconds, double halfWidth) {
         const DeviceMapping now{.device = run_->devicePosition(),
                                 .base = run_->basePosition(),
                                 .positionGain = run_->settings().positionGain};
-        device->moveTo(pilot_.advance(seconds, now));
+        pilot_.advance(seconds, now);
+        if (const FeedbackDevice* const held = feedback()) {
+            pilot_.keepNear(now.device, kLead * held->maxSpeed());
+        }
+        device->moveTo(pilot_.target());
     }
     if (run_ != nullptr) {
         run_->device().setSeenHalfWidth(halfWidth);
@@ -201,13 +241,7 @@ DeviceControl::DeviceControl(Stage& stage) : Feature(stage), keys_(new HeldKeys(
             device_.displace({dx, dy, 0.0});
         }
     });
-    connect(&live_.view(), &ZoomView::lifted, this, [this](double notches) {
-        if (runs_.run() != nullptr && runs_.tipRefusal().isEmpty()) {
-            const Scene& scene = runs_.run()->scene();
-            device_.lift(notches, fineLiftStep(live_.view().halfWidth(), scene.description.setpoint,
-                                               scene.belief.cantilever.stiffness()));
-        }
-    });
+    connect(&live_.view(), &ZoomView::lifted, this, &DeviceControl::lift);
     connect(&live_.overview(), &OverviewPanel::positionChosen, this, [this](double x, double y) {
         travelTo({x, y});
     });
@@ -318,6 +352,7 @@ void DeviceControl::choose(int index) {
         use(*driver);
     } else {
         Q_EMIT pathWanted();
+        show();  // the device stays until a path starts
     }
 }
 
@@ -331,9 +366,10 @@ void DeviceControl::use(const DeviceDriver& driver) {
     show();
 }
 
-void DeviceControl::follow(const DevicePath& path) {
-    device_.follow(path);
+double DeviceControl::follow(const DevicePath& path) {
+    const double leadTime = device_.follow(path);
     show();
+    return leadTime;
 }
 
 void DeviceControl::approach(const PlannedApproach& approach) {
@@ -341,25 +377,50 @@ void DeviceControl::approach(const PlannedApproach& approach) {
     show();
 }
 
-void DeviceControl::engage(double setpoint) {
-    device_.engage(setpoint);
+void DeviceControl::engage(double setpoint, const Vector2& position) {
+    device_.engage(setpoint, position);
+    show();
+}
+
+void DeviceControl::hold(const HeldForce& force) {
+    device_.hold(force);
+    show();
+}
+
+void DeviceControl::hold(const HeldForce& force, const ActiveDevice::MakePath& makePath) {
+    device_.hold(force, makePath);
+    show();
+}
+
+void DeviceControl::followFromHere(const ActiveDevice::MakePath& makePath) {
+    device_.followFromHere(makePath);
     show();
 }
 
 void DeviceControl::withdraw() {
-    if (device_.followsPath()) {
-        use(pointerDriver());
-    }
+    release();
     const Vector3 base = runs_.run()->basePosition();
     if (base.z() < waitingPosition(runs_.run()->scene(), base.head<2>()).z()) {
         travelTo(base.head<2>());
     }
 }
 
-void DeviceControl::releaseApproach() {
-    if (device_.approaching() != nullptr) {
+void DeviceControl::release() {
+    if (device_.followsPath() || device_.feedback() != nullptr) {
         use(pointerDriver());
     }
+}
+
+void DeviceControl::lift(double notches) {
+    if (runs_.run() == nullptr || !runs_.tipRefusal().isEmpty()) {
+        return;
+    }
+    if (device_.feedback() != nullptr) {
+        Q_EMIT heightWanted();
+    }
+    const Scene& scene = runs_.run()->scene();
+    device_.lift(notches, fineLiftStep(live_.view().halfWidth(), scene.description.setpoint,
+                                       scene.belief.cantilever.stiffness()));
 }
 
 void DeviceControl::pilotDevice(const DevicePath& path) {
@@ -377,7 +438,7 @@ void DeviceControl::travelTo(const Vector2& position) {
         host_.tell(why);
         return;
     }
-    if (device_.driver() != &pointerDriver()) {
+    if (device_.driver() != &pointerDriver() || device_.feedback() != nullptr) {
         device_.use(pointerDriver());
         show();
     }
@@ -386,7 +447,7 @@ void DeviceControl::travelTo(const Vector2& position) {
 
 void DeviceControl::turnKnob(const QString& column, double value) {
     // A number that was being typed into the knob when it was disabled.
-    if (column == QLatin1String("position_gain") && device_.followsPath()) {
+    if (column == QLatin1String("position_gain") && !gainRefusal().isEmpty()) {
         live_.controls().setKnobs(runs_.run()->settings());
         return;
     }
@@ -412,6 +473,9 @@ void DeviceControl::chooseGuide(FixtureKind kind) {
 void DeviceControl::advance(double seconds) {
     const double halfWidth = live_.view().halfWidth();
     const Vector3 keys = keyVelocity(keys_->direction(), live_.view().camera());
+    if (keys.z() != 0.0 && device_.feedback() != nullptr && runs_.tipRefusal().isEmpty()) {
+        Q_EMIT heightWanted();
+    }
     device_.setVelocity(runs_.tipRefusal().isEmpty() ? Vector3(halfWidth * keys)
                                                      : Vector3(Vector3::Zero()));
     device_.advance(seconds, halfWidth);
@@ -448,17 +512,22 @@ void DeviceControl::followDelay() {
     }
 }
 
+QString DeviceControl::gainRefusal() const {
+    if (device_.followsPath()) {
+        return tr("A path gives positions on the scan: the position gain has no effect");
+    }
+    return device_.feedback() != nullptr
+               ? tr("The feedback holds the force at the gain with which it began")
+               : QString();
+}
+
 void DeviceControl::show() {
     runs_.setDriver(device_.driver());
     const bool isListed = device_.driver() != nullptr || device_.followsPath();
     const auto found = std::find(list_.begin(), list_.end(), device_.driver());
     live_.controls().setDevice(isListed ? static_cast<int>(found - list_.begin()) : -1);
     runs_.setEmergencyStop(runs_.run()->device().specification().rendersForce());
-    live_.controls().refuseKnob(
-        "position_gain",
-        device_.followsPath()
-            ? tr("A path gives positions on the scan: the position gain has no effect")
-            : QString());
+    live_.controls().refuseKnob("position_gain", gainRefusal());
     runs_.showKnobs();
 }
 

@@ -4,6 +4,7 @@
 #include "app/window/Stage.h"
 #include "core/haptics/DevicePath.h"
 #include "core/haptics/SetpointApproach.h"
+#include "core/haptics/ZFeedback.h"
 #include "hardware/driver/DeviceDriver.h"
 #include "hardware/hid/HidapiTransport.h"
 
@@ -19,6 +20,13 @@ namespace asperity {
 
 class HeldKeys;
 
+/// Force that a feedback holds.
+struct HeldForce {
+    double setpoint = 0.0;               ///< [N]
+    double freeForce = 0.0;              ///< measured far from the sample [N]
+    double gain = kDefaultFeedbackGain;  ///< of the feedback
+};
+
 /// The device that moves the tip of a run, with mouse and keyboard as the user's other means.
 /// Displacements and velocities are those of the device.
 class ActiveDevice {
@@ -31,16 +39,27 @@ public:
     /// @throw Error why it cannot: no way to HID devices at all, or no scale at which it holds
     void use(const DeviceDriver& driver);
     /// Goes to where the path begins, well above the sample, and follows it.
-    void follow(const DevicePath& path);
+    /// @return time on the way to its start [s]
+    double follow(const DevicePath& path);
 
     /// Goes to where the approach begins, well above the sample, and approaches.
     void approach(const PlannedApproach& approach);
-    /// Approaches where the base is, from right above the sample, and stays at the setpoint.
-    void engage(double setpoint);
+    /// Approaches there (x, y) [m], from right above the sample, and stays at the setpoint.
+    void engage(double setpoint, const Vector2& position);
     /// The approach that has the tip; null: none has.
     [[nodiscard]] const ApproachDevice* approaching() const {
         return isOurs() ? approach_ : nullptr;
     }
+    /// Makes a path that begins where the base is [m].
+    using MakePath = std::function<DevicePath(const Vector3& base)>;
+    /// Follows a path from where the base is.
+    void followFromHere(const MakePath& makePath);
+    /// A feedback takes the tip's height, mouse and keyboard the rest.
+    void hold(const HeldForce& force) { hold(force, nullptr); }
+    /// The same with a path from where the base is; null: mouse and keyboard.
+    void hold(const HeldForce& force, const MakePath& makePath);
+    /// The feedback that holds the force; null: none does.
+    [[nodiscard]] FeedbackDevice* feedback() const { return isOurs() ? feedback_ : nullptr; }
 
     /// Returns the driver that has the tip; null: a path has it, or a device taken elsewhere.
     [[nodiscard]] const DeviceDriver* driver() const { return isOurs() ? driver_ : nullptr; }
@@ -88,6 +107,7 @@ private:
     const HapticDevice* device_ = nullptr;      ///< that was taken last; only compared
     const DeviceDriver* driver_ = nullptr;      ///< its own; null: it follows a path
     const ApproachDevice* approach_ = nullptr;  ///< it as an approach; null: it is none
+    FeedbackDevice* feedback_ = nullptr;        ///< it as a feedback; null: it is none
 };
 
 /// Choice of the device that has the tip, with what mouse, keys and the Device menu do.
@@ -98,19 +118,31 @@ public:
     explicit DeviceControl(Stage& stage);
 
     /// The device follows a path of the base from its start. There is a run.
-    void follow(const DevicePath& path);
+    /// @return time on the way there [s]
+    double follow(const DevicePath& path);
     /// The device approaches, from where the approach begins. There is a run.
     void approach(const PlannedApproach& approach);
-    /// Approaches where the tip is, up to a setpoint [N], and stays there. There is a run.
-    void engage(double setpoint);
+    /// Approaches there (x, y) [m], up to a setpoint [N], and stays there. There is a run.
+    void engage(double setpoint, const Vector2& position);
     /// Goes up from the sample, out of its reach. There is a run.
     void withdraw();
     /// Returns whether the tip still moves by itself: after withdraw() or a click on the overview.
     [[nodiscard]] bool isTraveling() const { return device_.isTraveling(); }
     /// The approach that has the tip; null: none has.
     [[nodiscard]] const ApproachDevice* approaching() const { return device_.approaching(); }
-    /// Mouse and keyboard take the tip where an approach has it.
-    void releaseApproach();
+    /// Mouse and keyboard take the tip where an approach, a path or a feedback has it; its height
+    /// stays.
+    void release();
+    /// A feedback takes the tip's height, mouse and keyboard the rest. There is a run.
+    void hold(const HeldForce& force);
+    /// The same with a path from where the base is. There is a run.
+    void hold(const HeldForce& force, const ActiveDevice::MakePath& makePath);
+    /// The device follows a path from where the base is. There is a run.
+    void followFromHere(const ActiveDevice::MakePath& makePath);
+    /// The feedback that holds the force; null: none does.
+    [[nodiscard]] FeedbackDevice* feedback() const { return device_.feedback(); }
+    /// Returns whether the device follows a path, an approach included.
+    [[nodiscard]] bool followsPath() const { return device_.followsPath(); }
     /// A user pilots the simulated device along a path of the base from its start. There is a run.
     void pilotDevice(const DevicePath& path);
     /// Once a frame, before its ticks: moves the device on [s]. There is a run.
@@ -123,6 +155,8 @@ public:
 Q_SIGNALS:
     /// The user wants the device to follow a path.
     void pathWanted();
+    /// The user moves the tip up or down while a feedback holds it.
+    void heightWanted();
 
 private:
     void addEntries();
@@ -135,11 +169,14 @@ private:
     void choose(int index);
     void use(const DeviceDriver& driver);
     void travelTo(const Vector2& position);
+    void lift(double notches);
     void turnKnob(const QString& column, double value);
     void chooseGuide(FixtureKind kind);
     /// Turns the axes of a device with the view, where that is wanted.
     void turnAxes(double seconds);
     void followDelay();
+    /// Returns why the position gain cannot be turned; empty: it can.
+    [[nodiscard]] QString gainRefusal() const;
     void show();
     void tell();
 

@@ -3,23 +3,24 @@
 #include "app/recording/RecordedRun.h"
 #include "app/runs/RunFolder.h"
 #include "app/window/live/ControlBar.h"
+#include "app/window/live/EngageBar.h"
 #include "app/window/live/LivePanels.h"
 #include "app/window/live/OverviewPanel.h"
 #include "core/Error.h"
 #include "core/io/scene/DevicePathFile.h"
-#include "core/words/BudgetWords.h"
 #include "core/words/SceneWords.h"
 #include "ui/shell/Menus.h"
-#include "ui/widgets/ReadingBudget.h"
 #include "ui/widgets/ShownText.h"
 
 #include <QAction>
 #include <QFileDialog>
+#include <QFileInfo>
 #include <QPolygonF>
 #include <QStringList>
 
 #include <algorithm>
-#include <optional>
+#include <cmath>
+#include <utility>
 
 namespace asperity {
 
@@ -69,22 +70,136 @@ QPolygonF outline(const DevicePath& path) {
     return way;
 }
 
+/// A path so many times, one after the other, with a second from its end to its start.
+DevicePath repeated(const DevicePath& path, int times) {
+    constexpr double kBack = 1.0;  // [s]
+    DevicePath all = path;
+    for (int i = 1; i < times; ++i) {
+        const double shift = all.back().time + kBack - path.front().time;
+        for (const PathPoint& point : path) {
+            all.push_back({point.time + shift, point.position});
+        }
+    }
+    return all;
+}
+
 }  // namespace
 
-PathControl::PathControl(Stage& stage) : Feature(stage), devices_(stage.get<DeviceControl>()) {
+LineRecord::LineRecord(const DevicePath& path, const std::optional<LinesPlan>& lines) {
+    const Vector3 along = lines ? Vector3(std::cos(lines->direction), std::sin(lines->direction), 0)
+                                : Vector3(Vector3::Zero());
+    double distance = 0.0;
+    for (std::size_t i = 1; i < path.size(); ++i) {
+        const Vector3 step = path[i].position - path[i - 1].position;
+        const double way = step.head<2>().norm();
+        const double forward = lines ? step.dot(along) / way : 1.0;
+        const bool crosses = std::abs(forward) < 0.5;  // to the next line
+        if (way > 0.0 && !crosses) {
+            const bool isTrace = forward > 0.0;
+            const bool isNewLine = ways_.empty() || (isTrace && lines);
+            ways_.push_back({.begin = path[i - 1].time,
+                             .end = path[i].time,
+                             .line = (ways_.empty() ? 0 : ways_.back().line) + (isNewLine ? 1 : 0),
+                             .isTrace = isTrace,
+                             .start = lines && isTrace ? 0.0 : distance,
+                             .reach = lines && !isTrace ? -way : way,
+                             .direction = lines ? along : Vector3(step / way)});
+            distance = lines ? (isTrace ? way : 0.0) : distance + way;
+            length_ = std::max(length_, distance);
+        }
+    }
+}
+
+int LineRecord::lineAt(double time) const {
+    const auto after = std::ranges::find_if(ways_, [&](const Way& way) { return time < way.end; });
+    return ways_.empty() ? 0 : (after == ways_.end() ? ways_.back() : *after).line;
+}
+
+void LineRecord::take(double time, const TickOutput& output, double height) {
+    while (next_ < ways_.size() && time >= ways_[next_].end) {
+        ++next_;
+    }
+    if (next_ == ways_.size() || time < ways_[next_].begin) {
+        return;
+    }
+    const Way& way = ways_[next_];
+    if (way.line != std::exchange(line_, way.line)) {
+        heights_ = {};
+        forces_ = {};
+    }
+    const double share = (time - way.begin) / (way.end - way.begin);
+    const double distance = way.start + share * way.reach;
+    const auto add = [&](LinePlot::Ways& ways, double value) {
+        (way.isTrace ? ways.trace : ways.retrace).append({distance, value});
+    };
+    add(heights_, height);
+    add(forces_, output.estimate.force.dot(way.direction));
+}
+
+PathControl::PathControl(Stage& stage)
+    : Feature(stage)
+    , devices_(stage.get<DeviceControl>())
+    , engaging_(stage.get<EngageControl>())
+    , page_(new PathPage(&host_.widget())) {
     QStringList names;
     for (const PlannedPath path : kValues<PlannedPath>) {
         names << QString::fromUtf8(nameOf(path));
     }
     live_.controls().setPaths(names);
+    host_.addTool(page_, tr("Path"));
+    stage.onTick([this](const TickSample& sample) { take(sample); });
+    stage.onFrame(FrameStep::Act, [this](double /*elapsed*/) { advance(); });
     connect(&live_.controls(), &ControlBar::pathChosen, this, &PathControl::choose);
-    connect(&devices_, &DeviceControl::pathWanted, this, [this] { choose(0); });
+    connect(&devices_, &DeviceControl::pathWanted, this, &PathControl::show);
+    connect(&engaging_, &EngageControl::engaged, this, [this] {
+        if (state_ == State::Engaging) {
+            begin();
+        }
+    });
+    connect(&engaging_, &EngageControl::failed, this, [this] {
+        if (state_ == State::Engaging) {
+            state_ = State::Idle;
+            page_->setRunning(false, tr("Not started: the tip did not engage"));
+        }
+    });
+    connect(&runs_, &RunControl::begun, this, [this] {
+        const Scene& scene = runs_.run()->scene();
+        page_->setScan(scene.surface.sizeX(), scene.surface.finestPitch(),
+                       scene.description.tip.radius);
+        page_->setSetpoint(scene.description.setpoint);
+    });
+    connect(&runs_, &RunControl::ending, this, [this] {
+        state_ = State::Idle;
+        page_->setRunning(false, tr("Choose a path, then Start"));
+    });
+    connect(&edits_, &SceneEdits::changed, this, [this] {
+        if (const SceneDescription* const scene = edits_.wanted()) {
+            page_->setSetpoint(scene->setpoint);
+        }
+    });
+    connectPage();
     addEntries();
+}
+
+void PathControl::connectPage() {
+    connect(page_, &PathPage::changed, this, &PathControl::showChosen);
+    connect(page_, &PathPage::hidden, this, [this] {
+        if (state_ == State::Idle) {
+            live_.overview().showPath({});
+        }
+    });
+    connect(page_, &PathPage::gainChanged, &engaging_, &EngageControl::setGain);
+    connect(page_, &PathPage::startChosen, this, &PathControl::start);
+    connect(page_, &PathPage::stopChosen, this, [this] { end(tr("Path stopped")); });
 }
 
 void PathControl::addEntries() {
     Menus& menus = host_.menus();
     const auto refusal = [this] { return runs_.moveRefusal(); };
+    const QAction& page =
+        menus.add({MenuName::Run, 1, 5}, "showPath",
+                  {.text = tr("Follow a pa&th…"),
+                   .tip = tr("Lines at a constant force or height, approaches, paths of files")});
     const QAction& file = menus.add({MenuName::Run, 1, 10}, "followPathFile",
                                     {.text = tr("Follow a path from a fi&le…"),
                                      .tip = tr("Move the base along a path from a CSV file"),
@@ -97,11 +212,13 @@ void PathControl::addEntries() {
         const QString chosen = QFileDialog::getOpenFileName(
             &host_.widget(), tr("Follow a path"), {}, tr("Paths: time_s, x_m, y_m, z_m (*.csv)"));
         if (!chosen.isEmpty()) {
-            followFile(chosen);
+            chooseFile(chosen);
         }
     };
+    connect(&page, &QAction::triggered, this, &PathControl::show);
     connect(&file, &QAction::triggered, this, askForFile);
     connect(&live_.controls(), &ControlBar::pathFileRequested, this, askForFile);
+    connect(page_, &PathPage::fileRequested, this, askForFile);
     connect(&recording, &QAction::triggered, this, [this] {
         const QString chosen = QFileDialog::getOpenFileName(
             &host_.widget(), tr("Replay a recording"), {},
@@ -113,47 +230,206 @@ void PathControl::addEntries() {
     });
 }
 
-void PathControl::followFile(const QString& file) { followFile(file, readDevicePath, kInMeters); }
+void PathControl::show() {
+    host_.showTool(page_);
+    showChosen();
+}
+
+void PathControl::choose(int index) {
+    if (runs_.run() != nullptr) {
+        page_->choose(kValues<PlannedPath>.at(static_cast<std::size_t>(index)));
+        show();
+    }
+}
+
+void PathControl::chooseFile(const QString& file) {
+    std::optional<DevicePath> path = readFile(file, readDevicePath, kInMeters);
+    if (path) {
+        file_ = std::move(path);
+        page_->chooseFile(QFileInfo(file).fileName());
+        show();
+    }
+}
+
+std::optional<DevicePath> PathControl::readFile(const QString& file, const ReadPath& read,
+                                                const std::string& whyFar) {
+    if (runs_.run() == nullptr) {
+        return std::nullopt;
+    }
+    try {
+        DevicePath path = read(file.toStdString());
+        requireNear(runs_.run()->scene(), path, file.toStdString(), whyFar);
+        return path;
+    } catch (const Error& error) {
+        host_.complain(QString::fromUtf8(error.what()));
+        return std::nullopt;
+    }
+}
+
+void PathControl::showChosen() {
+    if (runs_.run() == nullptr || state_ != State::Idle || !page_->isVisibleTo(&host_.widget())) {
+        return;
+    }
+    const PathRequest request = page_->request();
+    live_.controls().setPath(request.isFile ? -1 : static_cast<int>(request.kind));
+    const bool isLine = request.isFile || request.kind != PlannedPath::Approach;
+    const Vector3 base = runs_.run()->basePosition();
+    live_.overview().showPath(isLine ? outline(pathOf(request, base)) : outline({{0.0, base}}));
+}
+
+DevicePath PathControl::pathOf(const PathRequest& request, const Vector3& base) const {
+    return request.isFile ? repeated(*file_, request.lines.lines) : linesPath(base, request.lines);
+}
 
 void PathControl::follow(const DevicePath& path) {
     devices_.follow(path);
     live_.overview().showPath(outline(path));
 }
 
-void PathControl::approach(const PlannedApproach& approach) {
-    devices_.approach(approach);
-    live_.overview().showPath(outline({{0.0, approach.start}}));
+void PathControl::start() {
+    if (runs_.run() == nullptr || state_ != State::Idle) {
+        return;
+    }
+    const PathRequest request = page_->request();
+    if (!request.isFile && request.kind == PlannedPath::Approach) {
+        done_ = 0;
+        startApproach(request);
+    } else {
+        startLines(request);
+    }
 }
 
-void PathControl::choose(int index) {
-    if (runs_.run() != nullptr) {
-        const Vector2 here = runs_.run()->basePosition().head<2>();
-        const Scene& scene = runs_.run()->scene();
-        const PlannedPathRow& path = kEnumTable<PlannedPath>.at(static_cast<std::size_t>(index));
-        live_.controls().setPath(index);
-        if (path.plan != nullptr) {
-            follow(path.plan(scene, {.position = here}));
+void PathControl::startApproach(const PathRequest& request) {
+    const Scene& scene = runs_.run()->scene();
+    PlannedApproach planned = planApproach(
+        scene, {.position = runs_.run()->basePosition().head<2>(), .setpoint = request.load});
+    planned.plan.speed = request.lines.speed;
+    devices_.approach(planned);
+    request_ = request;
+    state_ = State::Approaching;
+    page_->setRunning(true, tr("Approach %1 of %2").arg(done_ + 1).arg(request.lines.lines));
+}
+
+void PathControl::startLines(const PathRequest& request) {
+    request_ = request;
+    if (!request.holdsForce) {
+        begin();
+        return;
+    }
+    if (const QString why = engaging_.holdRefusal(); !why.isEmpty()) {
+        host_.tell(why);
+        return;
+    }
+    const Vector3 base = runs_.run()->basePosition();
+    const Vector2 first =
+        request.isFile ? Vector2(file_->front().position.head<2>()) : Vector2(base.head<2>());
+    if (!request.isFile && devices_.feedback() != nullptr && !devices_.followsPath()) {
+        begin();
+        return;
+    }
+    state_ = State::Engaging;
+    page_->setRunning(true, tr("Engaging"));
+    engaging_.engage(request.load, first);
+}
+
+void PathControl::begin() {
+    DevicePath path;
+    double leadTime = 0.0;
+    const auto make = [&](const Vector3& base) { return path = pathOf(request_, base); };
+    if (request_.holdsForce) {
+        devices_.hold(engaging_.held(request_.load), make);
+    } else if (request_.isFile) {
+        path = pathOf(request_, Vector3::Zero());
+        leadTime = devices_.follow(path);
+    } else {
+        devices_.followFromHere(make);
+    }
+    live_.overview().showPath(outline(path));
+    record_.emplace(path, request_.isFile ? std::nullopt : std::optional(request_.lines));
+    began_ = runs_.run()->loop().snapshot().sample.time + leadTime - path.front().time;
+    duration_ = path.back().time;
+    state_ = State::Moving;
+    page_->setRunning(true, progress(0.0));
+}
+
+void PathControl::end(const QString& words) {
+    if (state_ == State::Idle) {
+        return;
+    }
+    const bool isOurs = devices_.followsPath();
+    const bool wasHeld = isOurs && devices_.feedback() != nullptr;
+    state_ = State::Idle;
+    if (wasHeld && live_.engage().holdsForce()) {
+        engaging_.hold();
+    } else if (isOurs) {
+        devices_.release();
+    }
+    page_->setRunning(false, words);
+    host_.tell(words);
+}
+
+void PathControl::take(const TickSample& sample) {
+    if (state_ == State::Moving && record_) {
+        const Cantilever& lever = runs_.run()->scene().belief.cantilever;
+        const double deflection =
+            lever.compliance()(2, 2) * bendingAxis(lever).dot(sample.output.estimate.force);
+        record_->take(sample.time - began_, sample.output,
+                      sample.output.base.position.z() + deflection);
+        isFresh_ = true;
+    }
+}
+
+QString PathControl::progress(double time) const {
+    const QString left = tr("%1 left").arg(siText(std::max(duration_ - time, 0.0), "s"));
+    return request_.isFile ? left
+                           : tr("Line %1 of %2 · %3")
+                                 .arg(record_->lineAt(time))
+                                 .arg(request_.lines.lines)
+                                 .arg(left);
+}
+
+void PathControl::advance() {
+    page_->setRefusal(state_ == State::Idle ? runs_.moveRefusal()
+                                            : tr("A path runs: stop it first"));
+    if (state_ == State::Moving) {
+        advanceLines();
+        return;
+    }
+    if (state_ != State::Approaching) {
+        return;
+    }
+    const ApproachDevice* const approach = devices_.approaching();
+    if (approach == nullptr) {
+        end(tr("Path ended: something else moves the tip"));
+    } else if (approach->phase() == ApproachPhase::Done) {
+        if (++done_ < request_.lines.lines) {
+            startApproach(request_);
         } else {
-            approach(
-                planApproach(scene, {.position = here, .setpoint = live_.engage().setpoint()}));
+            end(tr("Path done"));
         }
     }
 }
 
-/// @return whether the device follows it
-bool PathControl::followFile(const QString& file, const ReadPath& read, const std::string& whyFar) {
-    if (runs_.run() == nullptr) {
-        return false;
+void PathControl::advanceLines() {
+    if (std::exchange(isFresh_, false)) {
+        page_->heights().setWays(record_->heights(), record_->length());
+        page_->forces().setWays(record_->forces(), record_->length());
     }
-    try {
-        const DevicePath path = read(file.toStdString());
-        requireNear(runs_.run()->scene(), path, file.toStdString(), whyFar);
-        live_.controls().setPath(-1);
-        follow(path);
-        return true;
-    } catch (const Error& error) {
-        host_.complain(QString::fromUtf8(error.what()));
-        return false;
+    if (!devices_.followsPath()) {
+        end(tr("Path ended: something else moves the tip"));
+        return;
+    }
+    const FeedbackDevice* const feedback = devices_.feedback();
+    if (feedback != nullptr && feedback->hasStopped()) {
+        end(feedback->state() == FeedbackState::RangeLeft ? tr("Path stopped: end of the z range")
+                                                          : tr("Path stopped: contact lost"));
+        return;
+    }
+    const double time = runs_.run()->loop().snapshot().sample.time - began_;
+    if (time > duration_) {
+        end(tr("Path done"));
+    } else {
+        page_->setRunning(true, progress(time));
     }
 }
 
@@ -168,10 +444,14 @@ void PathControl::replayRecording(const std::filesystem::path& forceLog) {
         return readRecordedPath(readRunLog(file));
     };
     const QString both = bothSamples(runs_.run()->loaded(), folder);
-    if (!followFile(QString::fromStdString(forceLog.string()), read,
-                    both.isEmpty() ? kInMeters : both.toStdString())) {
+    const std::optional<DevicePath> path =
+        readFile(QString::fromStdString(forceLog.string()), read,
+                 both.isEmpty() ? kInMeters : both.toStdString());
+    if (!path) {
         return;
     }
+    live_.controls().setPath(-1);
+    follow(*path);
     QStringList words;
     if (!both.isEmpty()) {
         words << tr("Another scan: %1").arg(both);
@@ -181,101 +461,6 @@ void PathControl::replayRecording(const std::filesystem::path& forceLog) {
     }
     if (!words.isEmpty()) {
         host_.tell(words.join(QStringLiteral(" · ")));
-    }
-}
-
-namespace {
-
-/// Returns how an approach ended. One step may carry the tip past the setpoint, by a jump or on a
-/// stiff sample: the force is the one that was there.
-QString wordsOn(const Scene& scene, const ApproachDevice& approach, const QString& setpoint) {
-    if (approach.hasEngaged()) {
-        const Budget force =
-            shownForce(&scene, approach.measuredForce(), approach.measuredDeviation());
-        return QObject::tr("Engaged at %1 (setpoint %2)")
-            .arg(QString::fromStdString(budgetText(force, "N")), setpoint);
-    }
-    return approach.isBlocked()
-               ? QObject::tr("Not engaged: no equilibrium of tip and cantilever below here")
-               : QObject::tr("Not engaged: the force did not reach %1").arg(setpoint);
-}
-
-}  // namespace
-
-EngageControl::EngageControl(Stage& stage) : Feature(stage), devices_(stage.get<DeviceControl>()) {
-    stage.onFrame(FrameStep::Move, [this](double /*elapsed*/) { advance(); });
-    EngageBar& bar = live_.engage();
-    connect(&bar, &EngageBar::engageChosen, this, &EngageControl::engage);
-    connect(&bar, &EngageBar::withdrawChosen, this, &EngageControl::withdraw);
-    connect(&bar, &EngageBar::setpointChanged, this, &EngageControl::setSetpoint);
-    connect(&runs_, &RunControl::ending, this, [this] { engaging_ = withdrawing_ = false; });
-    connect(&runs_, &RunControl::begun, this, &EngageControl::showSetpoint);
-    connect(&edits_, &SceneEdits::changed, this, &EngageControl::showSetpoint);
-}
-
-void EngageControl::setSetpoint(double force) {
-    if (const SceneDescription* const now = edits_.wanted()) {
-        SceneDescription next = *now;
-        next.setpoint = force;
-        edits_.change(tr("Setpoint: %1").arg(siText(force, "N")), next,
-                      QStringLiteral("setpoint_n"));
-    }
-}
-
-void EngageControl::showSetpoint() {
-    if (const SceneDescription* const scene = edits_.wanted()) {
-        live_.engage().setSetpoint(scene->setpoint);
-    }
-}
-
-void EngageControl::engage() {
-    if (runs_.run() != nullptr) {
-        asked_ = live_.engage().setpoint();
-        devices_.engage(asked_);
-        engaging_ = true;
-        withdrawing_ = false;
-    }
-}
-
-void EngageControl::withdraw() {
-    if (runs_.run() != nullptr) {
-        engaging_ = false;
-        withdrawing_ = true;
-        devices_.withdraw();
-        host_.tell(tr("Withdrawing"));
-    }
-}
-
-void EngageControl::followWithdrawal() {
-    if (!withdrawing_ || devices_.isTraveling()) {
-        return;
-    }
-    withdrawing_ = false;
-    const TipRegion region = runs_.run()->loop().snapshot().sample.output.region();
-    host_.tell(region == TipRegion::Far ? tr("Withdrawn")
-                                        : tr("Not withdrawn: the tip was taken by hand"));
-}
-
-void EngageControl::advance() {
-    followWithdrawal();
-    const QString hidden = runs_.tipRefusal();
-    const bool isCoupled = runs_.run()->coupling().coupled() != nullptr;
-    live_.engage().setRefusals(hidden.isEmpty() && isCoupled
-                                   ? tr("The operator approaches with the force-feedback device")
-                                   : hidden,
-                               hidden);
-    const ApproachDevice* const approach = devices_.approaching();
-    if (!engaging_ || approach == nullptr) {
-        engaging_ = false;
-        return;
-    }
-    const ApproachPhase phase = approach->phase();
-    const bool isMeasured = phase == ApproachPhase::Dwell && approach->hasMeasured();
-    if (isMeasured || phase == ApproachPhase::Done) {
-        engaging_ = false;
-        const QString words = wordsOn(runs_.run()->scene(), *approach, siText(asked_, "N"));
-        devices_.releaseApproach();  // and with it the approach ends
-        host_.tell(words);
     }
 }
 

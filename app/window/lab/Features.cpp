@@ -6,6 +6,7 @@
 #include "app/window/ViewControl.h"
 #include "app/window/curve/MeasuredCurveControl.h"
 #include "app/window/device/DeviceControl.h"
+#include "app/window/device/EngageControl.h"
 #include "app/window/device/HapticControl.h"
 #include "app/window/device/PathControl.h"
 #include "app/window/export/ExportControl.h"
@@ -82,8 +83,8 @@ void addFeatures(Stage& stage) {
            MaterialControl,       //
            ProbeControl,          //
            FidelityControl,       //
-           PathControl,           //
            EngageControl,         //
+           PathControl,           //
            StudyControl,          //
            HapticControl,         //
            ViewControl,           //

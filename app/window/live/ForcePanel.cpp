@@ -183,8 +183,9 @@ void ForcePanel::buildForces(QGridLayout& grid) {
         force_.at(axis) = valueLabel(objectName, QStringLiteral("-88.88 µN"), this);
         sigma_.at(axis) =
             valueLabel(objectName + QStringLiteral("Sigma"), QStringLiteral("± 88.88"), this);
-        const QString meaning = tr("Estimate from the two lever signals ± one standard deviation, "
-                                   "by noise, model and calibration together");
+        const QString meaning =
+            tr("Estimate from the two lever signals, mean of a tenth of a second, ± one standard "
+               "deviation of a single tick, by noise, model and calibration together");
         for (QLabel* const label : {name, force_.at(axis), sigma_.at(axis)}) {
             label->setToolTip(meaning);
             explain(*label, [this, axis] {

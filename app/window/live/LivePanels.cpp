@@ -2,6 +2,7 @@
 
 #include "app/window/live/CantileverPanel.h"
 #include "app/window/live/ControlBar.h"
+#include "app/window/live/EngageBar.h"
 #include "app/window/live/ForcePanel.h"
 #include "app/window/live/LoopStatusBar.h"
 #include "app/window/live/OverviewPanel.h"

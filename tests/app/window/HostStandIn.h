@@ -67,6 +67,8 @@ public:
     void keep(QVariantMap& /*kept*/) override {}
     void restore(const QVariantMap& /*kept*/) override {}
 
+    /// Returns the page on top of the tabs.
+    [[nodiscard]] QWidget* shownTool() const { return pages_->currentWidget(); }
     /// Returns the last short message.
     [[nodiscard]] const QString& told() const { return told_; }
     /// Returns what must be read, and forgets it. Empty: nothing.

@@ -7,6 +7,8 @@
 #include <QDoubleSpinBox>
 #include <QPushButton>
 
+#include <limits>
+
 namespace asperity::test {
 namespace {
 
@@ -100,6 +102,49 @@ TEST_F(RunControlTest, TheSceneChangedHasPlaceKnobsAndPauseOfTheOneBefore) {
     EXPECT_EQ(run().settings().forceGain, 250.0);
     EXPECT_LT((run().basePosition().head<2>() - position).norm(), 1e-15);
     EXPECT_FALSE(run().loop().running());
+}
+
+TickSample tickAt(double time, double force, ContactBranch branch) {
+    TickSample sample;
+    sample.time = time;
+    sample.output.estimate.force = Vector3(0.0, 0.0, force);
+    sample.output.estimate.covariance = 1e-20 * Matrix3::Identity();
+    sample.output.model.contact.branch = branch;
+    return sample;
+}
+
+/// Noise made arrow and numbers wobble while nothing moved.
+TEST(SteadyForce, IsTheMeanOfATenthOfASecondAndBeginsAnewWithAContact) {
+    SteadyForce steady;
+    TickSample sample = tickAt(0.0, 9e-9, ContactBranch::Far);
+    steady.apply(sample.output);
+    EXPECT_EQ(sample.output.estimate.force.z(), 9e-9) << "nothing was taken yet";
+    for (int i = 0; i < 1000; ++i) {
+        sample = tickAt(1e-3 * i, 5e-9 + (i % 2 == 0 ? 1e-9 : -1e-9), ContactBranch::Bonded);
+        steady.take(sample);
+    }
+    steady.apply(sample.output);
+    EXPECT_NEAR(sample.output.estimate.force.z(), 5e-9, 0.02e-9);
+    EXPECT_EQ(sample.output.estimate.covariance, 1e-20 * Matrix3::Identity());
+    sample = tickAt(1.0, -2e-9, ContactBranch::Far);
+    steady.apply(sample.output);
+    EXPECT_EQ(sample.output.estimate.force.z(), -2e-9) << "the mean is of the contact";
+    steady.take(sample);
+    for (int i = 1; i < 100; ++i) {
+        sample = tickAt(1.0 + 1e-3 * i, 0.0, ContactBranch::Far);
+        steady.take(sample);
+    }
+    steady.apply(sample.output);
+    EXPECT_NEAR(sample.output.estimate.force.z(), -2e-9 / 100.0, 1e-20) << "all have one weight";
+}
+
+TEST(SteadyForce, IsNotSpoiltByAValueThatIsNoNumber) {
+    SteadyForce steady;
+    steady.take(tickAt(0.0, std::numeric_limits<double>::quiet_NaN(), ContactBranch::Bonded));
+    steady.take(tickAt(1e-3, 3e-9, ContactBranch::Bonded));
+    TickSample sample = tickAt(1e-3, 3e-9, ContactBranch::Bonded);
+    steady.apply(sample.output);
+    EXPECT_EQ(sample.output.estimate.force.z(), 3e-9);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include "core/Units.h"
 #include "tests/support/TestScenes.h"
 #include "tests/ui/view/ViewMoments.h"
+#include "ui/widgets/Theme.h"
 
 #include <QMouseEvent>
 #include <QSignalSpy>
@@ -93,6 +94,28 @@ TEST_F(ContactPlotTest, PointsAtThePlaceUnderThePointerAlongThePlane) {
                     Qt::NoModifier);
     QApplication::sendEvent(&plot, &out);
     EXPECT_EQ(left.count(), 1);
+}
+
+/// "283 pN" stood in free air.
+TEST_F(ContactPlotTest, ShowsNoForceThatIsWithinItsNoise) {
+    const auto redPixels = [&](double sigma) {
+        Snapshot moment = moments.deep;
+        moment.sample.time += 1.0;
+        moment.sample.output.estimate.covariance = sigma * sigma * Matrix3::Identity();
+        plot.showSnapshot(moment);
+        const QImage picture = plot.grab().toImage();
+        int count = 0;
+        for (int y = 0; y < picture.height(); ++y) {
+            for (int x = 0; x < picture.width(); ++x) {
+                count += picture.pixelColor(x, y) == theme::colors().force ? 1 : 0;
+            }
+        }
+        return count;
+    };
+    const double force = moments.deep.sample.output.estimate.force.norm();
+    ASSERT_GT(force, 0.0);
+    EXPECT_GT(redPixels(0.1 * force), 50);
+    EXPECT_EQ(redPixels(0.4 * force), 0);
 }
 
 }  // namespace

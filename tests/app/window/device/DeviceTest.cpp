@@ -6,6 +6,7 @@
 #include "ui/view/ZoomView.h"
 
 #include <QComboBox>
+#include <QPushButton>
 #include <QtTest>
 
 #include <algorithm>
@@ -120,6 +121,9 @@ TEST_F(Window, AScriptedPathGoesIntoContactAndBack) {
     auto* device = child<QComboBox>("device");
     device->setFocus();
     QTest::keyClick(device, Qt::Key_Down);
+    EXPECT_EQ(device->currentText().toStdString(), "Mouse and keyboard") << "until it starts";
+    Q_EMIT panels.controls().pathChosen(0);
+    QTest::mouseClick(child<QPushButton>("startPath"), Qt::LeftButton);
     EXPECT_EQ(device->currentText().toStdString(), "Scripted path");
     ASSERT_TRUE(eventually([this] { return inContact(); })) << state();
     EXPECT_TRUE(eventually([this] { return far(); })) << state();

@@ -1,10 +1,13 @@
-#include "app/window/device/PathControl.h"
+#include "app/window/device/EngageControl.h"
+
 #include "app/window/live/ControlBar.h"
+#include "app/window/live/EngageBar.h"
 #include "tests/app/window/ControlFixture.h"
 #include "ui/view/ZoomView.h"
 
 #include <QComboBox>
 #include <QDoubleSpinBox>
+#include <QLabel>
 #include <QPushButton>
 
 #include <gmock/gmock.h>
@@ -58,9 +61,97 @@ TEST_F(EngageControlTest, EngagesFromFarInAboutTwoSecondsAndGivesTheTipBack) {
     EXPECT_EQ(device(), "Mouse and keyboard");
     EXPECT_NEAR(latest().model.force.z(), 3e-9, 0.2e-9) << "noise ended it up to 0.6 nN early";
     EXPECT_LT((run().basePosition() - start).head<2>().norm(), 1e-15);
+    Q_EMIT panels.engage().holdChosen(false);
     const double engagedAt = run().basePosition().z();
     ASSERT_FALSE(framesUntil([] { return false; }, 300));
     EXPECT_NEAR(run().basePosition().z(), engagedAt, 1e-13) << "the tip stays";
+}
+
+/// At "5 nN" a drag pressed 243 nN on a wall, and lost a valley.
+TEST_F(EngageControlTest, HoldsTheForceWhileTheTipIsDragged) {
+    runs.use({.scene = buildScene(plainScene(), ridgedMap(6e-9)),
+              .format = "made for the test",
+              .sha256 = "",
+              .notes = {}});
+    button("engage").click();
+    ASSERT_TRUE(framesUntil([this] { return engaged(); })) << told();
+    ASSERT_NE(devices.feedback(), nullptr);
+    const Vector3 start = run().basePosition();
+    double strongest = 0.0;
+    double weakest = 1.0;
+    for (const int way : {1, -1}) {
+        EXPECT_TRUE(framesUntil([&] {
+            Q_EMIT panels.view().tipDragged(way * 5e-9, 0.0);
+            const double force = latest().estimate.force.z();
+            strongest = std::max(strongest, force);
+            weakest = std::min(weakest, force);
+            return way * (run().basePosition().x() - start.x()) > 30e-9;
+        }));
+    }
+    EXPECT_LT(strongest, 20e-9);
+    EXPECT_GT(weakest, -1e-9);
+    const auto error = [this] { return window.findChild<QLabel*>("holdError")->text(); };
+    EXPECT_TRUE(framesUntil([&] {
+        runs.fetch();
+        return error().endsWith("pN");
+    })) << error().toStdString();
+}
+
+TEST_F(EngageControlTest, AnotherSetpointIsHeldAtOnce) {
+    useFlatScene();
+    button("engage").click();
+    ASSERT_TRUE(framesUntil([this] { return engaged(); })) << told();
+    window.findChild<QDoubleSpinBox*>("setpoint")->setValue(8.0);
+    EXPECT_TRUE(framesUntil([this] { return latest().model.force.z() > 7.8e-9; }));
+    EXPECT_EQ(devices.feedback()->setpoint(), 8e-9);
+}
+
+/// The wheel asks for a height: the feedback ends, and says so.
+TEST_F(EngageControlTest, TheWheelEndsTheFeedback) {
+    useFlatScene();
+    button("engage").click();
+    ASSERT_TRUE(framesUntil([this] { return engaged(); })) << told();
+    Q_EMIT panels.view().lifted(1.0);
+    EXPECT_EQ(devices.feedback(), nullptr);
+    EXPECT_FALSE(panels.engage().holdsForce());
+    EXPECT_TRUE(told().starts_with("The height is held")) << told();
+    Q_EMIT panels.engage().holdChosen(true);
+    EXPECT_NE(devices.feedback(), nullptr);
+}
+
+TEST_F(EngageControlTest, TipPositionControlHoldsNoForceAndSaysWhy) {
+    useFlatScene();
+    button("engage").click();
+    ASSERT_TRUE(framesUntil([this] { return engaged(); })) << told();
+    runs.turn([](Settings& settings) { settings.positionControl = PositionControl::Tip; });
+    ASSERT_TRUE(framesUntil([this] { return devices.feedback() == nullptr; }));
+    EXPECT_TRUE(told().starts_with("Tip position control")) << told();
+    Q_EMIT panels.engage().holdChosen(true);
+    EXPECT_EQ(devices.feedback(), nullptr);
+}
+
+TEST_F(EngageControlTest, ASetpointIsTypedAsDeflectionOrVolts) {
+    SceneDescription description = plainScene();
+    description.detector.invOls = 50e-9;
+    runs.use({.scene = buildScene(description, flatMap()),
+              .format = "made for the test",
+              .sha256 = "",
+              .notes = {}});
+    QComboBox& unit = *window.findChild<QComboBox*>("setpointUnit");
+    QDoubleSpinBox& box = *window.findChild<QDoubleSpinBox*>("setpoint");
+    ASSERT_EQ(unit.count(), 3);
+    const double perForce = shownDeflectionPerForce(run().scene().belief.cantilever);
+    unit.setCurrentIndex(1);
+    Q_EMIT unit.activated(1);
+    EXPECT_NEAR(box.value(), 5.0 * perForce, 1e-3 * box.value());
+    EXPECT_DOUBLE_EQ(panels.engage().setpoint(), 5e-9) << "what is shown is rounded, not the force";
+    unit.setCurrentIndex(2);
+    Q_EMIT unit.activated(2);
+    box.setValue(0.01);
+    EXPECT_NEAR(panels.engage().setpoint(), 0.01 * 50e-9 / perForce, 1e-15);
+    useFlatScene();
+    EXPECT_EQ(unit.count(), 2) << "no volts without a sensitivity";
+    EXPECT_EQ(unit.currentText().toStdString(), "nN");
 }
 
 TEST_F(EngageControlTest, WithdrawsOutOfTheSamplesReachAlsoWhileItEngages) {

@@ -1,40 +1,64 @@
 #include "app/window/device/PathControl.h"
 
 #include "app/window/live/ControlBar.h"
+#include "app/window/live/EngageBar.h"
 #include "core/io/recording/PackedTables.h"
 #include "tests/app/window/ControlFixture.h"
 
 #include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QLabel>
+#include <QPushButton>
 
 #include <algorithm>
+#include <cmath>
 
 namespace asperity::test {
 namespace {
 
 class PathControlTest : public ControlFixture {
 protected:
+    PathControlTest() { stage.play(10); }
+
     std::string shown(const char* list) {
         return window.findChild<QComboBox*>(list)->currentText().toStdString();
     }
 
+    QPushButton& button(const char* name) { return *window.findChild<QPushButton*>(name); }
+    QDoubleSpinBox& box(const char* name) { return *window.findChild<QDoubleSpinBox*>(name); }
+    bool isMoving() {
+        return window.findChild<QLabel*>("pathProgress")->text().startsWith("Line 1");
+    }
+
     DeviceControl& devices = stage.add<DeviceControl>();
+    EngageControl& engaging = stage.add<EngageControl>();
     PathControl& paths = stage.add<PathControl>();
 };
 
-TEST_F(PathControlTest, FollowsAPlannedPath) {
+/// To choose a path drove the tip at once.
+TEST_F(PathControlTest, AChosenPathIsShownAndStartsWhenTold) {
     useFlatScene();
+    const Vector3 start = run().basePosition();
     Q_EMIT panels.controls().pathChosen(2);
-    EXPECT_EQ(shown("device"), "Scripted path");
     EXPECT_EQ(shown("path"), "Raster");
+    EXPECT_EQ(window.shownTool(), &paths.page());
     Q_EMIT devices.pathWanted();
-    EXPECT_EQ(shown("path"), "Approach");
+    EXPECT_EQ(shown("device"), "Mouse and keyboard");
+    EXPECT_FALSE(eventually([&] { return run().basePosition() != start; }, 300));
+    button("startPath").click();
+    EXPECT_EQ(shown("device"), "Scripted path");
+    button("stopPath").click();
+    EXPECT_EQ(shown("device"), "Mouse and keyboard");
+    EXPECT_EQ(told(), "Path stopped");
 }
 
 TEST_F(PathControlTest, AnApproachEndsAtTheSetpointOfTheWindow) {
     useFlatScene();
-    panels.engage().setSetpoint(2e-9);
+    box("setpoint").setValue(2.0);
     Q_EMIT panels.controls().pathChosen(0);
     EXPECT_EQ(shown("path"), "Approach");
+    box("pathSpeed").setValue(30.0);
+    button("startPath").click();
     ASSERT_NE(devices.approaching(), nullptr);
     const Vector3 start = run().basePosition();
     double strongest = 0.0;
@@ -45,22 +69,105 @@ TEST_F(PathControlTest, AnApproachEndsAtTheSetpointOfTheWindow) {
     }));
     EXPECT_NEAR(strongest, 2e-9, 0.6e-9);
     EXPECT_LT((run().basePosition() - start).head<2>().norm(), 1e-15) << "straight down";
+    EXPECT_TRUE(eventually([this] { return told() == "Path done"; })) << told();
+    EXPECT_EQ(shown("device"), "Mouse and keyboard");
+}
+
+TEST_F(PathControlTest, ALineEngagesHoldsTheForceAndIsPlottedThereAndBack) {
+    useFlatScene();
+    Q_EMIT panels.controls().pathChosen(1);
+    box("pathLength").setValue(20.0);
+    box("pathSpeed").setValue(40.0);
+    const Vector3 start = run().basePosition();
+    button("startPath").click();
+    ASSERT_TRUE(eventually([this] { return devices.feedback() != nullptr && isMoving(); }));
+    double farthest = 0.0;
+    double worst = 0.0;
+    ASSERT_TRUE(eventually([&] {
+        const TickOutput& out = run().loop().snapshot().sample.output;
+        farthest = std::max(farthest, out.base.position.x() - start.x());
+        worst = std::max(worst, std::abs(out.estimate.force.z() - 5e-9));
+        return told() == "Path done";
+    })) << told();
+    EXPECT_NEAR(farthest, 20e-9, 1e-9);
+    EXPECT_LT(worst, 1.5e-9);
+    EXPECT_NE(devices.feedback(), nullptr) << "the force is held on";
+    EXPECT_EQ(shown("device"), "Mouse and keyboard");
+    const QStringList rows = paths.page().forces().table().tabSeparated().split('\n');
+    EXPECT_GT(rows.size(), 300) << "half a second each way";
+    const QStringList middle = rows.at(rows.size() / 2).split('\t');
+    ASSERT_EQ(middle.size(), 4);
+    EXPECT_LT(middle[1].toDouble(), 0.0) << "friction is against the motion";
+    EXPECT_GT(middle[3].toDouble(), 0.0);
+    EXPECT_NEAR(middle[0].toDouble() + middle[2].toDouble(), 20e-9, 0.5e-9);
+}
+
+TEST_F(PathControlTest, AtAConstantHeightTheTipStaysWhereItIs) {
+    useFlatScene();
+    Q_EMIT panels.controls().pathChosen(1);
+    QComboBox& hold = *window.findChild<QComboBox*>("pathHold");
+    hold.setCurrentIndex(1);
+    Q_EMIT hold.activated(1);
+    EXPECT_FALSE(box("pathLoad").isEnabled());
+    box("pathLength").setValue(10.0);
+    const Vector3 start = run().basePosition();
+    button("startPath").click();
+    ASSERT_TRUE(eventually([this] { return told() == "Path done"; })) << told();
+    EXPECT_EQ(devices.feedback(), nullptr);
+    EXPECT_NEAR(run().basePosition().z(), start.z(), 1e-15);
+}
+
+TEST_F(PathControlTest, ALineThatLeavesTheSampleSaysSo) {
+    useFlatScene();
+    Q_EMIT panels.controls().pathChosen(1);
+    button("startPath").click();
+    ASSERT_TRUE(eventually([this] { return isMoving(); }));
+    devices.withdraw();
+    EXPECT_TRUE(eventually([this] { return told().starts_with("Path ended"); })) << told();
+}
+
+TEST_F(PathControlTest, ASlideAtHighLoadProposesFiveSetpointsUntilALoadIsTyped) {
+    useFlatScene();
+    Q_EMIT panels.controls().pathChosen(3);
+    EXPECT_EQ(shown("path"), "Slide at high load");
+    EXPECT_DOUBLE_EQ(box("pathLoad").value(), 25.0);
+    box("pathLoad").setValue(8.0);
+    Q_EMIT panels.controls().pathChosen(1);
+    EXPECT_DOUBLE_EQ(box("pathLoad").value(), 8.0);
 }
 
 TEST_F(PathControlTest, FollowsTheFileThatIsChosen) {
     useFlatScene();
     const auto file =
         folder.write("path.csv", "time_s,x_m,y_m,z_m\n0,40e-9,60e-9,9e-9\n0.2,50e-9,60e-9,9e-9\n");
-    paths.followFile(QString::fromStdString(file.string()));
+    paths.chooseFile(QString::fromStdString(file.string()));
     EXPECT_EQ(shown("path"), "");
+    EXPECT_EQ(shown("pathKind"), "path.csv");
+    EXPECT_FALSE(box("pathLength").isEnabled());
+    button("startPath").click();
     EXPECT_TRUE(eventually(
         [this] { return (run().basePosition() - Vector3(50e-9, 60e-9, 9e-9)).norm() < 1e-15; }));
+}
+
+/// At a force the file's heights count for nothing.
+TEST_F(PathControlTest, FollowsTheFileAtAForceFromItsFirstPosition) {
+    useFlatScene();
+    const auto file =
+        folder.write("path.csv", "time_s,x_m,y_m,z_m\n0,40e-9,60e-9,9e-9\n0.2,50e-9,70e-9,99e-9\n");
+    paths.chooseFile(QString::fromStdString(file.string()));
+    QComboBox& hold = *window.findChild<QComboBox*>("pathHold");
+    hold.setCurrentIndex(0);
+    Q_EMIT hold.activated(0);
+    button("startPath").click();
+    ASSERT_TRUE(eventually([this] { return told() == "Path done"; })) << told();
+    EXPECT_LT((run().basePosition().head<2>() - Vector2(50e-9, 70e-9)).norm(), 0.2e-9);
+    EXPECT_NEAR(run().loop().snapshot().sample.output.estimate.force.z(), 5e-9, 1.5e-9);
 }
 
 TEST_F(PathControlTest, RefusesAPathInOtherUnitsAndKeepsTheDevice) {
     useFlatScene();
     const auto file = folder.write("path.csv", "time_s,x_m,y_m,z_m\n0,50,60,3\n1,51,60,3\n");
-    paths.followFile(QString::fromStdString(file.string()));
+    paths.chooseFile(QString::fromStdString(file.string()));
     EXPECT_NE(complaint().find("meters"), std::string::npos);
     EXPECT_EQ(shown("device"), "Mouse and keyboard");
 }
@@ -110,7 +217,7 @@ TEST_F(PathControlTest, ADamagedManifestIsSaidAndTheDeviceKept) {
 
 TEST_F(PathControlTest, WithoutARunNothingHappens) {
     Q_EMIT panels.controls().pathChosen(1);
-    paths.followFile("no such file");
+    paths.chooseFile("no such file");
     EXPECT_EQ(complaint(), "");
 }
 

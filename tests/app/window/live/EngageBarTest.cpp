@@ -1,4 +1,4 @@
-#include "app/window/live/ControlBar.h"
+#include "app/window/live/EngageBar.h"
 
 #include <QAbstractSpinBox>
 #include <QPushButton>

@@ -229,7 +229,7 @@ TEST_F(Window, SaysWhyTheLastSecondsCannotBeSaved) {
 TEST_F(Window, RefusesAPathInOtherUnitsThanMeters) {
     openFlatScene();
     const auto path = folder.write("path.csv", "time_s,x_m,y_m,z_m\n0,50,60,3\n1,51,60,3\n");
-    stage.get<PathControl>().followFile(QString::fromStdString(path.string()));
+    stage.get<PathControl>().chooseFile(QString::fromStdString(path.string()));
     const auto boxes = window.findChildren<QMessageBox*>();
     ASSERT_EQ(boxes.size(), 1);
     EXPECT_TRUE(boxes.front()->text().contains("meters"));
@@ -251,7 +251,7 @@ TEST_F(Window, RepeatsARecording) {
 TEST_F(Window, SaysWhatIsWrongWithAPathAndKeepsTheDevice) {
     openFlatScene();
     const std::filesystem::path bad = folder.write("path.csv", "time_s,x_m,y_m\n0,0,0\n");
-    stage.get<PathControl>().followFile(QString::fromStdString(bad.string()));
+    stage.get<PathControl>().chooseFile(QString::fromStdString(bad.string()));
     const auto boxes = window.findChildren<QMessageBox*>();
     ASSERT_EQ(boxes.size(), 1);
     EXPECT_TRUE(boxes.front()->text().contains("path.csv"));

@@ -1,0 +1,163 @@
+#include "app/window/live/EngageBar.h"
+
+#include "core/scene/SceneDescription.h"
+#include "ui/widgets/Card.h"
+#include "ui/widgets/FlowLayout.h"
+#include "ui/widgets/NumberBox.h"
+#include "ui/widgets/Theme.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QSignalBlocker>
+
+#include <algorithm>
+
+namespace asperity {
+
+namespace {
+
+constexpr int kEngageHeight = 26;   // [px, as theme::scaled() takes them]
+constexpr int kSetpointWidth = 76;  // same
+constexpr int kUnitWidth = 58;      // same
+constexpr int kHoldWidth = 78;      // same
+constexpr int kSpace = 6;           // [px]
+constexpr int kShownDigits = 4;     // of a setpoint in another unit
+
+QPushButton* engageButton(const char* name, const QString& text, QWidget* parent) {
+    auto* button = new QPushButton(text, parent);
+    button->setObjectName(QString::fromUtf8(name));
+    button->setFixedHeight(theme::scaled(kEngageHeight));
+    button->setFocusPolicy(Qt::NoFocus);  // the keys go on moving the tip
+    return button;
+}
+
+ChoiceBox* engageChoice(const char* name, const QStringList& names, int width, QWidget* parent) {
+    auto* choice = new ChoiceBox(parent);
+    choice->setObjectName(QString::fromUtf8(name));
+    choice->setFixedSize(theme::scaled(width), theme::scaled(kEngageHeight));
+    choice->setNames(names);
+    choice->setCurrentIndex(0);
+    guardFromWheel(*choice);
+    return choice;
+}
+
+}  // namespace
+
+EngageBar::EngageBar(QWidget* parent)
+    : QWidget(parent)
+    , setpoint_(SceneDescription{}.setpoint)
+    , units_{{tr("nN"), 1e9}}
+    , box_(new GainSpinBox(1e9 * kMinSetpoint, 1e9 * kMaxSetpoint, this))
+    , unit_(engageChoice("setpointUnit", {units_.front().name}, kUnitWidth, this))
+    , engage_(engageButton("engage", tr("Engage"), this))
+    , withdraw_(engageButton("withdraw", tr("Withdraw"), this))
+    , hold_(engageChoice("hold", {tr("force"), tr("height")}, kHoldWidth, this))
+    , error_(valueLabel(QStringLiteral("holdError"), QStringLiteral("± 888.8 pN"), this)) {
+    auto* row = new FlowLayout(this);
+    row->setContentsMargins(kSpace, 0, kSpace, 0);
+    row->setSpacing(kSpace);
+    addSetpoint();
+    addGroup({engage_, withdraw_});
+    addHold();
+    row->addStretch();
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
+    showSetpoint();
+    setRefusals({}, {});
+    connect(engage_, &QPushButton::clicked, this, &EngageBar::engageChosen);
+    connect(withdraw_, &QPushButton::clicked, this, &EngageBar::withdrawChosen);
+}
+
+void EngageBar::addGroup(std::initializer_list<QWidget*> widgets) {
+    auto* group = new QWidget(this);
+    auto* row = new QHBoxLayout(group);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(kSpace);
+    for (QWidget* const widget : widgets) {
+        row->addWidget(widget);
+    }
+    static_cast<FlowLayout*>(layout())->addWidget(group);
+}
+
+void EngageBar::addSetpoint() {
+    box_->setObjectName(QStringLiteral("setpoint"));
+    box_->setToolTip(tr("Force along z above that of the free lever, as its bending shows it: an "
+                        "approach ends at it, and it is held then"));
+    box_->setFixedSize(theme::scaled(kSetpointWidth), theme::scaled(kEngageHeight));
+    guardFromWheel(*box_);
+    unit_->setToolTip(tr("Unit of the setpoint: force, deflection of the lever, or volts of the "
+                         "detector where the probe gives its sensitivity"));
+    unit_->setAccessibleName(tr("Unit of the setpoint"));
+    auto* caption = captionLabel(tr("Setpoint"), this);
+    caption->setToolTip(box_->toolTip());
+    addGroup({caption, box_, unit_});
+    connect(box_, qOverload<double>(&QDoubleSpinBox::valueChanged), this, [this](double shown) {
+        setpoint_ = shown / unit().perNewton;
+        Q_EMIT setpointChanged(setpoint_);
+    });
+    connect(box_->findChild<QLineEdit*>(), &QLineEdit::returnPressed, this,
+            &EngageBar::setpointEntered);
+    connect(unit_, qOverload<int>(&QComboBox::activated), this, &EngageBar::showSetpoint);
+}
+
+void EngageBar::addHold() {
+    hold_->setToolTip(tr("In contact: a feedback holds the force at the setpoint by moving the "
+                         "lever up and down, or the height of the lever stays"));
+    hold_->setAccessibleName(tr("What is held in contact"));
+    auto* caption = captionLabel(tr("Hold"), this);
+    caption->setToolTip(hold_->toolTip());
+    error_->setToolTip(tr(
+        "Error of the force that is held: root mean square of force less setpoint, over the last "
+        "quarter of a second"));
+    addGroup({caption, hold_, error_});
+    connect(hold_, qOverload<int>(&QComboBox::activated), this,
+            [this] { Q_EMIT holdChosen(holdsForce()); });
+}
+
+const SetpointUnit& EngageBar::unit() const {
+    return units_.at(static_cast<std::size_t>(std::max(unit_->currentIndex(), 0)));
+}
+
+void EngageBar::showSetpoint() {
+    const QSignalBlocker blocker(box_);
+    const double perNewton = unit().perNewton;
+    box_->setRange(perNewton * kMinSetpoint, perNewton * kMaxSetpoint);
+    const double exact = perNewton * setpoint_;
+    const bool isRound = units_.front().perNewton == perNewton;
+    box_->setValue(isRound ? exact : QString::number(exact, 'g', kShownDigits).toDouble());
+}
+
+void EngageBar::setSetpoint(double force) {
+    if (force != setpoint_) {
+        setpoint_ = force;
+        showSetpoint();
+    }
+}
+
+void EngageBar::setUnits(std::vector<SetpointUnit> units) {
+    const QString chosen = unit().name;
+    units_ = std::move(units);
+    QStringList names;
+    for (const SetpointUnit& each : units_) {
+        names << each.name;
+    }
+    unit_->setNames(names);
+    unit_->setCurrentIndex(std::max(static_cast<int>(names.indexOf(chosen)), 0));
+    showSetpoint();
+}
+
+bool EngageBar::holdsForce() const { return hold_->currentIndex() == 0; }
+
+void EngageBar::setHoldsForce(bool holds) { hold_->setCurrentIndex(holds ? 0 : 1); }
+
+void EngageBar::setRefusals(const QString& why, const QString& whyNotUp) {
+    engage_->setEnabled(why.isEmpty());
+    engage_->setToolTip(why.isEmpty() ? tr("Approach until the force reaches the setpoint") : why);
+    withdraw_->setEnabled(whyNotUp.isEmpty());
+    withdraw_->setToolTip(whyNotUp.isEmpty() ? tr("Rise out of the sample's reach") : whyNotUp);
+}
+
+void EngageBar::showError(const QString& error) { error_->setText(error); }
+
+}  // namespace asperity

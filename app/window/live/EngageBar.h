@@ -1,0 +1,70 @@
+#pragma once
+
+#include <QString>
+#include <QWidget>
+
+#include <initializer_list>
+#include <vector>
+
+class QLabel;
+class QPushButton;
+
+namespace asperity {
+
+class ChoiceBox;
+class GainSpinBox;
+
+/// Unit in which a setpoint is typed.
+struct SetpointUnit {
+    QString name;
+    double perNewton = 1e9;
+};
+
+/// The row above the view with which a user brings the tip to the sample, holds it there and takes
+/// it away. Setters show a state and emit nothing.
+class EngageBar : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit EngageBar(QWidget* parent = nullptr);
+
+    /// Force at which an approach ends, and which is held then [N].
+    [[nodiscard]] double setpoint() const { return setpoint_; }
+    void setSetpoint(double force);
+    /// Sets in which units a setpoint can be typed; the chosen one stays where it is among them.
+    void setUnits(std::vector<SetpointUnit> units);
+    /// Returns whether a feedback is to hold the force; else the height stays.
+    [[nodiscard]] bool holdsForce() const;
+    void setHoldsForce(bool holds);
+    /// @param why it cannot engage, for the button's tool tip; empty: it can
+    /// @param whyNotUp the same of withdrawing
+    void setRefusals(const QString& why, const QString& whyNotUp);
+    /// Shows how well the force is held. @param error in words; empty: it is not held
+    void showError(const QString& error);
+
+Q_SIGNALS:
+    void engageChosen();
+    void withdrawChosen();
+    void setpointEntered();              ///< by the Return key
+    void setpointChanged(double force);  ///< [N]
+    void holdChosen(bool force);         ///< else the height
+
+private:
+    /// Adds widgets that stay beside one another; in a narrow window groups are below one another.
+    void addGroup(std::initializer_list<QWidget*> widgets);
+    void addSetpoint();
+    void addHold();
+    [[nodiscard]] const SetpointUnit& unit() const;
+    void showSetpoint();
+
+    double setpoint_;  ///< [N]
+    std::vector<SetpointUnit> units_;
+    GainSpinBox* box_;
+    ChoiceBox* unit_;
+    QPushButton* engage_;
+    QPushButton* withdraw_;
+    ChoiceBox* hold_;
+    QLabel* error_;
+};
+
+}  // namespace asperity
