@@ -101,7 +101,7 @@ SampleDescription withOverrides(SampleDescription sample, const SceneOverrides& 
 LoadedScene loadScene(const std::filesystem::path& input, const SceneOverrides& overrides,
                       Progress* progress, ModelFit fit) {
     SceneDescription description =
-        isSceneOfRun(input) ? readRecordedScene(input) : sceneFromInput(input);
+        isSceneOfRun(input) ? readRecordedScene(input) : sceneFromInput(input, overrides.like);
     description.setpoint = overrides.setpoint.value_or(description.setpoint);
     return loadNamed(input.string(), description, overrides, progress, fit);
 }

@@ -24,6 +24,8 @@ struct SceneOverrides {
     std::optional<double> setpoint;               ///< of an approach [N]
     GivenScale scale = {};                        ///< of a file that does not say its own
     std::optional<PixelRectangle> crop = {};      ///< the part of the map that is loaded
+    /// Scene whose material, tip, lever and model a height map gets; none: the defaults.
+    std::optional<SceneDescription> like = {};
 };
 
 /// Returns the description of a sample with the overrides applied.

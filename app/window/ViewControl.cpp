@@ -79,6 +79,12 @@ ViewControl::ViewControl(Stage& stage) : Feature(stage) {
     stage.keepInSession({[this](QVariantMap& kept) { keepViewpoint(live_, kept); },
                          [this](const QVariantMap& kept) { restoreViewpoint(live_, kept); }});
     addEntries();
+    // Curves of another material on the same scan stay: they are compared.
+    connect(&runs_, &RunControl::begun, this, [this] {
+        if (runs_.isOnOtherScan()) {
+            live_.forces().forgetCycles();
+        }
+    });
 }
 
 void ViewControl::addEntries() {

@@ -207,6 +207,12 @@ ColorRanges::ColorRanges() {
     }
 }
 
+void ColorRanges::forget() {
+    for (ColorRange& range : ranges_) {
+        range.forget();
+    }
+}
+
 void ColorRanges::setChannel(const QString& name) {
     if (!name.isEmpty() && name != channel_) {
         channel_ = name;

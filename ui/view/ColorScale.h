@@ -120,6 +120,8 @@ public:
     /// fitted first; one that is to be steady also where all values are zero, as far from a tip.
     /// @return whether range or data are others
     bool fit(std::span<const double> values, const Wish& wish);
+    /// Another scene: the next range is of its values alone, unless it is pinned.
+    void forget() { steady_ = SteadyRange(smallest_); }
     [[nodiscard]] const ValueRange& range() const { return range_; }
     [[nodiscard]] const ValueRange& data() const { return data_; }
     [[nodiscard]] bool hasData() const { return hasData_; }
@@ -151,6 +153,8 @@ public:
     }
     /// Resets the ranges when the channel changes.
     void setChannel(const QString& name);
+    /// Another scene.
+    void forget();
 
 private:
     std::vector<ColorRange> ranges_;

@@ -44,6 +44,13 @@ void SurfaceColors::setLook(const SurfaceLook& look, const SurfaceField& field) 
                                 displacements_.high());
 }
 
+void SurfaceColors::forgetScene() {
+    heightRange_ = SteadyRange(kMinHeightRange);
+    displacementRange_ = SteadyRange(kMinDisplacementRange);
+    displacements_ = tableOf(displacements_.map(), displacementRange_.range());
+    ranges_.forget();
+}
+
 bool SurfaceColors::fitHeights(double low, double high) { return refit(heightRange_, low, high); }
 
 bool SurfaceColors::fit(std::span<const double> values, bool isSteady) {

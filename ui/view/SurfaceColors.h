@@ -31,6 +31,8 @@ public:
     /// ofLive().
     [[nodiscard]] bool isLive() const { return field_.isLive(); }
 
+    /// Another scene: ranges that are not pinned are those of its values alone.
+    void forgetScene();
     /// Fits the heights that the view has room for [m]. @return whether that changed
     bool fitHeights(double low, double high);
     /// Returns whether of all values only the lowest and highest matter, and they are those of

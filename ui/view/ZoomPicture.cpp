@@ -91,6 +91,7 @@ void ZoomPicture::setScene(const Scene* scene) {
     crossHair_.reset();
     terrain_.hide();
     cache_.invalidate();
+    colors_.forgetScene();
     if (scene_ != nullptr) {
         scale_ = viewScale(*scene_);
         frame_.emplace(scene_->surface.sizeX(), scene_->surface.sizeY(), scale_.usual);

@@ -385,6 +385,8 @@ void ForcePanel::clear() {
     scene_ = nullptr;
 }
 
+void ForcePanel::forgetCycles() { cycles_->clear(); }
+
 void ForcePanel::rewind() {
     clearNumbers();
     cycles_->restart();

@@ -27,6 +27,8 @@ class ForcePanel : public Card, public RunPanel {
 public:
     explicit ForcePanel(QWidget* parent = nullptr);
 
+    /// Forgets the curves of former cycles: they are of another scan.
+    void forgetCycles();
     void clear() override;
     void rewind() override;
     void begin(const Scene& scene) override;

@@ -8,6 +8,7 @@
 #include "core/Error.h"
 #include "core/PrintableText.h"
 #include "core/io/heightmap/ImageScale.h"
+#include "core/io/scene/SceneFile.h"
 #include "core/surface/GivenScale.h"
 #include "ui/shell/Dialogs.h"
 #include "ui/shell/Menus.h"
@@ -136,19 +137,28 @@ void SceneControl::showHistory() {
 void SceneControl::open(const std::filesystem::path& input, const SceneOverrides& overrides,
                         const FailureWords& failureWords) {
     askedWith_ = overrides;
+    SceneOverrides asked = overrides;
+    if (const SceneDescription* const now = edits_.wanted()) {
+        asked.like = *now;
+    }
     const auto kept = std::make_shared<QVariantMap>();
+    const auto isScan = std::make_shared<bool>(false);
     begin(input,
           {.name = {},
            .load =
-               [input, overrides, kept, fit = fit_](Progress& progress) {
+               [input, asked, kept, isScan, fit = fit_](Progress& progress) {
                    return loadedOf(input, progress, [&](const std::filesystem::path& scene) {
                        *kept = windowSectionOf(scene);
-                       return loadScene(scene, overrides, &progress, fit);
+                       *isScan = !isScene(scene);
+                       return loadScene(scene, asked, &progress, fit);
                    });
                },
            .position = [kept] { return keptTip(*kept); },
            .opened =
-               [this, input, kept] {
+               [this, input, kept, isLike = asked.like.has_value(), isScan] {
+                   if (isLike && *isScan) {
+                       tellWhatStays(input);
+                   }
                    Q_EMIT opened(input);
                    if (!kept->isEmpty()) {
                        Q_EMIT sessionOpened(input, *kept);
@@ -157,6 +167,16 @@ void SceneControl::open(const std::filesystem::path& input, const SceneOverrides
            .failed = {},
            .canceled = {}},
           failureWords);
+}
+
+/// A height map says nothing of material, tip and lever.
+void SceneControl::tellWhatStays(const std::filesystem::path& input) {
+    const SceneDescription& scene = runs_.run()->scene().description;
+    host_.tell(tr("%1 · as before: %2, tip of %3, lever of %4")
+                   .arg(shownPath(input.filename()),
+                        QString::fromStdString(scene.sample.material.name).replace('_', ' '),
+                        siText(scene.tip.radius, "m"),
+                        siText(runs_.run()->scene().belief.cantilever.stiffness(), "N/m")));
 }
 
 void SceneControl::open(const std::filesystem::path& input, const LongWork<LoadedScene>::Work& load,

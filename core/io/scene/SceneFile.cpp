@@ -181,12 +181,26 @@ SceneDescription readRecordedScene(const std::filesystem::path& path) {
     return readSceneOver(std::move(unstated), path);
 }
 
-SceneDescription sceneFromInput(const std::filesystem::path& path) {
-    if (path.extension() == ".toml" || hasSampleSection(path)) {
+bool isScene(const std::filesystem::path& path) {
+    return path.extension() == ".toml" || hasSampleSection(path);
+}
+
+SceneDescription sceneFromInput(const std::filesystem::path& path,
+                                const std::optional<SceneDescription>& like) {
+    if (isScene(path)) {
         return readScene(path);
     }
-    SceneDescription scene = defaultScene();
-    scene.sample.file = path.string();
+    SceneDescription scene = like.value_or(defaultScene());
+    SampleDescription sample;
+    sample.file = path.string();
+    sample.material = scene.sample.material;
+    // Maps, markers and guide are of the scan before.
+    sample.material.maps = {};
+    scene.truth.material.maps = {};
+    scene.sample = std::move(sample);
+    scene.settings.guide.kind = FixtureKind::None;
+    scene.zoomHalfWidth = 0.0;
+    scene.markers.clear();
     return scene;
 }
 

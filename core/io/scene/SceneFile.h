@@ -3,6 +3,7 @@
 #include "core/scene/SceneDescription.h"
 
 #include <filesystem>
+#include <optional>
 #include <string>
 
 namespace asperity {
@@ -15,9 +16,14 @@ namespace asperity {
 /// none, which is 0. @throw InputError as readScene()
 [[nodiscard]] SceneDescription readRecordedScene(const std::filesystem::path& path);
 
-/// A scene from either a scene file (by content or extension) or a height map, which means a
-/// scene with defaults.
-[[nodiscard]] SceneDescription sceneFromInput(const std::filesystem::path& path);
+/// Returns whether a file is a scene, by content or extension; else it may be a height map.
+[[nodiscard]] bool isScene(const std::filesystem::path& path);
+
+/// A scene from either a scene file or a height map.
+/// @param like scene whose material, tip, lever and model a height map gets; none: the defaults
+[[nodiscard]] SceneDescription
+sceneFromInput(const std::filesystem::path& path,
+               const std::optional<SceneDescription>& like = std::nullopt);
 
 /// The whole description as TOML text, every value spelled out: reading it back gives the same.
 [[nodiscard]] std::string sceneText(const SceneDescription& scene);

@@ -123,5 +123,26 @@ TEST(SurfaceColors, KeepThePinnedRangeOfAQuantityThatIsLeftAndChosenAgain) {
     EXPECT_TRUE(colors.scale().clipsHigh());
 }
 
+/// A flat scene after a grating was all one color.
+TEST(SurfaceColors, OfAnotherSceneFollowItsValuesUnlessTheyArePinned) {
+    for (const bool pinned : {false, true}) {
+        SurfaceLook look;
+        look.of(SurfaceQuantity::Height).pinned = pinned;
+        SurfaceColors colors;
+        colors.setLook(look, SurfaceField());
+        colors.fitRest(std::array{-200.0_nm, 200.0_nm});
+        colors.fitHeights(-200.0_nm, 200.0_nm);
+        const double before = colors.scale().high;
+        colors.forgetScene();
+        colors.fitRest(std::array{-60.0_nm, 60.0_nm});
+        colors.fitHeights(-60.0_nm, 60.0_nm);
+        EXPECT_EQ(colors.scale().high == before, pinned);
+        EXPECT_LT(colors.heightRange().high, 101.0_nm);
+        if (!pinned) {
+            EXPECT_LT(colors.scale().high, 101.0_nm);
+        }
+    }
+}
+
 }  // namespace
 }  // namespace asperity

@@ -87,5 +87,31 @@ TEST_F(SceneControlTest, NothingComesOfWhatIsCanceled) {
     EXPECT_EQ(begun.count(), 0);
 }
 
+/// Another scan brought back polystyrene and the usual tip without a word.
+TEST_F(SceneControlTest, AScanKeepsMaterialTipAndLeverAndSaysSo) {
+    SceneDescription description = plainScene();
+    description.sample.material.name = "mica";
+    description.sample.material.elastic.youngsModulus = 54e9;
+    description.tip.radius = 20e-9;
+    description.setpoint = 2e-9;
+    description.markers.push_back({});
+    runs.use({.scene = buildScene(description, flatMap()),
+              .format = "made for the test",
+              .sha256 = "",
+              .notes = {}});
+    scenes.open(kSteps);
+    ASSERT_TRUE(eventually([this] { return begun.count() == 2; }));
+    EXPECT_EQ(told().find("steps.gsf · as before: mica, tip of 20 nm, lever of 14"), 0U) << told();
+    const SceneDescription& now = run().scene().description;
+    EXPECT_EQ(now.sample.material.elastic.youngsModulus, 54e9);
+    EXPECT_EQ(now.tip.radius, 20e-9);
+    EXPECT_EQ(now.setpoint, 2e-9);
+    EXPECT_TRUE(now.markers.empty()) << "they are of the scan before";
+    scenes.open(dataFolder() / "scenes/silicone_rubber.toml");
+    ASSERT_TRUE(eventually([this] { return begun.count() == 3; }));
+    EXPECT_EQ(run().scene().description.sample.material.name, "silicone_rubber")
+        << "a scene says what it is";
+}
+
 }  // namespace
 }  // namespace asperity::test

@@ -414,5 +414,23 @@ TEST(ShippedScenes, AllReadAndNameFilesThatAreThere) {
     }
 }
 
+TEST_F(SceneFile, AHeightMapGetsTheInstrumentOfTheSceneBefore) {
+    SceneDescription before;
+    before.sample.file = "other.gsf";
+    before.sample.crop = PixelRectangle{};
+    before.sample.material.name = "gold";
+    before.sample.material.maps.friction = MapSource{};
+    before.tip.radius = 33e-9;
+    before.zoomHalfWidth = 1e-6;
+    const auto map = write("map.gsf", "no scene");
+    const SceneDescription scene = sceneFromInput(map, before);
+    EXPECT_EQ(scene.sample.file, map.string());
+    EXPECT_EQ(scene.sample.crop, std::nullopt);
+    EXPECT_EQ(scene.sample.material.name, "gold");
+    EXPECT_FALSE(scene.sample.material.maps.any()) << "they are of the other scan";
+    EXPECT_EQ(scene.tip.radius, 33e-9);
+    EXPECT_EQ(scene.zoomHalfWidth, 0.0);
+}
+
 }  // namespace
 }  // namespace asperity
