@@ -277,7 +277,7 @@ TEST_F(CurveCommand, TakesAMaterialByNameOrFile) {
         test::shippedScene("x").parent_path().parent_path() / "materials" / "polystyrene.toml";
     EXPECT_EQ(tableOf("--points 5 --material polystyrene").text(3, "force_n"),
               tableOf("--points 5 --material " + file.string()).text(3, "force_n"));
-    const auto unknown = test::runProgram("curve --material gold");
+    const auto unknown = test::runProgram("curve --material unobtainium");
     EXPECT_EQ(unknown.exitCode, 3) << unknown.output;
     EXPECT_NE(unknown.output.find("silicone_rubber"), std::string::npos) << "names what it knows";
 }
