@@ -8,6 +8,7 @@
 #include "ui/view/ZoomView.h"
 #include "ui/widgets/FlowLayout.h"
 #include "ui/widgets/NumberBox.h"
+#include "ui/widgets/PageParts.h"
 
 #include <QAction>
 #include <QComboBox>
@@ -254,7 +255,11 @@ void SecondView::hideEvent(QHideEvent* event) {
 ViewBars::ViewBars(const ZoomView& view, QWidget* parent)
     : QWidget(parent)
     , quantity_(new ColorBarWidget(this))
-    , displacement_(new ColorBarWidget(this)) {
+    , displacement_(new ColorBarWidget(this))
+    , dentOnly_(pageButton(tr("Dent only"), "dentOnly",
+                           tr("Colors the surface by its displacement alone, so that dent and neck "
+                              "stand out; off: by its height again"),
+                           this)) {
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(kBarGap);
@@ -263,9 +268,14 @@ ViewBars::ViewBars(const ZoomView& view, QWidget* parent)
         connect(bar, &QWidget::customContextMenuRequested, this,
                 [this, bar](const QPoint& at) { Q_EMIT colorsRequested(bar->mapToGlobal(at)); });
     }
+    dentOnly_->setCheckable(true);
+    row->addWidget(dentOnly_);
+    connect(dentOnly_, &QToolButton::clicked, this, &ViewBars::dentOnlyChosen);
     connect(&view, &ZoomView::scalesChanged, this, [this, &view] { showScales(view); });
     showScales(view);
 }
+
+void ViewBars::setDentOnly(bool isOnly) { dentOnly_->setChecked(isOnly); }
 
 void ViewBars::showScales(const ZoomView& view) {
     const ColorScale quantity = view.colorScale();

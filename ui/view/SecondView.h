@@ -18,6 +18,7 @@
 class QComboBox;
 class QHBoxLayout;
 class QStackedWidget;
+class QToolButton;
 
 namespace asperity {
 
@@ -71,7 +72,7 @@ public:
     [[nodiscard]] ZoomView& space() { return *space_; }
     [[nodiscard]] ContactPlot& section() { return *section_; }
     /// Returns the bars of the 3-D view: its range is that of its own frame.
-    [[nodiscard]] const ViewBars& bars() const { return *bars_; }
+    [[nodiscard]] ViewBars& bars() const { return *bars_; }
 
 Q_SIGNALS:
     /// The pointer is over this position of the surface at rest, world x, y [m].
@@ -113,15 +114,21 @@ public:
     /// @param view outlives this object
     explicit ViewBars(const ZoomView& view, QWidget* parent = nullptr);
 
+    /// Shows whether displacements alone color the surface.
+    void setDentOnly(bool isOnly);
+
 Q_SIGNALS:
     /// A right click asks for another coloring, at this position of the screen.
     void colorsRequested(QPoint at);
+    /// The user wants displacements alone to color the surface, or heights again.
+    void dentOnlyChosen(bool isOnly);
 
 private:
     void showScales(const ZoomView& view);
 
     ColorBarWidget* quantity_;
     ColorBarWidget* displacement_;
+    QToolButton* dentOnly_;
 };
 
 /// One cross-hair for all views: where the pointer is in one, all show the position and what

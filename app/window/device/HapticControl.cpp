@@ -297,8 +297,14 @@ void HapticPanel::showEnergy(const std::optional<PortEnergy>& energy) {
         spring_->setText(QStringLiteral("–"));
         return;
     }
-    const QString joules = siText(energy->dissipated, "J");
-    energy_->setText(energy->warned ? tr("%1: the coupling supplies energy").arg(joules) : joules);
+    const QString joules = siText(std::abs(energy->dissipated), "J");
+    if (energy->dissipated < 0.0) {
+        energy_->setText(energy->warned ? tr("none; the coupling supplied %1").arg(joules)
+                                        : tr("none; %1 supplied").arg(joules));
+    } else {
+        energy_->setText(energy->warned ? tr("%1: the coupling supplies energy").arg(joules)
+                                        : joules);
+    }
     spring_->setText(siText(energy->spring, "J"));
 }
 

@@ -47,10 +47,15 @@ void giveFocusBack(ControlBar& controls, ZoomView& view) {
     }
 }
 
-/// A right click on a color bar chooses other colors.
-void openColorsMenu(const ViewBars& bars, ColorsMenu& colors) {
+/// A right click on a color bar chooses other colors; a button beside it, those of the dent alone.
+void chooseColorsBy(const ViewBars& bars, ColorsMenu& colors) {
     QObject::connect(&bars, &ViewBars::colorsRequested, &colors,
                      [&colors](const QPoint& at) { colors.menu().popup(at); });
+    QObject::connect(&bars, &ViewBars::dentOnlyChosen, &colors, [&colors](bool isOnly) {
+        SurfaceLook look = colors.look();
+        look.quantity = isOnly ? SurfaceQuantity::Displacement : SurfaceQuantity::Height;
+        colors.choose(look);
+    });
 }
 
 /// The overview shows where the view looks.
@@ -100,7 +105,7 @@ public:
 
     [[nodiscard]] QSplitter& views() { return *views_; }
     [[nodiscard]] QVBoxLayout& column() { return *column_; }
-    [[nodiscard]] const ViewBars& bars() const { return *bars_; }
+    [[nodiscard]] ViewBars& bars() const { return *bars_; }
     void setHint(const QString& hint) {
         static_cast<QLabel*>(bottomLine_->widget(0))->setText(hint);
     }
@@ -226,8 +231,8 @@ void LivePanels::connectViews() {
     connect(secondEntry_, &QAction::toggled, second_, &QWidget::setVisible);
     connect(viewOptions_, &ViewOptionsMenu::optionsChosen, view_, &ZoomView::setOptions);
     showFrameOf(*view_, *overview_);
-    openColorsMenu(side_->bars(), *colors_);
-    openColorsMenu(second_->bars(), *colors_);
+    chooseColorsBy(side_->bars(), *colors_);
+    chooseColorsBy(second_->bars(), *colors_);
     ColorBarWidget& whole = overview_->colorBar();
     connect(&whole, &QWidget::customContextMenuRequested, this,
             [this, &whole](const QPoint& at) { colors_->menu().popup(whole.mapToGlobal(at)); });
@@ -246,6 +251,9 @@ void LivePanels::showLook(const SurfaceLook& look, const SurfaceField& field) {
     second_->setLook(look, field);
     overview_->setLook(look, field);
     colors_->setLook(look);
+    const bool isDentOnly = look.quantity == SurfaceQuantity::Displacement;
+    side_->bars().setDentOnly(isDentOnly);
+    second_->bars().setDentOnly(isDentOnly);
 }
 
 void LivePanels::showScene(const Scene* scene, const QString& title) {

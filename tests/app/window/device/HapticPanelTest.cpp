@@ -122,7 +122,7 @@ TEST_F(HapticPanelTest, SaysWhyTheForceIsLimited) {
 TEST_F(HapticPanelTest, ShowsEnergyAndLoop) {
     EXPECT_EQ(text("hapticEnergy"), "–");
     panel.showEnergy(PortEnergy{.dissipated = -0.012, .spring = 0.004, .warned = true});
-    EXPECT_EQ(text("hapticEnergy"), "-12 mJ: the coupling supplies energy");
+    EXPECT_EQ(text("hapticEnergy"), "none; the coupling supplied 12 mJ");
     EXPECT_EQ(text("hapticSpring"), "4 mJ");
     panel.showEnergy(std::nullopt);
     EXPECT_EQ(text("hapticEnergy"), "–");

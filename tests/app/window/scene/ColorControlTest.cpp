@@ -12,6 +12,7 @@
 
 #include <QAction>
 #include <QMenu>
+#include <QToolButton>
 
 namespace asperity::test {
 namespace {
@@ -112,6 +113,20 @@ TEST_F(ColorControlTest, APinnedRangeStaysForAnotherMaterial) {
         {.scene = buildScene(plainScene(), hillyMap()), .format = "", .sha256 = "", .notes = {}});
     EXPECT_EQ(panels.overview().map().colors().high, high);
     EXPECT_TRUE(panels.overview().map().colors().clipsHigh());
+}
+
+TEST_F(ColorControlTest, AButtonBesideTheBarsShowsTheDentAlone) {
+    useFlatScene();
+    const auto buttons = window.findChildren<QToolButton*>("dentOnly");
+    ASSERT_EQ(buttons.size(), 2) << "of the large view and of the second one";
+    for (QToolButton* const button : buttons) {
+        button->click();
+        EXPECT_EQ(shown(), QStringLiteral("displacement"));
+        EXPECT_TRUE(buttons[0]->isChecked() && buttons[1]->isChecked());
+        button->click();
+        EXPECT_EQ(shown(), QStringLiteral("height"));
+        EXPECT_FALSE(buttons[0]->isChecked() || buttons[1]->isChecked());
+    }
 }
 
 }  // namespace

@@ -94,7 +94,7 @@ TEST_F(SceneControlTest, AScanKeepsMaterialTipAndLeverAndSaysSo) {
     description.sample.material.elastic.youngsModulus = 54e9;
     description.tip.radius = 20e-9;
     description.setpoint = 2e-9;
-    description.markers.push_back({});
+    description.markers.push_back({.name = "edge"});
     runs.use({.scene = buildScene(description, flatMap()),
               .format = "made for the test",
               .sha256 = "",
