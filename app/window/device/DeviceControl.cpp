@@ -139,10 +139,16 @@ void ActiveDevice::approach(const PlannedApproach& approach) {
     approachBy([&] { return leadIn(approach.start); }, approach.plan);
 }
 
-void ActiveDevice::engage(double setpoint, const Vector2& position) {
+double usualRate(const Scene& scene, const Vector2& position, double setpoint) {
+    return planApproach(scene, {.duration = kFine, .position = position, .setpoint = setpoint})
+        .plan.speed;
+}
+
+void ActiveDevice::engage(double setpoint, const Vector2& position, double rate) {
     PlannedApproach planned = planApproach(
         run_->scene(), {.duration = kFine, .position = position, .setpoint = setpoint});
     planned.plan.dwell = std::numeric_limits<double>::infinity();
+    planned.plan.speed = rate;
     const auto wayThere = [&]() -> DevicePath {
         const Vector3 base = run_->basePosition();
         if (base.head<2>() != position) {
@@ -205,6 +211,15 @@ void ActiveDevice::travelTo(const Vector2& position) {
     if (piloted() != nullptr) {
         pilot_.follow(journey(run_->scene(), run_->basePosition(), position, kJourney));
     }
+}
+
+void ActiveDevice::rise(double rate) {
+    if (piloted() == nullptr) {
+        return;
+    }
+    const Vector3 base = run_->basePosition();
+    const Vector3 free = waitingPosition(run_->scene(), base.head<2>());
+    pilot_.follow({{0.0, base}, {std::max(free.z() - base.z(), 0.0) / rate, free}});
 }
 
 void ActiveDevice::advance(double seconds, double halfWidth) {
@@ -377,8 +392,8 @@ void DeviceControl::approach(const PlannedApproach& approach) {
     show();
 }
 
-void DeviceControl::engage(double setpoint, const Vector2& position) {
-    device_.engage(setpoint, position);
+void DeviceControl::engage(double setpoint, const Vector2& position, double rate) {
+    device_.engage(setpoint, position, rate);
     show();
 }
 
@@ -397,12 +412,16 @@ void DeviceControl::followFromHere(const ActiveDevice::MakePath& makePath) {
     show();
 }
 
-void DeviceControl::withdraw() {
+void DeviceControl::withdraw(double rate) {
     release();
     const Vector3 base = runs_.run()->basePosition();
-    if (base.z() < waitingPosition(runs_.run()->scene(), base.head<2>()).z()) {
-        travelTo(base.head<2>());
+    if (base.z() >= waitingPosition(runs_.run()->scene(), base.head<2>()).z()) {
+        return;
     }
+    if (device_.driver() != &pointerDriver()) {
+        use(pointerDriver());
+    }
+    device_.rise(rate);
 }
 
 void DeviceControl::release() {

@@ -20,6 +20,9 @@ namespace asperity {
 
 class HeldKeys;
 
+/// Returns the speed at which an approach to a setpoint [N] takes some seconds on a scene [m/s].
+[[nodiscard]] double usualRate(const Scene& scene, const Vector2& position, double setpoint);
+
 /// Force that a feedback holds.
 struct HeldForce {
     double setpoint = 0.0;               ///< [N]
@@ -45,7 +48,10 @@ public:
     /// Goes to where the approach begins, well above the sample, and approaches.
     void approach(const PlannedApproach& approach);
     /// Approaches there (x, y) [m], from right above the sample, and stays at the setpoint.
-    void engage(double setpoint, const Vector2& position);
+    /// @param rate of the base down to it [m/s]
+    void engage(double setpoint, const Vector2& position, double rate);
+    /// Rises straight up, out of the sample's reach. @param rate [m/s]
+    void rise(double rate);
     /// The approach that has the tip; null: none has.
     [[nodiscard]] const ApproachDevice* approaching() const {
         return isOurs() ? approach_ : nullptr;
@@ -123,9 +129,10 @@ public:
     /// The device approaches, from where the approach begins. There is a run.
     void approach(const PlannedApproach& approach);
     /// Approaches there (x, y) [m], up to a setpoint [N], and stays there. There is a run.
-    void engage(double setpoint, const Vector2& position);
-    /// Goes up from the sample, out of its reach. There is a run.
-    void withdraw();
+    /// @param rate of the base down to it [m/s]
+    void engage(double setpoint, const Vector2& position, double rate);
+    /// Goes up from the sample, out of its reach. There is a run. @param rate [m/s]
+    void withdraw(double rate);
     /// Returns whether the tip still moves by itself: after withdraw() or a click on the overview.
     [[nodiscard]] bool isTraveling() const { return device_.isTraveling(); }
     /// The approach that has the tip; null: none has.

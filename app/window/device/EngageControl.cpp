@@ -88,14 +88,16 @@ void EngageControl::showSetpoint() {
     if (const SceneDescription* const scene = edits_.wanted()) {
         live_.engage().setSetpoint(scene->setpoint);
     }
-    if (runs_.run() != nullptr) {
-        live_.engage().setUnits(setpointUnits(runs_.run()->scene()));
+    if (LiveRun* const run = runs_.run()) {
+        live_.engage().setUnits(setpointUnits(run->scene()));
+        live_.engage().setUsualRate(
+            usualRate(run->scene(), run->basePosition().head<2>(), live_.engage().setpoint()));
     }
 }
 
 void EngageControl::engage(double setpoint, const Vector2& position) {
     asked_ = setpoint;
-    devices_.engage(asked_, position);
+    devices_.engage(asked_, position, live_.engage().rate());
     engaging_ = true;
     withdrawing_ = false;
 }
@@ -104,7 +106,7 @@ void EngageControl::withdraw() {
     if (runs_.run() != nullptr) {
         engaging_ = false;
         withdrawing_ = true;
-        devices_.withdraw();
+        devices_.withdraw(live_.engage().rate());
         host_.tell(tr("Withdrawing"));
     }
 }

@@ -6,6 +6,7 @@
 #include "ui/widgets/NumberBox.h"
 #include "ui/widgets/Theme.h"
 
+#include <QComboBox>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
@@ -20,8 +21,10 @@ namespace {
 
 constexpr int kEngageHeight = 26;   // [px, as theme::scaled() takes them]
 constexpr int kSetpointWidth = 76;  // same
-constexpr int kUnitWidth = 58;      // same
-constexpr int kHoldWidth = 78;      // same
+constexpr int kRateWidth = 70;      // same
+constexpr double kNanoRate = 1e9;   // rates are shown in nanometers
+constexpr double kMinRate = 0.1;    // [nm/s]
+constexpr double kMaxRate = 1e6;    // same
 constexpr int kSpace = 6;           // [px]
 constexpr int kShownDigits = 4;     // of a setpoint in another unit
 
@@ -33,12 +36,13 @@ QPushButton* engageButton(const char* name, const QString& text, QWidget* parent
     return button;
 }
 
-ChoiceBox* engageChoice(const char* name, const QStringList& names, int width, QWidget* parent) {
-    auto* choice = new ChoiceBox(parent);
+/// A list as wide as its longest choice.
+QComboBox* engageChoice(const char* name, const QStringList& names, QWidget* parent) {
+    auto* choice = new QComboBox(parent);
     choice->setObjectName(QString::fromUtf8(name));
-    choice->setFixedSize(theme::scaled(width), theme::scaled(kEngageHeight));
-    choice->setNames(names);
-    choice->setCurrentIndex(0);
+    choice->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+    choice->setFixedHeight(theme::scaled(kEngageHeight));
+    choice->addItems(names);
     guardFromWheel(*choice);
     return choice;
 }
@@ -50,16 +54,17 @@ EngageBar::EngageBar(QWidget* parent)
     , setpoint_(SceneDescription{}.setpoint)
     , units_{{tr("nN"), 1e9}}
     , box_(new GainSpinBox(1e9 * kMinSetpoint, 1e9 * kMaxSetpoint, this))
-    , unit_(engageChoice("setpointUnit", {units_.front().name}, kUnitWidth, this))
+    , unit_(engageChoice("setpointUnit", {units_.front().name}, this))
+    , rate_(new GainSpinBox(kMinRate, kMaxRate, this))
     , engage_(engageButton("engage", tr("Engage"), this))
     , withdraw_(engageButton("withdraw", tr("Withdraw"), this))
-    , hold_(engageChoice("hold", {tr("force"), tr("height")}, kHoldWidth, this))
+    , hold_(engageChoice("hold", {tr("force"), tr("height")}, this))
     , error_(valueLabel(QStringLiteral("holdError"), QStringLiteral("± 888.8 pN"), this)) {
     auto* row = new FlowLayout(this);
     row->setContentsMargins(kSpace, 0, kSpace, 0);
     row->setSpacing(kSpace);
     addSetpoint();
-    addGroup({engage_, withdraw_});
+    addRamp();
     addHold();
     row->addStretch();
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
@@ -101,6 +106,22 @@ void EngageBar::addSetpoint() {
     connect(unit_, qOverload<int>(&QComboBox::activated), this, &EngageBar::showSetpoint);
 }
 
+void EngageBar::addRamp() {
+    rate_->setObjectName(QStringLiteral("rampRate"));
+    rate_->setToolTip(tr("Speed of the base down to the setpoint and up out of the sample's reach "
+                         "[nm/s]; muted: suits the scene"));
+    rate_->setAccessibleName(tr("Speed of the ramp"));
+    rate_->setFixedSize(theme::scaled(kRateWidth), theme::scaled(kEngageHeight));
+    guardFromWheel(*rate_);
+    auto* caption = captionLabel(tr("nm/s"), this);
+    caption->setToolTip(rate_->toolTip());
+    addGroup({engage_, withdraw_, rate_, caption});
+    connect(rate_, qOverload<double>(&QDoubleSpinBox::valueChanged), this, [this] {
+        hasOwnRate_ = true;
+        rate_->setMuted(false);
+    });
+}
+
 void EngageBar::addHold() {
     hold_->setToolTip(tr("In contact: a feedback holds the force at the setpoint by moving the "
                          "lever up and down, or the height of the lever stays"));
@@ -136,15 +157,29 @@ void EngageBar::setSetpoint(double force) {
 }
 
 void EngageBar::setUnits(std::vector<SetpointUnit> units) {
+    if (units == units_) {
+        return;
+    }
     const QString chosen = unit().name;
     units_ = std::move(units);
     QStringList names;
     for (const SetpointUnit& each : units_) {
         names << each.name;
     }
-    unit_->setNames(names);
+    unit_->clear();
+    unit_->addItems(names);
     unit_->setCurrentIndex(std::max(static_cast<int>(names.indexOf(chosen)), 0));
     showSetpoint();
+}
+
+double EngageBar::rate() const { return rate_->value() / kNanoRate; }
+
+void EngageBar::setUsualRate(double rate) {
+    if (!hasOwnRate_) {
+        const QSignalBlocker blocker(rate_);
+        rate_->setValue(QString::number(kNanoRate * rate, 'g', 2).toDouble());
+        rate_->setMuted(true);
+    }
 }
 
 bool EngageBar::holdsForce() const { return hold_->currentIndex() == 0; }

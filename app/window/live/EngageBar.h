@@ -6,18 +6,20 @@
 #include <initializer_list>
 #include <vector>
 
+class QComboBox;
 class QLabel;
 class QPushButton;
 
 namespace asperity {
 
-class ChoiceBox;
 class GainSpinBox;
 
 /// Unit in which a setpoint is typed.
 struct SetpointUnit {
     QString name;
     double perNewton = 1e9;
+
+    bool operator==(const SetpointUnit&) const = default;
 };
 
 /// The row above the view with which a user brings the tip to the sample, holds it there and takes
@@ -33,6 +35,10 @@ public:
     void setSetpoint(double force);
     /// Sets in which units a setpoint can be typed; the chosen one stays where it is among them.
     void setUnits(std::vector<SetpointUnit> units);
+    /// Speed of the base down to the setpoint and up from it [m/s].
+    [[nodiscard]] double rate() const;
+    /// Sets the speed that suits the scene [m/s], as long as no other is typed.
+    void setUsualRate(double rate);
     /// Returns whether a feedback is to hold the force; else the height stays.
     [[nodiscard]] bool holdsForce() const;
     void setHoldsForce(bool holds);
@@ -53,6 +59,7 @@ private:
     /// Adds widgets that stay beside one another; in a narrow window groups are below one another.
     void addGroup(std::initializer_list<QWidget*> widgets);
     void addSetpoint();
+    void addRamp();
     void addHold();
     [[nodiscard]] const SetpointUnit& unit() const;
     void showSetpoint();
@@ -60,10 +67,12 @@ private:
     double setpoint_;  ///< [N]
     std::vector<SetpointUnit> units_;
     GainSpinBox* box_;
-    ChoiceBox* unit_;
+    QComboBox* unit_;
+    bool hasOwnRate_ = false;
+    GainSpinBox* rate_;  ///< [nm/s]
     QPushButton* engage_;
     QPushButton* withdraw_;
-    ChoiceBox* hold_;
+    QComboBox* hold_;
     QLabel* error_;
 };
 
