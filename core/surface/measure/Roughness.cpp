@@ -70,28 +70,36 @@ struct Heights {
 struct Deviations {
     double absolute = 0.0;  ///< [m]
     double square = 0.0;    ///< [m^2]
+    double cube = 0.0;      ///< [m^3]
+    double fourth = 0.0;    ///< [m^4]
 
     void add(const std::vector<double>& row, double mean) {
-        double ofRow = 0.0;
-        double squareOfRow = 0.0;
+        Deviations ofRow;
         for (const double height : row) {
             if (isFiniteHeight(height)) {
-                ofRow += std::abs(height - mean);
-                squareOfRow += (height - mean) * (height - mean);
+                const double deviation = height - mean;
+                const double squared = deviation * deviation;
+                ofRow.absolute += std::abs(deviation);
+                ofRow.square += squared;
+                ofRow.cube += squared * deviation;
+                ofRow.fourth += squared * squared;
             }
         }
-        absolute += ofRow;
-        square += squareOfRow;
+        absolute += ofRow.absolute;
+        square += ofRow.square;
+        cube += ofRow.cube;
+        fourth += ofRow.fourth;
     }
 };
 
-/// Surface of the squares, in units of their outline, beyond it.
-class Surplus {
+/// Gradient of the squares, and their surface, in units of their outline, beyond it.
+class SquareSums {
 public:
-    Surplus(double pitchX, double pitchY) : pitchX_(pitchX), pitchY_(pitchY) {}
+    SquareSums(double pitchX, double pitchY) : pitchX_(pitchX), pitchY_(pitchY) {}
 
     void add(const std::vector<double>& row, const std::vector<double>& above) {
-        double ofRow = 0.0;
+        double surplusOfRow = 0.0;
+        double gradientOfRow = 0.0;
         for (std::size_t i = 1; i < above.size(); ++i) {
             const double topLeft = above[i - 1];
             const double topRight = above[i];
@@ -106,25 +114,36 @@ public:
             const double bottom = (bottomRight - bottomLeft) / pitchX_;
             const double left = (topLeft - bottomLeft) / pitchY_;
             const double right = (topRight - bottomRight) / pitchY_;
-            ofRow += 0.25 * (surplus(top, left) + surplus(top, right) + surplus(bottom, left) +
-                             surplus(bottom, right));
+            gradientOfRow += 0.5 * (top * top + bottom * bottom + left * left + right * right);
+            surplusOfRow += 0.25 * (surplus(top, left) + surplus(top, right) +
+                                    surplus(bottom, left) + surplus(bottom, right));
             ++count;
         }
-        sum += ofRow;
+        surplusSum_ += surplusOfRow;
+        gradientSum_ += gradientOfRow;
     }
 
-    double sum = 0.0;
+    [[nodiscard]] double sdr() const { return meanOf(surplusSum_); }
+    [[nodiscard]] double sdq() const { return std::sqrt(meanOf(gradientSum_)); }
+
     std::size_t count = 0;
 
 private:
+    /// 0 without a square.
+    [[nodiscard]] double meanOf(double sum) const {
+        return count == 0 ? 0.0 : sum / static_cast<double>(count);
+    }
+
     /// sqrt(1 + s^2) - 1, without loss for small slopes.
     static double surplus(double slopeX, double slopeY) {
         const double square = slopeX * slopeX + slopeY * slopeY;
         return square / (std::sqrt(1.0 + square) + 1.0);
     }
 
-    double pitchX_;  ///< [m]
-    double pitchY_;  ///< [m]
+    double pitchX_;             ///< [m]
+    double pitchY_;             ///< [m]
+    double surplusSum_ = 0.0;   ///< of surface over outline - 1
+    double gradientSum_ = 0.0;  ///< of squares of the gradient
 };
 
 void requireInside(const HeightRows& map, const PixelRectangle& pixels) {
@@ -174,22 +193,33 @@ Roughness roughnessOf(const HeightRows& map, const PixelRectangle& pixels, Progr
     }
     const double mean = heights.mean();
     Deviations deviations;
-    Surplus surplus(map.pitchX, map.pitchY);
+    SquareSums squares(map.pitchX, map.pitchY);
     ProgressPart second(progress, 0.4, 1.0);
     rows.forEach(&second, [&](const auto& row, const auto& above) {
         deviations.add(row, mean);
-        surplus.add(row, above);
+        squares.add(row, above);
     });
     const auto count = static_cast<double>(heights.count);
-    return {.sa = deviations.absolute / count,
-            .sq = std::sqrt(deviations.square / count),
-            .sz = heights.highest - heights.lowest,
-            .sdr = surplus.count == 0 ? 0.0 : surplus.sum / static_cast<double>(surplus.count),
-            .mean = mean,
-            .lowest = heights.lowest,
-            .highest = heights.highest,
-            .pixels = heights.count,
-            .squares = surplus.count};
+    Roughness roughness{.sa = deviations.absolute / count,
+                        .sq = std::sqrt(deviations.square / count),
+                        .sz = heights.highest - heights.lowest,
+                        .sp = heights.highest - mean,
+                        .sv = mean - heights.lowest,
+                        .ssk = std::nullopt,
+                        .sku = std::nullopt,
+                        .sdq = squares.sdq(),
+                        .sdr = squares.sdr(),
+                        .mean = mean,
+                        .lowest = heights.lowest,
+                        .highest = heights.highest,
+                        .pixels = heights.count,
+                        .squares = squares.count};
+    if (heights.highest > heights.lowest) {
+        const double square = roughness.sq * roughness.sq;
+        roughness.ssk = deviations.cube / count / (square * roughness.sq);
+        roughness.sku = deviations.fourth / count / (square * square);
+    }
+    return roughness;
 }
 
 HeightRows rowsOf(const BSplineSurface& surface) {

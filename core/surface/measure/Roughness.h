@@ -6,22 +6,30 @@
 #include "core/surface/HeightMap.h"
 
 #include <cstddef>
+#include <optional>
 
 namespace asperity {
 
 /// Areal parameters of ISO 25178-2 over the pixels that hold data, each standing for its area. The
 /// reference is their mean height: form is removed before, by leveling.
 struct Roughness {
-    double sa = 0.0;       ///< arithmetical mean height, mean of |z - mean| [m]
-    double sq = 0.0;       ///< root mean square height, root of the mean of (z - mean)^2 [m]
-    double sz = 0.0;       ///< maximum height, highest - lowest [m]
+    double sa = 0.0;  ///< arithmetical mean height, mean of |z - mean| [m]
+    double sq = 0.0;  ///< root mean square height, root of the mean of (z - mean)^2 [m]
+    double sz = 0.0;  ///< maximum height, highest - lowest [m]
+    double sp = 0.0;  ///< maximum peak height, highest - mean [m]
+    double sv = 0.0;  ///< maximum pit height, mean - lowest [m]
+    /// Skewness and kurtosis, means of (z - mean)^3 / Sq^3 and (z - mean)^4 / Sq^4. Empty where all
+    /// heights are the same: they would be 0 / 0, and each number in their stead a wrong one.
+    std::optional<double> ssk;
+    std::optional<double> sku;
+    double sdq = 0.0;      ///< root mean square gradient
     double sdr = 0.0;      ///< developed interfacial area ratio, surface over its outline - 1
     double mean = 0.0;     ///< [m]
     double lowest = 0.0;   ///< [m]
     double highest = 0.0;  ///< [m]
     std::size_t pixels = 0;
-    /// Squares of 2 x 2 such pixels, of which Sdr is: the surface of a square is the mean of both
-    /// ways to split it into two triangles. Without one Sdr is 0.
+    /// Squares of 2 x 2 such pixels, of which Sdq and Sdr are: gradient and surface of a square are
+    /// means over both ways to split it into two triangles. Without one both are 0.
     std::size_t squares = 0;
 };
 

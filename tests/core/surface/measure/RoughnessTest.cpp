@@ -56,6 +56,73 @@ TEST(Roughness, OfASineAgreesWithTheClosedForms) {
     EXPECT_NEAR(extrapolated(measured(wave(2000)).sa, measured(wave(4000)).sa), sa, 1e-11 * sa);
 }
 
+TEST(Roughness, MomentsAndGradientOfASineAgreeWithTheClosedForms) {
+    const Roughness fine = measured(wave(2002, 1));
+    const Roughness period = measured(wave(2002));
+    EXPECT_NEAR(period.ssk.value(), 0.0, 1e-12);
+    EXPECT_NEAR(period.sku.value(), 1.5, 1e-12);
+    EXPECT_NEAR(period.sp, kAmplitude, 1e-13 * kAmplitude);
+    EXPECT_NEAR(period.sv, kAmplitude, 1e-13 * kAmplitude);
+    const double sdq = kAmplitude * 2.0 * kPi / kPeriod / std::numbers::sqrt2;
+    EXPECT_NEAR(fine.sdq, sdq, 1e-6 * sdq);
+    EXPECT_NEAR(extrapolated(measured(wave(2000, 1)).sdq, measured(wave(4000, 1)).sdq), sdq,
+                1e-11 * sdq);
+}
+
+/// A cone of height h on its disk, around which there is no data: mean h / 3, Sa 16 h / 81,
+/// Sq h / sqrt 18, Ssk 2 sqrt 2 / 5, Sku 2.4.
+TEST(Roughness, OfAConeAgreesWithTheClosedForms) {
+    constexpr int kSide = 801;
+    constexpr double kRadius = 400.0;  // [m], of 1 m pixels
+    HeightMap map = flatMap({.columns = kSide, .rows = kSide, .sizeX = kSide, .sizeY = kSide});
+    for (int row = 0; row < kSide; ++row) {
+        for (int column = 0; column < kSide; ++column) {
+            const double share = std::hypot(row - kRadius, column - kRadius) / kRadius;
+            map.heights[map.index(row, column)] = share <= 1.0
+                                                      ? kAmplitude * (1.0 - share)
+                                                      : std::numeric_limits<double>::quiet_NaN();
+        }
+    }
+    const Roughness roughness = measured(map);
+    const double sq = kAmplitude / std::sqrt(18.0);
+    EXPECT_NEAR(roughness.mean, kAmplitude / 3.0, 1e-3 * kAmplitude);
+    EXPECT_NEAR(roughness.sa, 16.0 / 81.0 * kAmplitude, 1e-3 * kAmplitude);
+    EXPECT_NEAR(roughness.sq, sq, 1e-3 * sq);
+    EXPECT_NEAR(roughness.sp, 2.0 / 3.0 * kAmplitude, 1e-3 * kAmplitude);
+    EXPECT_NEAR(roughness.sv, 1.0 / 3.0 * kAmplitude, 1e-3 * kAmplitude);
+    EXPECT_NEAR(roughness.ssk.value(), 0.4 * std::numbers::sqrt2, 2e-3);
+    EXPECT_NEAR(roughness.sku.value(), 2.4, 5e-3);
+    EXPECT_NEAR(roughness.sdq, kAmplitude / kRadius, 1e-4 * kAmplitude / kRadius);
+}
+
+TEST(Roughness, OfAStepWithEqualHalvesHasNoSkewnessAndKurtosisOne) {
+    HeightMap map = flatMap({.columns = 10, .rows = 4, .sizeX = 10.0, .sizeY = 4.0});
+    for (int row = 0; row < map.rows; ++row) {
+        for (int column = 5; column < map.columns; ++column) {
+            map.heights[map.index(row, column)] = kAmplitude;
+        }
+    }
+    const Roughness roughness = measured(map);
+    EXPECT_NEAR(roughness.sq, 0.5 * kAmplitude, 1e-14 * kAmplitude);
+    EXPECT_NEAR(roughness.ssk.value(), 0.0, 1e-12);
+    EXPECT_NEAR(roughness.sku.value(), 1.0, 1e-12);
+    // One of the nine columns of squares has the gradient, a pixel wide.
+    EXPECT_NEAR(roughness.sdq, kAmplitude / 3.0, 1e-14 * kAmplitude);
+}
+
+TEST(Roughness, OfOneHeightHasNeitherSkewnessNorKurtosis) {
+    const Roughness flat = measured(flatMap({.columns = 4, .rows = 3, .sizeX = 4.0, .sizeY = 3.0}));
+    EXPECT_FALSE(flat.ssk);
+    EXPECT_FALSE(flat.sku);
+    EXPECT_EQ(flat.sdq, 0.0);
+    const Roughness pixel =
+        measured(flatMap({.columns = 1, .rows = 1, .sizeX = 1.0, .sizeY = 1.0}));
+    EXPECT_FALSE(pixel.ssk);
+    EXPECT_EQ(pixel.sp, 0.0);
+    EXPECT_EQ(pixel.squares, 0U);
+    EXPECT_EQ(pixel.sdq, 0.0);
+}
+
 /// The length of a sine over its base is 2 / pi sqrt(1 + k^2) E(k^2 / (1 + k^2)), k = 2 pi A / L.
 TEST(Roughness, SdrOfASineAgreesWithTheEllipticIntegral) {
     const double k = 2.0 * kPi * kAmplitude / kPeriod;
@@ -79,6 +146,7 @@ TEST(Roughness, SdrOfATiltedPlaneIsThatOfItsNormal) {
     }
     const double exact = std::sqrt(1.0 + 0.3 * 0.3 + 1.7 * 1.7) - 1.0;
     EXPECT_NEAR(measured(map).sdr, exact, 1e-14);
+    EXPECT_NEAR(measured(map).sdq, std::hypot(0.3, 1.7), 1e-13);
     // Slopes so small that 1 + slope^2 is 1.
     for (double& height : map.heights) {
         height *= 1e-10;
