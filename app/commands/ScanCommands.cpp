@@ -4,6 +4,7 @@
 #include "app/commands/OptionChecks.h"
 #include "app/commands/ProgressLine.h"
 #include "app/commands/ScaleOption.h"
+#include "app/program/EndSignals.h"
 #include "app/program/JsonText.h"
 #include "app/reports/MeasureReport.h"
 #include "core/Error.h"
@@ -24,6 +25,7 @@
 #include <iostream>
 #include <iterator>
 #include <memory>
+#include <new>
 #include <nlohmann/json.hpp>
 #include <span>
 #include <sstream>
@@ -290,7 +292,7 @@ void printForPeople(const Report& shown) {
 }
 
 struct MeasureOptions {
-    std::string input;
+    std::vector<std::string> inputs;
     std::string channel;
     GivenScale scale;
     std::optional<LevelingSteps> leveling;
@@ -302,6 +304,7 @@ struct MeasureOptions {
     int samples = 0;                ///< 0: one a pixel
     std::string out;                ///< table of the profile; empty: none
     bool json = false;
+    bool csv = false;
 };
 
 /// A height map after leveling, without smoothing, and how it came about.
@@ -310,10 +313,10 @@ struct LeveledChannel {
     MeasuredMap facts;  ///< without measures
 };
 
-SampleDescription sampleOf(const MeasureOptions& options) {
-    SampleDescription sample = sceneFromInput(options.input).sample;
+SampleDescription sampleOf(const std::string& input, const MeasureOptions& options) {
+    SampleDescription sample = sceneFromInput(input).sample;
     if (sample.shape) {
-        throw Error(options.input + ": a scene with a shape has no height map to measure");
+        throw Error(input + ": a scene with a shape has no height map to measure");
     }
     if (!options.channel.empty()) {
         sample.channel = options.channel;
@@ -326,8 +329,8 @@ SampleDescription sampleOf(const MeasureOptions& options) {
     return sample;
 }
 
-LeveledChannel load(const MeasureOptions& options) {
-    const SampleDescription sample = sampleOf(options);
+LeveledChannel load(const std::string& input, const MeasureOptions& options) {
+    const SampleDescription sample = sampleOf(input, options);
     HeightChannel read = [&] {
         ProgressLine line("loading");
         return ScanFile(sample.file, sample.scale).readHeightChannel(sample.channel, &line);
@@ -380,16 +383,20 @@ MeasuredMap measuresOf(const MeasureOptions& options, LeveledChannel level) {
                                          : pixelsBetween(rows, Vector2(corners[0], corners[1]),
                                                          Vector2(corners[2], corners[3]));
     ProgressLine line("measuring");
-    measured.roughness = roughnessOf(rows, measured.rectangle, &line);
+    ProgressPart first(&line, 0.0, 0.3);
+    measured.roughness = roughnessOf(rows, measured.rectangle, &first);
+    ProgressPart second(&line, 0.3, 1.0);
+    measured.texture = textureOf(rows, measured.rectangle, &second);
     if (!options.profile.empty()) {
         measured.profile = measuredProfile(options, level.map);
     }
     return measured;
 }
 
-void measure(const MeasureOptions& options) {
-    requireWritableTable(options.out, {options.input});
-    const MeasuredMap measured = measuresOf(options, load(options));
+void measureOne(const MeasureOptions& options) {
+    const std::string& input = options.inputs.front();
+    requireWritableTable(options.out, {input});
+    const MeasuredMap measured = measuresOf(options, load(input, options));
     if (options.json) {
         std::cout << measuresJson(measured) << '\n';
     } else {
@@ -399,6 +406,52 @@ void measure(const MeasureOptions& options) {
         writeTable(options.out, [&](std::ostream& out, Progress* /*progress*/) {
             writeProfile(out, measured, measured.profile->profile);
         });
+    }
+}
+
+/// Adds the row of a file, or reports why there is none. @return whether it worked
+bool measureInto(RoughnessTable& table, const std::string& input, const MeasureOptions& options) {
+    std::string reason;
+    try {
+        table.add(input, measuresOf(options, load(input, options)));
+        return true;
+    } catch (const Canceled&) {
+        throw;
+    } catch (const std::bad_alloc&) {
+        reason = "out of memory";
+    } catch (const std::exception& error) {
+        reason = messageOf(error);
+    }
+    const bool namesFile = reason.starts_with(input + ":");
+    std::cerr << "asperity: " << (namesFile ? "" : printable(input) + ": ") << printable(reason)
+              << '\n';
+    table.addUnmeasured(input);
+    return false;
+}
+
+/// Measures files one after the other into a table; a bad one is reported and the next is taken.
+/// @throw FileError at the end when there was any; Canceled
+void measureMany(const MeasureOptions& options) {
+    RoughnessTable table(std::cout);
+    std::size_t failed = 0;
+    for (const std::string& input : options.inputs) {
+        failed += measureInto(table, input, options) ? 0 : 1;
+    }
+    table.close();
+    if (failed > 0) {
+        throw FileError(std::to_string(failed) + " of " + std::to_string(options.inputs.size()) +
+                            " files",
+                        "could not be measured");
+    }
+}
+
+void measure(const MeasureOptions& options) {
+    if (options.csv) {
+        measureMany(options);
+    } else if (options.inputs.size() > 1) {
+        throw CLI::ValidationError("INPUT", "many files are measured into a table: add --csv");
+    } else {
+        measureOne(options);
     }
 }
 
@@ -457,9 +510,9 @@ void addInfoCommand(CLI::App& program) {
 void addMeasureCommand(CLI::App& program) {
     const auto options = std::make_shared<MeasureOptions>();
     CLI::App* command = program.add_subcommand(
-        "measure", "Measure roughness (Sa, Sq, Sz, Sdr) of a height map, a profile, its angle and "
-                   "step heights, after leveling and without smoothing");
-    command->add_option("INPUT", options->input, "height map, or scene file")
+        "measure", "Measure roughness (ISO 25178-2) of height maps, a profile, its angle and step "
+                   "heights, after leveling and without smoothing");
+    command->add_option("INPUT", options->inputs, "height map, or scene file; many with --csv")
         ->required()
         ->check(notEmpty());
     command->add_option("--channel", options->channel,
@@ -471,7 +524,14 @@ void addMeasureCommand(CLI::App& program) {
                "roughness of the pixels whose centers lie between the corners x0,y0 and x1,y1, "
                "from the lower left corner of the scan [m]");
     addProfileOptions(*command, *options);
-    command->add_flag("--json", options->json, "print JSON with SI values in full precision");
+    CLI::Option* json =
+        command->add_flag("--json", options->json, "print JSON with SI values in full precision");
+    command
+        ->add_flag("--csv", options->csv,
+                   "print a table of the roughness of all files, a row each, with SI values in "
+                   "full precision")
+        ->excludes(json)
+        ->excludes("--profile");
     command->callback([options] { measure(*options); });
 }
 

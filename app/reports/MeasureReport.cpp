@@ -39,6 +39,18 @@ double shownMean(const Roughness& roughness) {
     return std::abs(roughness.mean) < kRounding * roughness.sz ? 0.0 : roughness.mean;
 }
 
+std::string numberText(const std::optional<double>& number) {
+    return number ? formatted("%.4g", *number) : "-";
+}
+
+void printTexture(std::ostream& out, const Texture& texture) {
+    const std::string used =
+        texture.step > 1 ? ", of one pixel in " + std::to_string(texture.step) + " a side" : "";
+    printLine(out, "Sal", texture.sal ? formatSi(*texture.sal, "m") : "-",
+              "autocorrelation length" + used);
+    printLine(out, "Str", numberText(texture.str), "texture aspect ratio" + used);
+}
+
 void printRoughness(std::ostream& out, const MeasuredMap& measured) {
     const Roughness& roughness = measured.roughness;
     const PixelRectangle& rectangle = measured.rectangle;
@@ -51,8 +63,14 @@ void printRoughness(std::ostream& out, const MeasuredMap& measured) {
               "maximum height, from " + formatSi(roughness.lowest, "m") + " to " +
                   formatSi(roughness.highest, "m") + ", mean " +
                   formatSi(shownMean(roughness), "m"));
+    printLine(out, "Sp", formatSi(roughness.sp, "m"), "maximum peak height, above the mean");
+    printLine(out, "Sv", formatSi(roughness.sv, "m"), "maximum pit height, below the mean");
+    printLine(out, "Ssk", numberText(roughness.ssk), "skewness");
+    printLine(out, "Sku", numberText(roughness.sku), "kurtosis");
+    printLine(out, "Sdq", formatted("%.4g", roughness.sdq), "root mean square gradient");
     printLine(out, "Sdr", formatted("%.4g %%", 100.0 * roughness.sdr),
               "developed interfacial area ratio");
+    printTexture(out, measured.texture);
 }
 
 void printStep(std::ostream& out, const char* what, const StepHeight& step) {
@@ -83,6 +101,10 @@ void printProfile(std::ostream& out, const MeasuredProfile& measured) {
     }
 }
 
+Json numberJson(const std::optional<double>& number) {
+    return number ? Json(*number) : Json(nullptr);
+}
+
 Json stepJson(const std::optional<StepHeight>& step) {
     if (!step) {
         return nullptr;
@@ -99,15 +121,29 @@ Json profileJson(const MeasuredProfile& measured) {
     if (measured.ends) {
         ends = {{"rise_m", measured.ends->rise}, {"angle_rad", measured.ends->angle}};
     }
-    return {
-        {"from_m", {profile.from.x(), profile.from.y()}},
-        {"to_m", {profile.to.x(), profile.to.y()}},
-        {"length_m", profile.length()},
-        {"samples", profile.heights.size()},
-        {"ends", ends},
-        {"fitted_angle_rad", measured.fittedAngle ? Json(*measured.fittedAngle) : Json(nullptr)},
-        {"grating", stepJson(measured.grating)},
-        {"step", stepJson(measured.twoLevels)}};
+    return {{"from_m", {profile.from.x(), profile.from.y()}},
+            {"to_m", {profile.to.x(), profile.to.y()}},
+            {"length_m", profile.length()},
+            {"samples", profile.heights.size()},
+            {"ends", ends},
+            {"fitted_angle_rad", numberJson(measured.fittedAngle)},
+            {"grating", stepJson(measured.grating)},
+            {"step", stepJson(measured.twoLevels)}};
+}
+
+const std::vector<std::string>& roughnessColumns() {
+    static const std::vector<std::string> kColumns{
+        "file", "channel", "width_m", "height_m", "pixels", "Sa_m", "Sq_m",  "Ssk",
+        "Sku",  "Sp_m",    "Sv_m",    "Sz_m",     "Sdq",    "Sdr",  "Sal_m", "Str"};
+    return kColumns;
+}
+
+void addCell(CsvWriter& csv, const std::optional<double>& number) {
+    if (number) {
+        csv.add(*number);
+    } else {
+        csv.add(std::string_view());
+    }
 }
 
 }  // namespace
@@ -146,12 +182,48 @@ std::string measuresJson(const MeasuredMap& measured) {
              {"sa_m", roughness.sa},
              {"sq_m", roughness.sq},
              {"sz_m", roughness.sz},
+             {"sp_m", roughness.sp},
+             {"sv_m", roughness.sv},
+             {"ssk", numberJson(roughness.ssk)},
+             {"sku", numberJson(roughness.sku)},
+             {"sdq", roughness.sdq},
              {"sdr", roughness.sdr},
+             {"sal_m", numberJson(measured.texture.sal)},
+             {"str", numberJson(measured.texture.str)},
+             {"texture_step", measured.texture.step},
              {"mean_m", roughness.mean},
              {"lowest_m", roughness.lowest},
              {"highest_m", roughness.highest},
              {"profile", measured.profile ? profileJson(*measured.profile) : Json(nullptr)},
              {"notes", measured.notes}});
+}
+
+RoughnessTable::RoughnessTable(std::ostream& out) : csv_(out, {}, roughnessColumns()) {}
+
+void RoughnessTable::add(const std::string& file, const MeasuredMap& measured) {
+    const Roughness& roughness = measured.roughness;
+    const PixelRectangle& part = measured.rectangle;
+    csv_.add(file).add(measured.channel);
+    csv_.add(measured.sizeX * part.columns / measured.columns);
+    csv_.add(measured.sizeY * part.rows / measured.rows);
+    csv_.add(static_cast<double>(roughness.pixels)).add(roughness.sa).add(roughness.sq);
+    addCell(csv_, roughness.ssk);
+    addCell(csv_, roughness.sku);
+    csv_.add(roughness.sp).add(roughness.sv).add(roughness.sz);
+    csv_.add(roughness.sdq).add(roughness.sdr);
+    addCell(csv_, measured.texture.sal);
+    addCell(csv_, measured.texture.str);
+    csv_.endRow();
+    csv_.flush();
+}
+
+void RoughnessTable::addUnmeasured(const std::string& file) {
+    csv_.add(file);
+    for (std::size_t i = 1; i < roughnessColumns().size(); ++i) {
+        csv_.add(std::string_view());
+    }
+    csv_.endRow();
+    csv_.flush();
 }
 
 void writeProfile(std::ostream& out, const MeasuredMap& measured, const Profile& profile) {

@@ -1,7 +1,9 @@
 #pragma once
 
+#include "core/io/tables/CsvWriter.h"
 #include "core/surface/measure/Profile.h"
 #include "core/surface/measure/Roughness.h"
+#include "core/surface/measure/Texture.h"
 
 #include <optional>
 #include <ostream>
@@ -31,6 +33,7 @@ struct MeasuredMap {
     double sizeY = 0.0;  ///< [m]
     PixelRectangle rectangle;
     Roughness roughness;
+    Texture texture;
     std::optional<MeasuredProfile> profile;
 };
 
@@ -39,6 +42,24 @@ void printMeasures(std::ostream& out, const MeasuredMap& measured);
 
 /// SI values in full precision.
 [[nodiscard]] std::string measuresJson(const MeasuredMap& measured);
+
+/// Writes the roughness of many files as a table, a row each, with SI values in full precision. A
+/// cell is empty where a number does not exist.
+class RoughnessTable {
+public:
+    /// @param out outlives the table
+    explicit RoughnessTable(std::ostream& out);
+
+    /// @param file as the user gave it; the cells are of the rectangle that was measured
+    void add(const std::string& file, const MeasuredMap& measured);
+    /// Writes the row of a file that could not be measured: its name alone.
+    void addUnmeasured(const std::string& file);
+    /// @throw Error when not all could be written
+    void close() { csv_.close(); }
+
+private:
+    CsvWriter csv_;
+};
 
 /// The samples of a profile as a table.
 void writeProfile(std::ostream& out, const MeasuredMap& measured, const Profile& profile);

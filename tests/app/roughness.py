@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Sa, Sq, Sz and Sdr of height maps, computed here from the definitions, beside those of `asperity
+"""Sa, Sq, Sz, Sp, Sv, Ssk, Sku, Sdq and Sdr of height maps, computed here from the definitions, beside those of `asperity
 measure`. Usage: roughness.py ASPERITY FILE...
 
 Each file is converted to .gsf, which is read here, byte by byte; no code is shared with the
@@ -54,13 +54,35 @@ def surplus_area(columns, rows, width, height, z):
     return math.fsum(areas) / (squares * dx * dy) - 1.0
 
 
+def gradient(columns, rows, width, height, z):
+    """Sdq: of the same triangles, the slopes of whose planes are those of their sides along x and y."""
+    dx, dy = width / columns, height / rows
+    squares, triangles = [], 0
+    for row in range(rows - 1):
+        for column in range(columns - 1):
+            i = row * columns + column
+            a, b, c, d = z[i], z[i + 1], z[i + columns + 1], z[i + columns]
+            if any(math.isnan(corner) for corner in (a, b, c, d)):
+                continue
+            for along, across in ((b - a, c - b), (c - d, d - a), (b - a, d - a), (c - d, c - b)):
+                squares.append((along / dx) ** 2 + (across / dy) ** 2)
+                triangles += 1
+    return math.sqrt(math.fsum(squares) / triangles)
+
+
 def roughness(path):
     columns, rows, width, height, heights = read_gsf(path)
     data = [z for z in heights if not math.isnan(z)]
     mean = math.fsum(data) / len(data)
+    sq = math.sqrt(math.fsum((z - mean) ** 2 for z in data) / len(data))
     return {"sa_m": math.fsum(abs(z - mean) for z in data) / len(data),
-            "sq_m": math.sqrt(math.fsum((z - mean) ** 2 for z in data) / len(data)),
+            "sq_m": sq,
             "sz_m": max(data) - min(data),
+            "sp_m": max(data) - mean,
+            "sv_m": mean - min(data),
+            "ssk": math.fsum(((z - mean) / sq) ** 3 for z in data) / len(data),
+            "sku": math.fsum(((z - mean) / sq) ** 4 for z in data) / len(data),
+            "sdq": gradient(columns, rows, width, height, heights),
             "sdr": surplus_area(columns, rows, width, height, heights)}
 
 
@@ -75,8 +97,9 @@ def main(program, files):
                                     check=True, capture_output=True)
             theirs = json.loads(answer.stdout)
             for name, ours in roughness(gsf).items():
-                # An area less its outline has lost the digits of small slopes.
-                scale = 1.0 + ours if name == "sdr" else ours
+                # An area less its outline has lost the digits of small slopes; a sum of cubes
+                # about the mean, those of what cancels.
+                scale = 1.0 + abs(ours) if name in ("sdr", "ssk") else ours
                 error = abs(theirs[name] - ours) / scale
                 failures += error > TOLERANCE
                 print(f"{pathlib.Path(file).name}: {name} {ours:.15g}, "

@@ -2,6 +2,7 @@
 #include "core/io/tables/CsvTable.h"
 #include "core/surface/synthetic/SyntheticSurface.h"
 #include "tests/app/ProgramRun.h"
+#include "tests/support/Places.h"
 #include "tests/support/ScratchFolder.h"
 
 #include <gmock/gmock.h>
@@ -144,10 +145,64 @@ TEST_F(Measure, TakesASceneAndRefusesAShape) {
     EXPECT_THAT(refused.output, HasSubstr("no height map to measure"));
 }
 
+TEST_F(Measure, NamesTheParametersOfIso) {
+    const auto ran = run("--level none");
+    EXPECT_EQ(ran.exitCode, 0);
+    for (const char* const name :
+         {"Sa", "Sq", "Sz", "Sp", "Sv", "Ssk", "Sku", "Sdq", "Sdr", "Sal", "Str"}) {
+        EXPECT_THAT(ran.output, HasSubstr(std::string("\n  ") + name + " ")) << name;
+    }
+    const nlohmann::json all = measured("--level rows,zero");
+    // Ridges and grooves alike, flanks of a pixel or two: nearly two heights.
+    EXPECT_NEAR(all["sku"].get<double>(), 1.0, 0.2);
+    EXPECT_NEAR(all["sp_m"].get<double>() + all["sv_m"].get<double>(), kDepth, 1e-20);
+    EXPECT_NEAR(all["mean_m"].get<double>(), all["sv_m"].get<double>(), 1e-20);
+    EXPECT_TRUE(all["str"].is_null());  // the ridges go on to the border
+    EXPECT_EQ(all["texture_step"], 1);
+}
+
+TEST_F(Measure, ManyFilesMakeATable) {
+    writeHeightMap(scratch.file("flat, 1.gsf"),
+                   flatMap({.columns = 4, .rows = 3, .sizeX = 4e-6, .sizeY = 3e-6}),
+                   {.title = "Flat"});
+    const std::string folder = scratch.file("").string();
+    const auto ran =
+        test::runCommand("(cd " + folder + " && " + test::programOfBuild("asperity").string() +
+                         " measure --csv --level none grating.gwy none.gsf "
+                         "'flat, 1.gsf' 2>errors.txt >table.csv)");
+    EXPECT_EQ(ran.exitCode, 3);
+    const std::string text = test::contentOf(scratch.file("table.csv"));
+    EXPECT_TRUE(text.starts_with("file,channel,width_m,height_m,pixels,Sa_m,Sq_m,Ssk,Sku,Sp_m,"
+                                 "Sv_m,Sz_m,Sdq,Sdr,Sal_m,Str\ngrating.gwy,Height,"))
+        << text;
+    EXPECT_THAT(text, HasSubstr("\nnone.gsf,,,,,,,,,,,,,,,\n"));
+    // Of one height: neither skewness nor kurtosis, neither length nor ratio.
+    EXPECT_THAT(text, HasSubstr("\n\"flat, 1.gsf\",Flat,"));
+    EXPECT_THAT(text, HasSubstr(",12,0,0,,,0,0,0,0,0,,\n"));
+    const std::string errors = test::contentOf(scratch.file("errors.txt"));
+    EXPECT_THAT(errors, HasSubstr("asperity: none.gsf: "));
+    EXPECT_THAT(errors, HasSubstr("1 of 3 files: could not be measured"));
+}
+
+TEST_F(Measure, TheTableHasTheNumbersOfTheJson) {
+    const nlohmann::json single = measured("--rectangle 0,0,900e-9,400e-9");
+    const auto ran = run("--rectangle 0,0,900e-9,400e-9 --csv");
+    EXPECT_EQ(ran.exitCode, 0);
+    const CsvTable table(ran.output, "table");
+    ASSERT_EQ(table.rows(), 1U);
+    EXPECT_NEAR(table.number(0, "width_m"), 900e-9, 1e-20);
+    EXPECT_NEAR(table.number(0, "height_m"), 400e-9, 1e-20);
+    EXPECT_EQ(table.number(0, "pixels"), 90.0 * 20.0);
+    EXPECT_EQ(table.number(0, "Sq_m"), single["sq_m"].get<double>());
+    EXPECT_EQ(table.number(0, "Sku"), single["sku"].get<double>());
+    EXPECT_EQ(table.number(0, "Sdq"), single["sdq"].get<double>());
+}
+
 TEST_F(Measure, WrongCallsExitWith2) {
     for (const char* const options :
-         {"--rectangle 1,2,3", "--rectangle 0,0,nan,1", "--samples 5", "--out p.csv",
-          "--profile 0,0,1,1 --samples 1", "--profile 0,0,1,1 --low 0,1", "--level flat"}) {
+         {"--csv --json", "--csv --profile 0,0,1e-7,0", "other.gwy", "--rectangle 1,2,3",
+          "--rectangle 0,0,nan,1", "--samples 5", "--out p.csv", "--profile 0,0,1,1 --samples 1",
+          "--profile 0,0,1,1 --low 0,1", "--level flat"}) {
         EXPECT_EQ(run(options).exitCode, 2) << options;
     }
     EXPECT_EQ(run("--profile 0,0,0,0").exitCode, 1);

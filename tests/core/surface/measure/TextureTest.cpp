@@ -57,7 +57,7 @@ TEST(Texture, OfCrossedWavesAgreesWithTheClosedForm) {
 }
 
 /// 24 waves of one length in many directions, all whole numbers of times on the scan: m^2 + n^2 =
-/// 5525. The autocorrelation is J0(2 pi r / wavelength) nearby; it is 0.2 at r = 0.3167 of one.
+/// 5525. The autocorrelation is J0(2 pi r / wavelength) nearby; it is 0.2 at r = 0.3249 of one.
 TEST(Texture, OfWavesInAllDirectionsIsThatOfTheBesselFunction) {
     constexpr int kSide = 1024;
     constexpr int kSquare = 5525;
