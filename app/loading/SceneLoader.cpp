@@ -171,19 +171,24 @@ PixelField imageBeside(const SampleDescription& sample, const BSplineSurface& su
     return {values, channel.unit};
 }
 
-PixelField residualImage(const SampleDescription& sample, const BSplineSurface& surface,
-                         Progress* progress) {
-    ProgressPart reading(progress, 0.0, 0.4);
+std::variant<HeightMap, ScanMap> leveledScan(const SampleDescription& sample, Progress* progress) {
+    ProgressPart reading(progress, 0.0, 0.5);
     SceneScan scan =
         ScanFile(sample.file, sample.scale).readSceneScan(sample.channel, sample.crop, &reading);
-    ProgressPart leveling(progress, 0.4, 0.8);
-    const auto residual = [&](auto map) {
-        return PixelField(
-            residualOf(leveled(std::move(map), sample.leveling, sample.levelPoints, &leveling),
-                       surface),
-            "m");
-    };
-    return std::visit(residual, std::move(scan.map));
+    ProgressPart leveling(progress, 0.5, 1.0);
+    return std::visit(
+        [&](auto map) -> std::variant<HeightMap, ScanMap> {
+            return leveled(std::move(map), sample.leveling, sample.levelPoints, &leveling);
+        },
+        std::move(scan.map));
+}
+
+PixelField residualImage(const SampleDescription& sample, const BSplineSurface& surface,
+                         Progress* progress) {
+    ProgressPart loading(progress, 0.0, 0.8);
+    return std::visit(
+        [&surface](auto map) { return PixelField(residualOf(std::move(map), surface), "m"); },
+        leveledScan(sample, &loading));
 }
 
 }  // namespace asperity

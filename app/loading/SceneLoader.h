@@ -5,12 +5,14 @@
 #include "core/io/heightmap/HeightMapFile.h"
 #include "core/scene/SceneDescription.h"
 #include "core/surface/BSplineSurface.h"
+#include "core/surface/HeightMap.h"
 #include "core/surface/PixelField.h"
 
 #include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
 namespace asperity {
@@ -63,6 +65,11 @@ enum class ModelFit : std::uint8_t { Now, Later };
 /// unit. @throw InputError when it cannot be read or has other pixels; Canceled
 [[nodiscard]] PixelField imageBeside(const SampleDescription& sample, const BSplineSurface& surface,
                                      const std::string& name, Progress* progress = nullptr);
+
+/// Returns the heights of a scan, or of the part of it that is loaded, leveled as the sample says
+/// and not smoothed. @throw InputError when the file cannot be read; Canceled
+[[nodiscard]] std::variant<HeightMap, ScanMap> leveledScan(const SampleDescription& sample,
+                                                           Progress* progress = nullptr);
 
 /// Returns the residual, data minus surface, of a scan leveled as the sample says [m].
 /// @param surface of this sample

@@ -57,16 +57,17 @@ void stylePageTable(QTableView& table, const char* objectName, const QString& to
     table.setWordWrap(false);
 }
 
-ReadingGrid::ReadingGrid(QWidget* parent) : QWidget(parent), grid_(new QGridLayout(this)) {
+ReadingGrid::ReadingGrid(QWidget* parent, int rows)
+    : QWidget(parent), grid_(new QGridLayout(this)), rows_(rows) {
     grid_->setContentsMargins(0, 0, 0, 0);
     grid_->setHorizontalSpacing(10);
     grid_->setVerticalSpacing(2);
-    grid_->setColumnMinimumWidth(1, kValueWidth);
-    grid_->setRowStretch(100, 1);
+    grid_->setRowStretch(kRows, 1);
 }
 
 void ReadingGrid::add(const char* objectName, const QString& name, const QString& meaning) {
-    const int row = values_.size();
+    const int row = values_.size() % rows_;
+    const int column = 2 * (values_.size() / rows_);
     auto* caption = captionLabel(name, this);
     auto* value = new QLabel(this);
     value->setObjectName(QString::fromLatin1(objectName));
@@ -75,8 +76,9 @@ void ReadingGrid::add(const char* objectName, const QString& name, const QString
     for (QLabel* const label : {caption, value}) {
         label->setToolTip(meaning);
     }
-    grid_->addWidget(caption, row, 0);
-    grid_->addWidget(value, row, 1);
+    grid_->addWidget(caption, row, column);
+    grid_->addWidget(value, row, column + 1);
+    grid_->setColumnMinimumWidth(column + 1, kValueWidth);
     values_.insert(value->objectName(), value);
     set(objectName, {});
 }

@@ -36,7 +36,8 @@ class ReadingGrid : public QWidget {
     Q_OBJECT
 
 public:
-    explicit ReadingGrid(QWidget* parent = nullptr);
+    /// @param rows of names and values; what is more begins another column
+    explicit ReadingGrid(QWidget* parent = nullptr, int rows = kRows);
 
     /// @param objectName of the value's label
     void add(const char* objectName, const QString& name, const QString& meaning);
@@ -45,7 +46,9 @@ public:
     [[nodiscard]] QString text(const char* objectName) const;
 
 private:
+    static constexpr int kRows = 100;
     QGridLayout* grid_;
+    int rows_;
     QMap<QString, QLabel*> values_;
 };
 

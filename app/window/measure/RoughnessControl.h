@@ -3,12 +3,14 @@
 #include "app/window/LongWork.h"
 #include "app/window/Stage.h"
 #include "core/surface/measure/Roughness.h"
+#include "core/surface/measure/Texture.h"
 #include "ui/view/ShapeTool.h"
 
 #include <QWidget>
 
 #include <optional>
 
+class QCheckBox;
 class QLabel;
 class QToolButton;
 
@@ -30,10 +32,15 @@ public:
         QString leveling;          ///< in words
         QString smoothing;         ///< in words
     };
+    /// The numbers of ISO 25178-2.
+    struct Numbers {
+        Roughness roughness;
+        Texture texture;
+    };
 
     explicit RoughnessPage(QWidget* parent = nullptr);
 
-    void setResult(const Subject& subject, const Roughness& roughness);
+    void setResult(const Subject& subject, const Numbers& numbers);
     /// Nothing to show. @param reason in words; empty: there is no scan
     void clear(const QString& reason);
     /// It is being computed. @param share that is done, 0..1
@@ -41,6 +48,8 @@ public:
     /// Shows whether a drag on the whole scan draws the rectangle.
     void setDrawing(bool drawing);
     void setRectangle(bool drawn);
+    /// Returns whether the surface that the tip meets is to be measured, else the leveled scan.
+    [[nodiscard]] bool isSmoothed() const;
 
     [[nodiscard]] const ReadingGrid& readings() const { return *readings_; }
     [[nodiscard]] QString subject() const;
@@ -48,6 +57,7 @@ public:
 Q_SIGNALS:
     void drawingChosen(bool drawing);
     void wholeChosen();
+    void smoothedChosen();
     /// The user looks at it now.
     void shown();
 
@@ -55,15 +65,19 @@ protected:
     void showEvent(QShowEvent* event) override;
 
 private:
+    void addReadings();
+
     ReadingGrid* readings_;
     QToolButton* draw_;
     QToolButton* whole_;
+    QCheckBox* smoothed_;
     QLabel* state_;
     QLabel* subject_;
 };
 
 /// Computes the roughness of the scan, or of the rectangle that is drawn on it, in the background,
-/// while somebody looks at it.
+/// while somebody looks at it. It is that of the leveled heights before smoothing, unless the page
+/// asks for the smoothed ones.
 class RoughnessControl : public Feature {
 public:
     explicit RoughnessControl(Stage& stage);
@@ -77,11 +91,15 @@ public:
 private:
     struct Result {
         RoughnessPage::Subject subject;
-        Roughness roughness;
+        RoughnessPage::Numbers numbers;
     };
 
     /// @param rectangle empty: all of the scan
-    [[nodiscard]] static Result compute(const Scene& scene, const QRectF& rectangle,
+    /// @param smoothed of the surface that the tip meets; else of the leveled scan, which is read
+    ///        from its file where smoothing changed it. @throw InputError
+    [[nodiscard]] static Result compute(const Scene& scene, const QRectF& rectangle, bool smoothed,
+                                        Progress& progress);
+    [[nodiscard]] static Result measure(const HeightRows& rows, const QRectF& rectangle,
                                         Progress& progress);
 
     RoughnessPage* page_;  ///< the window's

@@ -1,11 +1,14 @@
 #include "app/window/measure/RoughnessControl.h"
 
+#include "app/loading/SceneLoader.h"
 #include "app/window/live/OverviewPanel.h"
+#include "core/io/heightmap/HeightMapWriter.h"
 #include "tests/app/window/ControlFixture.h"
 #include "tests/ui/widgets/MouseEvents.h"
 #include "ui/view/OverviewMap.h"
 #include "ui/widgets/PageParts.h"
 
+#include <QCheckBox>
 #include <QToolButton>
 
 #include <limits>
@@ -76,6 +79,32 @@ TEST_F(RoughnessControlTest, OfARectangleThatIsDrawn) {
     page().findChild<QToolButton*>("wholeScan")->click();
     EXPECT_TRUE(
         eventually([this] { return page().subject().startsWith(QStringLiteral("Whole scan, ")); }));
+}
+
+TEST_F(RoughnessControlTest, NamesTheOtherParametersOfIso) {
+    look();
+    ASSERT_TRUE(eventually([this] { return reading("sa") != QStringLiteral("–"); }));
+    EXPECT_EQ(reading("sku"), QStringLiteral("1"));
+    EXPECT_NE(reading("sp"), QStringLiteral("–"));
+    EXPECT_EQ(reading("str"), QStringLiteral("–"));  // rows go on to the border
+    EXPECT_NE(reading("sdq"), QStringLiteral("–"));
+}
+
+/// The scene smooths the scan; the page measures the scan, and the smoothed one where it is asked.
+TEST_F(RoughnessControlTest, IsOfTheScanAndNotOfItsSmoothedCopy) {
+    const auto file = folder.file("stripes.gwy");
+    writeHeightMap(file, stripedMap(), {.title = "Height"});
+    runs.use(loadScene(file, {.leveling = LevelingSteps{}, .smoothingPixels = 1.0}));
+    look();
+    ASSERT_TRUE(eventually([this] { return reading("sq") == QStringLiteral("1 nm"); }))
+        << page().subject().toStdString();
+    EXPECT_TRUE(page().subject().contains(QStringLiteral("Smoothing: none")))
+        << page().subject().toStdString();
+    EXPECT_TRUE(page().subject().contains(QStringLiteral("excluded: 1 without data")));
+    page().findChild<QCheckBox*>("measureSmoothed")->click();
+    ASSERT_TRUE(eventually([this] { return page().subject().contains("Smoothing: Gaussian"); }))
+        << page().subject().toStdString();
+    EXPECT_NE(reading("sq"), QStringLiteral("1 nm"));
 }
 
 }  // namespace
