@@ -39,7 +39,7 @@ double shownMean(const Roughness& roughness) {
     return std::abs(roughness.mean) < kRounding * roughness.sz ? 0.0 : roughness.mean;
 }
 
-std::string numberText(const std::optional<double>& number) {
+std::string optionalText(const std::optional<double>& number) {
     return number ? formatted("%.4g", *number) : "-";
 }
 
@@ -48,7 +48,7 @@ void printTexture(std::ostream& out, const Texture& texture) {
         texture.step > 1 ? ", of one pixel in " + std::to_string(texture.step) + " a side" : "";
     printLine(out, "Sal", texture.sal ? formatSi(*texture.sal, "m") : "-",
               "autocorrelation length" + used);
-    printLine(out, "Str", numberText(texture.str), "texture aspect ratio" + used);
+    printLine(out, "Str", optionalText(texture.str), "texture aspect ratio" + used);
 }
 
 void printRoughness(std::ostream& out, const MeasuredMap& measured) {
@@ -65,8 +65,8 @@ void printRoughness(std::ostream& out, const MeasuredMap& measured) {
                   formatSi(shownMean(roughness), "m"));
     printLine(out, "Sp", formatSi(roughness.sp, "m"), "maximum peak height, above the mean");
     printLine(out, "Sv", formatSi(roughness.sv, "m"), "maximum pit height, below the mean");
-    printLine(out, "Ssk", numberText(roughness.ssk), "skewness");
-    printLine(out, "Sku", numberText(roughness.sku), "kurtosis");
+    printLine(out, "Ssk", optionalText(roughness.ssk), "skewness");
+    printLine(out, "Sku", optionalText(roughness.sku), "kurtosis");
     printLine(out, "Sdq", formatted("%.4g", roughness.sdq), "root mean square gradient");
     printLine(out, "Sdr", formatted("%.4g %%", 100.0 * roughness.sdr),
               "developed interfacial area ratio");
@@ -101,7 +101,7 @@ void printProfile(std::ostream& out, const MeasuredProfile& measured) {
     }
 }
 
-Json numberJson(const std::optional<double>& number) {
+Json optionalJson(const std::optional<double>& number) {
     return number ? Json(*number) : Json(nullptr);
 }
 
@@ -126,7 +126,7 @@ Json profileJson(const MeasuredProfile& measured) {
             {"length_m", profile.length()},
             {"samples", profile.heights.size()},
             {"ends", ends},
-            {"fitted_angle_rad", numberJson(measured.fittedAngle)},
+            {"fitted_angle_rad", optionalJson(measured.fittedAngle)},
             {"grating", stepJson(measured.grating)},
             {"step", stepJson(measured.twoLevels)}};
 }
@@ -184,12 +184,12 @@ std::string measuresJson(const MeasuredMap& measured) {
              {"sz_m", roughness.sz},
              {"sp_m", roughness.sp},
              {"sv_m", roughness.sv},
-             {"ssk", numberJson(roughness.ssk)},
-             {"sku", numberJson(roughness.sku)},
+             {"ssk", optionalJson(roughness.ssk)},
+             {"sku", optionalJson(roughness.sku)},
              {"sdq", roughness.sdq},
              {"sdr", roughness.sdr},
-             {"sal_m", numberJson(measured.texture.sal)},
-             {"str", numberJson(measured.texture.str)},
+             {"sal_m", optionalJson(measured.texture.sal)},
+             {"str", optionalJson(measured.texture.str)},
              {"texture_step", measured.texture.step},
              {"mean_m", roughness.mean},
              {"lowest_m", roughness.lowest},
