@@ -2,6 +2,7 @@
 
 #include "app/window/live/LivePanels.h"
 #include "app/window/live/OverviewPanel.h"
+#include "app/window/measure/RoughnessControl.h"
 #include "core/SiFormat.h"
 #include "core/surface/measure/Profile.h"
 #include "ui/shell/Menus.h"
@@ -204,7 +205,8 @@ void ProfileControl::refresh() {
     const Scene& scene = runs_.run()->scene();
     const Uncertainty& given = scene.description.uncertainty;
     page_->setProfile(meanProfile(scene.surface, line_.line(), page_->width()),
-                      given.enabled ? given.heightCalibration : 0.0);
+                      given.enabled ? given.heightCalibration : 0.0,
+                      smoothingInWords(scene.description.sample));
 }
 
 ProfilePage::ProfilePage(QWidget* parent)
@@ -218,7 +220,7 @@ ProfilePage::ProfilePage(QWidget* parent)
     , remove_(pageButton(tr("Remove"), "removeProfile", tr("Removes the line"), this))
     , width_(new QSpinBox(this))
     , step_(new QCheckBox(tr("Step height"), this))
-    , hint_(captionLabel(tr("Draw a line on the whole scan: its profile is shown here"), this)) {
+    , hint_(captionLabel(QString(), this)) {
     setToolTip(tr("Heights along a line, distance, angle and step height"));
     draw_->setCheckable(true);
     buildReadings();
@@ -250,6 +252,9 @@ QWidget* ProfilePage::buildBar() {
     step_->setObjectName(QStringLiteral("stepHeight"));
     step_->setToolTip(tr("Marks two stretches: how far the mean height of one is above that of the "
                          "other"));
+    hint_->setObjectName(QStringLiteral("profileState"));
+    hint_->setToolTip(tr("Smoothing of the heights: the profile is of the surface that the tip "
+                         "touches"));
     step_->setFocusPolicy(Qt::TabFocus);
     auto* bar = new QWidget(this);
     auto* row = new QHBoxLayout(bar);
@@ -279,9 +284,11 @@ void ProfilePage::buildReadings() {
                       "the z calibration"));
 }
 
-void ProfilePage::setProfile(const std::optional<Profile>& profile, double zCalibration) {
+void ProfilePage::setProfile(const std::optional<Profile>& profile, double zCalibration,
+                             const QString& smoothing) {
     profile_ = profile;
     zCalibration_ = zCalibration;
+    smoothing_ = smoothing;
     show();
 }
 
@@ -306,7 +313,8 @@ void ProfilePage::moveStretch(int index, int edge, double distance) {
 }
 
 void ProfilePage::show() {
-    hint_->setVisible(!profile_);
+    hint_->setText(profile_ ? tr("Smoothing: %1").arg(smoothing_)
+                            : tr("Draw a line on the whole scan: its profile is shown here"));
     remove_->setEnabled(profile_.has_value());
     step_->setEnabled(profile_.has_value());
     QVector<QPointF> points;

@@ -75,7 +75,9 @@ public:
     explicit ProfilePage(QWidget* parent = nullptr);
 
     /// None: no line is drawn. @param zCalibration relative standard deviation of heights
-    void setProfile(const std::optional<Profile>& profile, double zCalibration = 0.0);
+    /// @param smoothing of the heights, in words
+    void setProfile(const std::optional<Profile>& profile, double zCalibration = 0.0,
+                    const QString& smoothing = {});
     /// Shows whether a drag on the whole scan draws the line.
     void setDrawing(bool drawing);
     /// Returns the number of lines, side by side and a pixel apart, that the heights are means of.
@@ -104,6 +106,7 @@ private:
 
     std::optional<Profile> profile_;
     double zCalibration_ = 0.0;
+    QString smoothing_;
     ProfilePlot::Cursors cursors_{0.0, 1.0};                        ///< shares of the line
     ProfilePlot::Stretches stretches_{{{0.05, 0.3}, {0.7, 0.95}}};  ///< shares of the line
     ProfilePlot* plot_;

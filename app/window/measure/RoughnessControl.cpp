@@ -56,7 +56,9 @@ bool hasSmoothedScan(const SampleDescription& sample) {
            (sample.smoothingLength > 0.0 || sample.smoothingPixels.value_or(0.0) > 0.0);
 }
 
-QString smoothingText(const SampleDescription& sample) {
+}  // namespace
+
+QString smoothingInWords(const SampleDescription& sample) {
     if (sample.smoothingLength > 0.0) {
         return RoughnessControl::tr("Gaussian, standard deviation %1 nm")
             .arg(1e9 * sample.smoothingLength, 0, 'g', 3);
@@ -66,8 +68,6 @@ QString smoothingText(const SampleDescription& sample) {
                ? RoughnessControl::tr("Gaussian, standard deviation %1 px").arg(pixels, 0, 'g', 3)
                : RoughnessControl::tr("none");
 }
-
-}  // namespace
 
 RoughnessPage::RoughnessPage(QWidget* parent)
     : QWidget(parent)
@@ -260,10 +260,10 @@ RoughnessControl::Result RoughnessControl::compute(const Scene& scene, const QRe
         ProgressPart measuring(&progress, 0.4, 1.0);
         result = std::visit(
             [&](const auto& map) { return measure(rowsOf(map), rectangle, measuring); }, scan);
-        result.subject.smoothing = tr("none; the tip meets: %1").arg(smoothingText(sample));
+        result.subject.smoothing = tr("none; the tip meets: %1").arg(smoothingInWords(sample));
     } else {
         result = measure(rowsOf(scene.surface), rectangle, progress);
-        result.subject.smoothing = smoothingText(sample);
+        result.subject.smoothing = smoothingInWords(sample);
     }
     result.subject.leveling = levelingText(sample);
     return result;

@@ -75,6 +75,9 @@ private:
     QLabel* subject_;
 };
 
+/// Returns the smoothing that a scene gives its scan, in words.
+[[nodiscard]] QString smoothingInWords(const SampleDescription& sample);
+
 /// Computes the roughness of the scan, or of the rectangle that is drawn on it, in the background,
 /// while somebody looks at it. It is that of the leveled heights before smoothing, unless the page
 /// asks for the smoothed ones.

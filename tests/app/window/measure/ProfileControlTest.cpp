@@ -9,6 +9,7 @@
 
 #include <QCheckBox>
 #include <QCoreApplication>
+#include <QLabel>
 #include <QSpinBox>
 #include <QToolButton>
 
@@ -43,6 +44,7 @@ TEST_F(ProfileControlTest, SamplesTheLineThatIsDrawn) {
         << page().readings().text("profileLength").toStdString();
     EXPECT_EQ(page().readings().text("cursorRise"), QStringLiteral("0 pm")) << "the scan is level";
     EXPECT_EQ(page().readings().text("cursorAngle"), QStringLiteral("0.00°"));
+    EXPECT_EQ(page().findChild<QLabel*>("profileState")->text(), QStringLiteral("Smoothing: none"));
     page().findChild<QToolButton*>("removeProfile")->click();
     EXPECT_EQ(page().readings().text("profileLength"), QStringLiteral("–"));
 }
