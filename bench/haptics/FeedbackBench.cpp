@@ -159,7 +159,7 @@ std::vector<BenchRow> measured(double length) {
             }
         }
         rows.push_back({.name = std::string("constant force, ") + name +
-                                ": overshoot over that of one tick's delay",
+                                ": overshoot over the largest change in a tick, jumps included",
                         .value = worst,
                         .unit = "x",
                         .goal = kWallGoal,

@@ -13,6 +13,17 @@ namespace asperity {
 namespace {
 
 constexpr double kContactShare = 0.1;  // of the setpoint
+constexpr double kRestShare = 0.01;    // of an error, corrected in a tick at rest
+constexpr double kSlopeStep = 0.02;    // of the setpoint, over which the series stiffness is taken
+constexpr double kSoftest = 1e-4;      // share that is planned for
+
+/// Stiffness of lever and contact in series over the lever's, as the scene expects it at a force.
+double seriesShareAt(const Scene& scene, const Vector3& base, double force) {
+    const double step = kSlopeStep * force;
+    const double way = expectedDepth(scene, base, force + step) - expectedDepth(scene, base, force);
+    const double share = scene.belief.cantilever.compliance()(2, 2) * step / way;
+    return way > 0.0 ? std::clamp(share, kSoftest, 1.0) : 1.0;
+}
 
 }  // namespace
 
@@ -24,22 +35,27 @@ FeedbackPlan planFeedback(const Scene& scene, const Vector3& base, double setpoi
     return {.setpoint = setpoint,
             .freeForce = freeForce,
             .stiffness = 1.0 / scene.belief.cantilever.compliance()(2, 2),
+            .seriesShare = seriesShareAt(scene, base, setpoint),
             .lowest = -scene.surface.heightScale() - room,
             .highest = scene.surface.heightScale() + room,
             .axis = bendingAxis(scene.belief.cantilever)};
 }
 
-double ZFeedback::advance(double timeStep, double force, double height, double gain) noexcept {
+double ZFeedback::advance(double timeStep, double force, double height, double gain,
+                          bool moves) noexcept {
     const double above = force - plan_.freeForce;
     const bool touches = above >= kContactShare * plan_.setpoint;
     const bool follows = wanted_ == height_ || height != height_;
     height_ = height;
     error_ = above - plan_.setpoint;
     const double missing = error_ / plan_.stiffness;
-    const double pole = 1.0 - std::sqrt(1.0 - gain);
-    speed_ = touches && follows ? speed_ + pole * pole * missing : 0.0;
+    const double pole = 1.0 - std::sqrt(1.0 - plan_.seriesShare * gain);
+    const double learned = pole * pole / plan_.seriesShare * missing;
+    speed_ = touches && follows && moves ? speed_ + learned : 0.0;
     lost_ = touches ? 0.0 : lost_ + timeStep;
-    const double wanted = height + gain * missing + speed_;
+    const bool rests = touches && !moves;
+    const double share = rests ? std::min(gain, kRestShare / plan_.seriesShare) : gain;
+    const double wanted = height + share * missing + speed_;
     wanted_ = std::clamp(wanted, plan_.lowest, plan_.highest);
     if (wanted_ != wanted) {
         state_ = FeedbackState::RangeLeft;
@@ -66,14 +82,17 @@ DeviceState FeedbackDevice::advance(double timeStep) noexcept {
         position_ = lateral_->advance(timeStep).position;
         return {.position = position_};
     }
-    feedback_.setSetpoint(setpoint_);
-    const double height = feedback_.advance(timeStep, force_, height_, gain_);
-    position_.z() += (height - height_) / positionGain_;
-    error_ = feedback_.error();
-    state_ = feedback_.state();
+    if (std::isfinite(force_) && std::isfinite(height_)) {
+        feedback_.setSetpoint(setpoint_);
+        const double height = feedback_.advance(timeStep, force_, height_, gain_, moves_);
+        position_.z() += (height - height_) / positionGain_;
+        error_ = feedback_.error();
+        state_ = feedback_.state();
+    }
     if (lateral_->piloted() == nullptr && feedback_.state() != FeedbackState::Holding) {
         stopped_ = true;
     }
+    moves_ = false;
     if (!stopped_) {
         followAlong(lateral_->advance(timeStep).position, timeStep);
     }
@@ -89,6 +108,7 @@ void FeedbackDevice::followAlong(const Vector3& target, double timeStep) noexcep
         way *= way.norm() > most ? most / way.norm() : 1.0;
     }
     position_.head<2>() += way;
+    moves_ = !way.isZero(0.0);
 }
 
 void FeedbackDevice::observe(const TickOutput& output) noexcept {

@@ -12,18 +12,22 @@ namespace asperity {
 
 struct Scene;
 
-/// Limits of a feedback's gain: beyond, noise is amplified, or nothing is held.
+/// Limits of a feedback's gain. On a steep slope a tilted lever is stiffer to the base than along
+/// z: at the largest gain up to twice as stiff is stable.
 inline constexpr double kMinFeedbackGain = 0.02;
-inline constexpr double kMaxFeedbackGain = 1.0;
+inline constexpr double kMaxFeedbackGain = 0.8;
 inline constexpr double kDefaultFeedbackGain = 0.65;
 
 /// What a z feedback holds, and within which heights.
 struct FeedbackPlan {
     double setpoint = 5e-9;   ///< force along z above the free one, as the bending shows it [N]
     double freeForce = 0.0;   ///< measured far from the sample [N]
-    double stiffness = 14.0;  ///< of the lever along z: no contact is stiffer to the base [N/m]
-    double lowest = 0.0;      ///< height of the base [m]
-    double highest = 0.0;     ///< same [m]
+    double stiffness = 14.0;  ///< of the lever along z [N/m]
+    /// Stiffness of lever and contact in series over the lever's: the softer the contact, the
+    /// slower a slope is learned.
+    double seriesShare = 1.0;
+    double lowest = 0.0;              ///< height of the base [m]
+    double highest = 0.0;             ///< same [m]
     Vector3 axis = Vector3::UnitZ();  ///< see bendingAxis()
 };
 
@@ -50,11 +54,14 @@ inline constexpr auto kEnumTable<FeedbackState> =
 ///
 /// A proportional part takes the share `gain` of the error in a tick. It alone would lag on a slope
 /// by the rise of many ticks, so an integral part learns the speed at which the base has to rise:
-/// q = (1 - sqrt(1 - g))^2 gives both poles the value a = sqrt(1 - g). A slope then leaves no
-/// error; n ticks after it begins the error is n a^(n-1) times that of one tick, 1.2 times at most
-/// for a gain of 0.65. Softer samples are followed more slowly, and need it less by the same
-/// factor. Out of contact the force says nothing of a slope, and the speed is forgotten. No
-/// allocation, no lock.
+/// with the share r of FeedbackPlan, q = (1 - sqrt(1 - r g))^2 / r gives both poles the value
+/// a = sqrt(1 - r g). A slope then leaves no error; on a stiff sample, n ticks after it begins, the
+/// error is n a^(n-1) times that of one tick, 1.2 times at most for a gain of 0.65. Out of contact
+/// the force says nothing of a slope, and the speed is forgotten.
+///
+/// While the tip rests on the sample there is no slope to learn: the speed is forgotten, and so
+/// small a gain corrects that noise does not turn the friction at each tick. No allocation, no
+/// lock.
 class ZFeedback {
 public:
     /// Without contact for so long the contact is lost [s].
@@ -65,7 +72,8 @@ public:
     /// Returns the height of the base after one more time step [m].
     /// @param force  along z, as the bending showed it in the tick before [N]
     /// @param height of the base in that tick [m]: where it did not follow, nothing is learned
-    double advance(double timeStep, double force, double height, double gain) noexcept;
+    /// @param moves  whether the tip moves along the sample
+    double advance(double timeStep, double force, double height, double gain, bool moves) noexcept;
 
     void setSetpoint(double setpoint) noexcept { plan_.setpoint = setpoint; }
     [[nodiscard]] FeedbackState state() const noexcept { return state_; }
@@ -84,6 +92,9 @@ private:
 
 /// A device that moves along the sample as another one does, while a feedback sets its height. What
 /// it makes of the force is a device position as any other: a recording of it replays without it.
+///
+/// The setpoint moves from the force that is there to the one asked for, in a twentieth of a
+/// second.
 ///
 /// A device that mouse and keyboard pilot waits while the force is above twice the setpoint, and is
 /// no faster than that one tick on a slope of 45 degrees costs the setpoint. One that follows a
@@ -138,6 +149,7 @@ private:
     double force_ = 0.0;            ///< of the tick before, along z as the bending shows it [N]
     double height_;                 ///< of the base in that tick [m]
     bool started_ = false;          ///< the first step only begins
+    bool moves_ = false;            ///< along the sample
     std::atomic<double> setpoint_;  ///< [N]
     std::atomic<double> gain_ = kDefaultFeedbackGain;
     std::atomic<FeedbackState> state_ = FeedbackState::Holding;

@@ -11,7 +11,6 @@ namespace asperity::test {
 HeldLine heldLine(const Scene& scene, const Vector2& position, const LinesPlan& lines,
                   double setpoint) {
     constexpr double kSettling = 0.5;  // [s]
-    constexpr double kRange = 1e-6;    // [m]
     const double stiffness = 1.0 / scene.belief.cantilever.compliance()(2, 2);
     const double touch = touchHeight(scene, position.x(), position.y());
     const Vector3 base(position.x(), position.y(), touch - setpoint / stiffness);
@@ -22,12 +21,7 @@ HeldLine heldLine(const Scene& scene, const Vector2& position, const LinesPlan& 
     const double duration = path.back().time;
     FeedbackDevice device(
         std::make_unique<ScriptedDevice>(std::move(path), scene.settings.positionGain),
-        {.setpoint = setpoint,
-         .stiffness = stiffness,
-         .lowest = touch - kRange,
-         .highest = touch + kRange,
-         .axis = bendingAxis(scene.belief.cantilever)},
-        base.z(), scene.settings.positionGain);
+        planFeedback(scene, base, setpoint, 0.0), base.z(), scene.settings.positionGain);
     SimulatedAfm afm(scene.trueSurface(), truthOf(scene));
     HeldLine held;
     runVirtually(scene, device, afm, 1 + static_cast<long>(duration / scene.timeStep()),

@@ -364,6 +364,9 @@ void DeviceControl::choose(int index) {
         return;
     }
     if (const DeviceDriver* const driver = list_.at(static_cast<std::size_t>(index))) {
+        if (driver == device_.driver() && device_.feedback() != nullptr) {
+            return;  // it has the tip already, and the force is held
+        }
         use(*driver);
     } else {
         Q_EMIT pathWanted();
@@ -434,7 +437,7 @@ void DeviceControl::lift(double notches) {
     if (runs_.run() == nullptr || !runs_.tipRefusal().isEmpty()) {
         return;
     }
-    if (device_.feedback() != nullptr) {
+    if (device_.feedback() != nullptr && !device_.followsPath()) {
         Q_EMIT heightWanted();
     }
     const Scene& scene = runs_.run()->scene();
@@ -492,7 +495,8 @@ void DeviceControl::chooseGuide(FixtureKind kind) {
 void DeviceControl::advance(double seconds) {
     const double halfWidth = live_.view().halfWidth();
     const Vector3 keys = keyVelocity(keys_->direction(), live_.view().camera());
-    if (keys.z() != 0.0 && device_.feedback() != nullptr && runs_.tipRefusal().isEmpty()) {
+    if (keys.z() != 0.0 && device_.feedback() != nullptr && !device_.followsPath() &&
+        runs_.tipRefusal().isEmpty()) {
         Q_EMIT heightWanted();
     }
     device_.setVelocity(runs_.tipRefusal().isEmpty() ? Vector3(halfWidth * keys)

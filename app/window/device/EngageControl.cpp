@@ -58,9 +58,10 @@ EngageControl::EngageControl(Stage& stage) : Feature(stage), devices_(stage.get<
     connect(&devices_, &DeviceControl::heightWanted, this, &EngageControl::holdHeight);
     connect(&runs_, &RunControl::ending, this, &EngageControl::forget);
     connect(&runs_, &RunControl::begun, this, &EngageControl::showSetpoint);
+    // The tip of the new run waits above the sample.
     connect(&runs_, &RunControl::rebuilt, this, [this] {
         if (std::exchange(wasHeld_, false) && holdRefusal().isEmpty()) {
-            hold();
+            engage(live_.engage().setpoint(), runs_.run()->basePosition().head<2>());
         }
     });
     connect(&edits_, &SceneEdits::changed, this, &EngageControl::showSetpoint);
@@ -68,14 +69,10 @@ EngageControl::EngageControl(Stage& stage) : Feature(stage), devices_(stage.get<
 
 void EngageControl::forget() {
     engaging_ = withdrawing_ = false;
-    wasHeld_ = devices_.feedback() != nullptr && !devices_.followsPath();
     freeForce_ = 0.0;
 }
 
 void EngageControl::setSetpoint(double force) {
-    if (FeedbackDevice* const feedback = devices_.feedback()) {
-        feedback->hold(force, gain_);
-    }
     if (const SceneDescription* const now = edits_.wanted()) {
         SceneDescription next = *now;
         next.setpoint = force;
@@ -87,11 +84,21 @@ void EngageControl::setSetpoint(double force) {
 void EngageControl::showSetpoint() {
     if (const SceneDescription* const scene = edits_.wanted()) {
         live_.engage().setSetpoint(scene->setpoint);
+        holdSetpoint();
     }
     if (LiveRun* const run = runs_.run()) {
         live_.engage().setUnits(setpointUnits(run->scene()));
         live_.engage().setUsualRate(
             usualRate(run->scene(), run->basePosition().head<2>(), live_.engage().setpoint()));
+    }
+}
+
+/// Another force is held within another range. A path has a load of its own.
+void EngageControl::holdSetpoint() {
+    const FeedbackDevice* const feedback = devices_.feedback();
+    if (feedback != nullptr && !devices_.followsPath() &&
+        feedback->setpoint() != live_.engage().setpoint()) {
+        hold();
     }
 }
 
@@ -196,7 +203,7 @@ void EngageControl::followApproach() {
     freeForce_ = approach->freeForce();
     const QString whyNot = holdRefusal();
     if (live_.engage().holdsForce() && whyNot.isEmpty()) {
-        devices_.hold(held(asked_));
+        hold();  // the setpoint may be another one by now
     } else {
         devices_.release();
     }
@@ -219,6 +226,7 @@ void EngageControl::take(const TickSample& sample) {
 
 void EngageControl::followHold() {
     const FeedbackDevice* const feedback = devices_.feedback();
+    wasHeld_ = feedback != nullptr;
     if (feedback == nullptr) {
         live_.engage().showError({});
         state_ = FeedbackState::Holding;

@@ -16,6 +16,8 @@ public:
     /// Approaches there (x, y) [m]; engaged() or failed() follows unless something else takes the
     /// tip. There is a run. @param setpoint [N]
     void engage(double setpoint, const Vector2& position);
+    /// Returns whether an approach of engage() has the tip.
+    [[nodiscard]] bool isEngaging() const { return engaging_ && devices_.approaching() != nullptr; }
     /// Once a frame: follows the approach, the withdrawal and what is held. There is a run.
     void advance();
     /// Every tick, in order: how well the force is held.
@@ -44,6 +46,7 @@ private:
     void holdHeight();
     void setSetpoint(double force);
     void showSetpoint();
+    void holdSetpoint();
     void forget();
 
     DeviceControl& devices_;

@@ -41,6 +41,9 @@ void requireNear(const Scene& scene, const DevicePath& path, const std::string& 
     }
 }
 
+constexpr double kMaxPoints = 5000.0;  // of a way: more than a plot shows
+constexpr double kShortest = 1e-3;     // way to the first position of a file [s]
+
 constexpr const char* kInMeters = "x_m, y_m and z_m must be meters from its lower left corner";
 
 /// Of a recording on another sample than that of the run, both: "recorded on ps.gwy, channel
@@ -123,6 +126,10 @@ void LineRecord::take(double time, const TickOutput& output, double height) {
         return;
     }
     const Way& way = ways_[next_];
+    if (way.line == line_ && time < last_ + (way.end - way.begin) / kMaxPoints) {
+        return;
+    }
+    last_ = time;
     if (way.line != std::exchange(line_, way.line)) {
         heights_ = {};
         forces_ = {};
@@ -163,10 +170,11 @@ PathControl::PathControl(Stage& stage)
         }
     });
     connect(&runs_, &RunControl::begun, this, [this] {
-        const Scene& scene = runs_.run()->scene();
-        page_->setScan(scene.surface.sizeX(), scene.surface.finestPitch(),
-                       scene.description.tip.radius);
-        page_->setSetpoint(scene.description.setpoint);
+        if (runs_.isOnOtherScan()) {
+            forgetScan();
+        }
+        page_->setSetpoint(runs_.run()->scene().description.setpoint);
+        page_->setRefusal(runs_.moveRefusal());
     });
     connect(&runs_, &RunControl::ending, this, [this] {
         state_ = State::Idle;
@@ -177,15 +185,28 @@ PathControl::PathControl(Stage& stage)
             page_->setSetpoint(scene->setpoint);
         }
     });
+    page_->setRefusal(tr("No scan is open"));
     connectPage();
     addEntries();
+}
+
+/// What was chosen and met on another scan says nothing of this one.
+void PathControl::forgetScan() {
+    const Scene& scene = runs_.run()->scene();
+    file_.reset();
+    record_.reset();
+    page_->forgetFile();
+    page_->heights().setWays({}, 0.0);
+    page_->forces().setWays({}, 0.0);
+    page_->setScan(scene.surface.sizeX(), scene.surface.finestPitch(),
+                   scene.description.tip.radius);
 }
 
 void PathControl::connectPage() {
     connect(page_, &PathPage::changed, this, &PathControl::showChosen);
     connect(page_, &PathPage::hidden, this, [this] {
         if (state_ == State::Idle) {
-            live_.overview().showPath({});
+            showOnScan({});
         }
     });
     connect(page_, &PathPage::gainChanged, &engaging_, &EngageControl::setGain);
@@ -274,16 +295,36 @@ void PathControl::showChosen() {
     live_.controls().setPath(request.isFile ? -1 : static_cast<int>(request.kind));
     const bool isLine = request.isFile || request.kind != PlannedPath::Approach;
     const Vector3 base = runs_.run()->basePosition();
-    live_.overview().showPath(isLine ? outline(pathOf(request, base)) : outline({{0.0, base}}));
+    showOnScan(isLine ? outline(pathOf(request, base)) : outline({{0.0, base}}));
 }
 
 DevicePath PathControl::pathOf(const PathRequest& request, const Vector3& base) const {
-    return request.isFile ? repeated(*file_, request.lines.lines) : linesPath(base, request.lines);
+    if (!request.isFile) {
+        return linesPath(base, request.lines);
+    }
+    // An approach keeps clear of the scan's edge: from there it goes to the file's first position.
+    DevicePath path;
+    double begin = 0.0;
+    if (request.holdsForce) {
+        path.push_back({0.0, base});
+        begin = std::max((file_->front().position - base).head<2>().norm() / request.lines.speed,
+                         kShortest);
+    }
+    for (const PathPoint& point : repeated(*file_, request.lines.lines)) {
+        path.push_back({begin + point.time - file_->front().time, point.position});
+    }
+    return path;
+}
+
+void PathControl::showOnScan(const QPolygonF& path) {
+    if (path != std::exchange(shown_, path)) {
+        live_.overview().showPath(path);
+    }
 }
 
 void PathControl::follow(const DevicePath& path) {
     devices_.follow(path);
-    live_.overview().showPath(outline(path));
+    showOnScan(outline(path));
 }
 
 void PathControl::start() {
@@ -305,6 +346,7 @@ void PathControl::startApproach(const PathRequest& request) {
         scene, {.position = runs_.run()->basePosition().head<2>(), .setpoint = request.load});
     planned.plan.speed = request.lines.speed;
     devices_.approach(planned);
+    taken_ = &runs_.run()->device();
     request_ = request;
     state_ = State::Approaching;
     page_->setRunning(true, tr("Approach %1 of %2").arg(done_ + 1).arg(request.lines.lines));
@@ -344,9 +386,10 @@ void PathControl::begin() {
     } else {
         devices_.followFromHere(make);
     }
-    live_.overview().showPath(outline(path));
+    taken_ = &runs_.run()->device();
+    showOnScan(outline(path));
     record_.emplace(path, request_.isFile ? std::nullopt : std::optional(request_.lines));
-    began_ = runs_.run()->loop().snapshot().sample.time + leadTime - path.front().time;
+    began_ = runs_.run()->loop().snapshot().sample.time + leadTime;
     duration_ = path.back().time;
     state_ = State::Moving;
     page_->setRunning(true, progress(0.0));
@@ -356,7 +399,7 @@ void PathControl::end(const QString& words) {
     if (state_ == State::Idle) {
         return;
     }
-    const bool isOurs = devices_.followsPath();
+    const bool isOurs = state_ == State::Engaging ? engaging_.isEngaging() : hasTip();
     const bool wasHeld = isOurs && devices_.feedback() != nullptr;
     state_ = State::Idle;
     if (wasHeld && live_.engage().holdsForce()) {
@@ -365,6 +408,9 @@ void PathControl::end(const QString& words) {
         devices_.release();
     }
     page_->setRunning(false, words);
+    if (!page_->isVisibleTo(&host_.widget())) {
+        showOnScan({});
+    }
     host_.tell(words);
 }
 
@@ -391,22 +437,34 @@ QString PathControl::progress(double time) const {
 void PathControl::advance() {
     page_->setRefusal(state_ == State::Idle ? runs_.moveRefusal()
                                             : tr("A path runs: stop it first"));
-    if (state_ == State::Moving) {
-        advanceLines();
-        return;
-    }
-    if (state_ != State::Approaching) {
-        return;
-    }
-    const ApproachDevice* const approach = devices_.approaching();
-    if (approach == nullptr) {
+    const bool isLost =
+        state_ == State::Engaging ? !engaging_.isEngaging() : state_ != State::Idle && !hasTip();
+    if (isLost) {
         end(tr("Path ended: something else moves the tip"));
-    } else if (approach->phase() == ApproachPhase::Done) {
-        if (++done_ < request_.lines.lines) {
-            startApproach(request_);
-        } else {
-            end(tr("Path done"));
-        }
+    } else if (state_ == State::Moving) {
+        advanceLines();
+    } else if (state_ == State::Approaching) {
+        advanceApproach();
+    } else if (state_ == State::Idle) {
+        showChosen();  // it begins where the tip is
+    }
+}
+
+bool PathControl::hasTip() const { return taken_ == &runs_.run()->device(); }
+
+void PathControl::advanceApproach() {
+    const ApproachDevice& approach = *devices_.approaching();
+    if (approach.phase() != ApproachPhase::Done) {
+        return;
+    }
+    if (!approach.hasEngaged()) {
+        end(approach.isBlocked()
+                ? tr("Approach ended: no equilibrium of tip and cantilever below here")
+                : tr("Approach ended: the force did not reach %1").arg(siText(request_.load, "N")));
+    } else if (++done_ < request_.lines.lines) {
+        startApproach(request_);
+    } else {
+        end(tr("Path done"));
     }
 }
 
@@ -414,10 +472,6 @@ void PathControl::advanceLines() {
     if (std::exchange(isFresh_, false)) {
         page_->heights().setWays(record_->heights(), record_->length());
         page_->forces().setWays(record_->forces(), record_->length());
-    }
-    if (!devices_.followsPath()) {
-        end(tr("Path ended: something else moves the tip"));
-        return;
     }
     const FeedbackDevice* const feedback = devices_.feedback();
     if (feedback != nullptr && feedback->hasStopped()) {

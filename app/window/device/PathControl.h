@@ -5,6 +5,8 @@
 #include "app/window/device/PathPage.h"
 #include "core/haptics/DevicePath.h"
 
+#include <QPolygonF>
+
 #include <filesystem>
 #include <functional>
 #include <optional>
@@ -42,6 +44,7 @@ private:
     double length_ = 0.0;   ///< of a line [m]
     int line_ = 0;          ///< that is recorded
     std::size_t next_ = 0;  ///< way that is not over yet
+    double last_ = 0.0;     ///< time of the last point [s]
     LinePlot::Ways heights_;
     LinePlot::Ways forces_;
 };
@@ -67,6 +70,8 @@ private:
     void connectPage();
     void choose(int index);
     void showChosen();
+    /// Draws a path on the whole scan; empty: none.
+    void showOnScan(const QPolygonF& path);
     void show();
     void start();
     void startLines(const PathRequest& request);
@@ -78,6 +83,10 @@ private:
     void take(const TickSample& sample);
     void advance();
     void advanceLines();
+    void advanceApproach();
+    /// Returns whether the path that runs still has the tip.
+    [[nodiscard]] bool hasTip() const;
+    void forgetScan();
     [[nodiscard]] DevicePath pathOf(const PathRequest& request, const Vector3& base) const;
     [[nodiscard]] QString progress(double time) const;
     using ReadPath = std::function<DevicePath(const std::filesystem::path&)>;
@@ -91,11 +100,13 @@ private:
     PathPage* page_;                  ///< the window's
     std::optional<DevicePath> file_;  ///< the last one that was chosen
     State state_ = State::Idle;
-    PathRequest request_;    ///< of the path that runs
-    double began_ = 0.0;     ///< when it began to move along [s]
-    double duration_ = 0.0;  ///< [s]
-    int done_ = 0;           ///< approaches
+    const HapticDevice* taken_ = nullptr;  ///< by the path that runs; only compared
+    PathRequest request_;                  ///< of the path that runs
+    double began_ = 0.0;                   ///< when it began to move along [s]
+    double duration_ = 0.0;                ///< [s]
+    int done_ = 0;                         ///< approaches
     std::optional<LineRecord> record_;
+    QPolygonF shown_;       ///< on the whole scan [m]
     bool isFresh_ = false;  ///< the record has more than the page shows
 };
 

@@ -145,12 +145,18 @@ void PathPage::addParts() {
 }
 
 void PathPage::connectParts() {
-    connect(kind_, qOverload<int>(&QComboBox::activated), this, [this] {
-        suggestLoad();
-        showUse();
-        Q_EMIT changed();
+    connect(kind_, qOverload<int>(&QComboBox::activated), this, [this](int index) {
+        const auto chosen = static_cast<std::size_t>(index);
+        if (chosen < kValues<PlannedPath>.size()) {
+            choose(kValues<PlannedPath>.at(chosen));
+        } else {
+            chooseFile(kind_->itemText(index));
+        }
     });
-    connect(hold_, qOverload<int>(&QComboBox::activated), this, [this] {
+    connect(hold_, qOverload<int>(&QComboBox::activated), this, [this](int index) {
+        if (!request().isFile) {
+            holdBefore_ = index;
+        }
         showUse();
         Q_EMIT changed();
     });
@@ -190,6 +196,7 @@ PathRequest PathPage::request() const {
 
 void PathPage::choose(PlannedPath kind) {
     const auto found = std::ranges::find(kValues<PlannedPath>, kind);
+    hold_->setCurrentIndex(holdBefore_);
     kind_->setCurrentIndex(static_cast<int>(found - kValues<PlannedPath>.begin()));
     const QSignalBlocker blocker(lines_);
     lines_->setValue(kind == PlannedPath::Raster ? kRasterLinesShown : 1);
@@ -211,6 +218,14 @@ void PathPage::chooseFile(const QString& name) {
     hold_->setCurrentIndex(1);  // its heights are in the file
     showUse();
     Q_EMIT changed();
+}
+
+void PathPage::forgetFile() {
+    const int planned = static_cast<int>(kValues<PlannedPath>.size());
+    if (kind_->currentIndex() == planned) {
+        choose(PlannedPath::Slide);
+    }
+    kind_->removeItem(planned);
 }
 
 void PathPage::setScan(double width, double pixel, double tipRadius) {

@@ -37,6 +37,8 @@ public:
     void choose(PlannedPath kind);
     /// A path of a file is chosen. @param name shown
     void chooseFile(const QString& name);
+    /// The path of a file can no longer be chosen.
+    void forgetFile();
     /// Another scan: length and speed that suit it.
     /// @param width, pixel of the scan [m] @param tipRadius [m]
     void setScan(double width, double pixel, double tipRadius);
@@ -69,6 +71,7 @@ private:
 
     double setpoint_ = 5e-9;  ///< of the scene [N]
     bool hasOwnLoad_ = false;
+    int holdBefore_ = 0;  ///< choice for paths that are no file's
     QComboBox* kind_;
     QComboBox* hold_;
     NumberBox* load_;       ///< [nN]

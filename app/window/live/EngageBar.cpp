@@ -123,8 +123,10 @@ void EngageBar::addRamp() {
 }
 
 void EngageBar::addHold() {
-    hold_->setToolTip(tr("In contact: a feedback holds the force at the setpoint by moving the "
-                         "lever up and down, or the height of the lever stays"));
+    hold_->setToolTip(
+        tr("In contact: a feedback holds the force at the setpoint by moving the "
+           "lever up and down, or the height of the lever stays. While a force is held the tip "
+           "follows the mouse no faster than the feedback allows"));
     hold_->setAccessibleName(tr("What is held in contact"));
     auto* caption = captionLabel(tr("Hold"), this);
     caption->setToolTip(hold_->toolTip());

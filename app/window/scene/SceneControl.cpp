@@ -155,9 +155,9 @@ void SceneControl::open(const std::filesystem::path& input, const SceneOverrides
                },
            .position = [kept] { return keptTip(*kept); },
            .opened =
-               [this, input, kept, isLike = asked.like.has_value(), isScan] {
-                   if (isLike && *isScan) {
-                       tellWhatStays(input);
+               [this, input, kept, like = asked.like, isScan] {
+                   if (like && *isScan) {
+                       tellWhatStays(input, *like);
                    }
                    Q_EMIT opened(input);
                    if (!kept->isEmpty()) {
@@ -170,13 +170,19 @@ void SceneControl::open(const std::filesystem::path& input, const SceneOverrides
 }
 
 /// A height map says nothing of material, tip and lever.
-void SceneControl::tellWhatStays(const std::filesystem::path& input) {
+void SceneControl::tellWhatStays(const std::filesystem::path& input,
+                                 const SceneDescription& before) {
     const SceneDescription& scene = runs_.run()->scene().description;
-    host_.tell(tr("%1 · as before: %2, tip of %3, lever of %4")
-                   .arg(shownPath(input.filename()),
-                        QString::fromStdString(scene.sample.material.name).replace('_', ' '),
-                        siText(scene.tip.radius, "m"),
-                        siText(runs_.run()->scene().belief.cantilever.stiffness(), "N/m")));
+    const QString material =
+        QString::fromStdString(scene.sample.material.name).replace(QLatin1Char('_'), ' ');
+    const QString tip = siText(scene.tip.radius, "m");
+    const QString lever = siText(runs_.run()->scene().belief.cantilever.stiffness(), "N/m");
+    host_.tell(before.sample.material.maps.any()
+                   ? tr("%1 · material: %2 (the one before had maps of its scan) · as before: tip "
+                        "of %3, lever of %4")
+                         .arg(shownPath(input.filename()), material, tip, lever)
+                   : tr("%1 · as before: %2, tip of %3, lever of %4")
+                         .arg(shownPath(input.filename()), material, tip, lever));
 }
 
 void SceneControl::open(const std::filesystem::path& input, const LongWork<LoadedScene>::Work& load,

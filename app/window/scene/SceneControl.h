@@ -69,8 +69,8 @@ private:
     void addEntries();
     void showHistory();
     void chooseChannel(const QString& name);
+    void tellWhatStays(const std::filesystem::path& input, const SceneDescription& before);
     /// @param words of the reason; none: the reason
-    void tellWhatStays(const std::filesystem::path& input);
     void fail(const std::exception_ptr& reason, const FailureWords& words);
     /// Asks the user for the scale where that is the reason. @return whether it is
     [[nodiscard]] bool asksFor(const std::exception_ptr& reason);

@@ -193,10 +193,12 @@ SceneDescription sceneFromInput(const std::filesystem::path& path,
     SceneDescription scene = like.value_or(defaultScene());
     SampleDescription sample;
     sample.file = path.string();
-    sample.material = scene.sample.material;
     // Maps, markers and guide are of the scan before.
-    sample.material.maps = {};
-    scene.truth.material.maps = {};
+    if (scene.sample.material.maps.any() || scene.truth.material.maps.any()) {
+        scene.sample.material = defaultScene().sample.material;
+        scene.truth.material = defaultScene().truth.material;
+    }
+    sample.material = scene.sample.material;
     scene.sample = std::move(sample);
     scene.settings.guide.kind = FixtureKind::None;
     scene.zoomHalfWidth = 0.0;

@@ -213,5 +213,32 @@ TEST_F(EngageControlTest, WithoutARunNothingHappens) {
     EXPECT_EQ(complaint(), "");
 }
 
+TEST_F(EngageControlTest, TheSetpointThatIsShownIsHeldAlsoIfItWasTypedOnTheWayOrUndone) {
+    useFlatScene();
+    button("engage").click();
+    window.findChild<QDoubleSpinBox*>("setpoint")->setValue(3.0);
+    ASSERT_TRUE(framesUntil([this] { return engaged(); })) << told();
+    EXPECT_EQ(devices.feedback()->setpoint(), 3e-9);
+    window.findChild<QDoubleSpinBox*>("setpoint")->setValue(9.0);
+    EXPECT_EQ(devices.feedback()->setpoint(), 9e-9);
+    edits.undo();
+    EXPECT_EQ(panels.engage().setpoint(), devices.feedback()->setpoint());
+    EXPECT_TRUE(framesUntil([this] {
+        return std::abs(latest().model.force.z() - panels.engage().setpoint()) < 0.3e-9;
+    }));
+}
+
+TEST_F(EngageControlTest, AnotherMaterialIsEngagedAgainWhereTheForceWasHeld) {
+    useFlatScene();
+    button("engage").click();
+    ASSERT_TRUE(framesUntil([this] { return engaged(); })) << told();
+    ASSERT_TRUE(framesUntil([this] { return devices.feedback() != nullptr; }));
+    SampleMaterial softer = run().scene().description.sample.material;
+    softer.elastic.youngsModulus *= 0.5;
+    edits.change("softer", withMaterial(run().scene().description, softer));
+    ASSERT_TRUE(changeEnds());
+    EXPECT_TRUE(framesUntil([this] { return devices.feedback() != nullptr; })) << told();
+}
+
 }  // namespace
 }  // namespace asperity::test

@@ -9,6 +9,7 @@
 #include <QDoubleSpinBox>
 #include <QLabel>
 #include <QPushButton>
+#include <QSpinBox>
 
 #include <algorithm>
 #include <cmath>
@@ -219,6 +220,81 @@ TEST_F(PathControlTest, WithoutARunNothingHappens) {
     Q_EMIT panels.controls().pathChosen(1);
     paths.chooseFile("no such file");
     EXPECT_EQ(complaint(), "");
+}
+
+/// It waited for an engagement, and a later one of the user began it.
+TEST_F(PathControlTest, APathWhoseApproachIsWithdrawnEnds) {
+    useFlatScene();
+    Q_EMIT panels.controls().pathChosen(1);
+    button("startPath").click();
+    button("withdraw").click();
+    EXPECT_TRUE(eventually([this] { return !button("stopPath").isEnabled(); }));
+    button("engage").click();
+    ASSERT_TRUE(eventually([this] { return told().starts_with("Engaged"); })) << told();
+    EXPECT_FALSE(eventually([this] { return isMoving(); }, 500));
+}
+
+TEST_F(PathControlTest, EngageEndsAPathAndKeepsItsApproach) {
+    useFlatScene();
+    Q_EMIT panels.controls().pathChosen(1);
+    button("startPath").click();
+    ASSERT_TRUE(eventually([this] { return isMoving(); }));
+    button("engage").click();
+    EXPECT_TRUE(eventually([this] { return told().starts_with("Path ended"); })) << told();
+    EXPECT_TRUE(eventually([this] { return told().starts_with("Engaged"); })) << told();
+}
+
+TEST_F(PathControlTest, AFileMayBeginAtAnyTime) {
+    useFlatScene();
+    const auto file =
+        folder.write("path.csv", "time_s,x_m,y_m,z_m\n3,64e-9,64e-9,9e-9\n3.3,74e-9,64e-9,9e-9\n");
+    paths.chooseFile(QString::fromStdString(file.string()));
+    QComboBox& hold = *window.findChild<QComboBox*>("pathHold");
+    hold.setCurrentIndex(0);
+    Q_EMIT hold.activated(0);
+    button("startPath").click();
+    ASSERT_TRUE(eventually([this] { return told() == "Path done"; })) << told();
+    EXPECT_NEAR(run().basePosition().x(), 74e-9, 0.2e-9);
+}
+
+TEST_F(PathControlTest, WhatIsChosenIsOfItsScan) {
+    useFlatScene();
+    const auto file =
+        folder.write("path.csv", "time_s,x_m,y_m,z_m\n0,40e-9,60e-9,9e-9\n1,50e-9,60e-9,9e-9\n");
+    paths.chooseFile(QString::fromStdString(file.string()));
+    EXPECT_EQ(window.findChild<QComboBox*>("pathHold")->currentText(), "Height");
+    box("pathSpeed").setValue(60.0);
+    edits.change("softer", withMaterial(run().scene().description, {}));
+    ASSERT_TRUE(changeEnds());
+    EXPECT_EQ(shown("pathKind"), "path.csv") << "the same scan";
+    EXPECT_EQ(box("pathSpeed").value(), 60.0);
+    SceneDescription other = plainScene();
+    other.sample.file = "other.gsf";
+    runs.use({.scene = buildScene(other, hillyMap()),
+              .format = "made for the test",
+              .sha256 = "",
+              .notes = {}});
+    EXPECT_EQ(shown("pathKind"), "Slide");
+    EXPECT_EQ(window.findChild<QComboBox*>("pathHold")->currentText(), "Force");
+    EXPECT_EQ(window.findChild<QComboBox*>("pathKind")->findText("path.csv"), -1);
+}
+
+TEST_F(PathControlTest, ARasterHasItsLinesWhereverItIsChosen) {
+    useFlatScene();
+    QComboBox& kinds = *window.findChild<QComboBox*>("pathKind");
+    kinds.setCurrentIndex(2);
+    Q_EMIT kinds.activated(2);
+    EXPECT_EQ(window.findChild<QSpinBox*>("pathLines")->value(), 8);
+    EXPECT_GT(paths.page().request().lines.pitch, 0.0);
+}
+
+TEST_F(PathControlTest, AnApproachThatDoesNotReachItsLoadSaysSo) {
+    useFlatScene();
+    Q_EMIT panels.controls().pathChosen(0);
+    box("pathLoad").setValue(9e5);
+    box("pathSpeed").setValue(200.0);
+    button("startPath").click();
+    EXPECT_TRUE(eventually([this] { return told().starts_with("Approach ended"); })) << told();
 }
 
 }  // namespace
