@@ -2,6 +2,7 @@
 
 #include "app/loading/SceneLoader.h"
 #include "app/window/live/ControlBar.h"
+#include "app/window/live/EngageBar.h"
 #include "tests/app/window/ControlFixture.h"
 
 #include <QDoubleSpinBox>

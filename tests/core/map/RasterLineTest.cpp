@@ -119,9 +119,9 @@ TEST(RasterLine, IsTheLineOfTheLiveFeedback) {
     const double deflection = kSetpoint * scene.belief.cantilever.compliance()(2, 2);
     const auto heightAt = [&](double ticks) {
         const auto before = static_cast<std::size_t>(ticks);
-        const double first = live.samples.at(before).output.base.position.z();
+        const double height = live.samples.at(before).output.base.position.z();
         const double next = live.samples.at(before + 1).output.base.position.z();
-        return deflection + std::lerp(first, next, ticks - static_cast<double>(before));
+        return deflection + std::lerp(height, next, ticks - static_cast<double>(before));
     };
     for (std::size_t i = 1; i < 63; ++i) {
         const double there = static_cast<double>(i) * pitch / step;

@@ -429,7 +429,7 @@ TEST_F(SceneFile, AHeightMapGetsTheInstrumentOfTheSceneBefore) {
     EXPECT_EQ(scene.tip.radius, 33e-9);
     EXPECT_EQ(scene.zoomHalfWidth, 0.0);
     before.sample.material.maps.friction = MapSource{};
-    EXPECT_EQ(sceneFromInput(map, before).sample.material, SceneDescription{}.sample.material)
+    EXPECT_EQ(sceneFromInput(map, before).sample.material, sceneFromInput(map).sample.material)
         << "the maps are of the other scan, and their largest values of no material";
 }
 
