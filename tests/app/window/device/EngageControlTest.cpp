@@ -207,6 +207,19 @@ TEST_F(EngageControlTest, AForceFeedbackDeviceApproachesByHand) {
     EXPECT_TRUE(framesUntil([this] { return button("engage").isEnabled(); }, 2000));
 }
 
+TEST_F(EngageControlTest, AForceFeedbackDeviceEndsTheFeedbackAndHoldsNoForceOfItsOwn) {
+    useFlatScene();
+    button("engage").click();
+    ASSERT_TRUE(framesUntil([this] { return devices.feedback() != nullptr; })) << told();
+    auto& list = *window.findChild<QComboBox*>("device");
+    Q_EMIT panels.controls().deviceChosen(list.findText("Simulated device"));
+    EXPECT_EQ(devices.feedback(), nullptr);
+    Q_EMIT panels.engage().holdChosen(true);
+    EXPECT_EQ(devices.feedback(), nullptr);
+    EXPECT_TRUE(told().starts_with("The operator holds the tip")) << told();
+    EXPECT_FALSE(panels.engage().holdsForce());
+}
+
 TEST_F(EngageControlTest, WithoutARunNothingHappens) {
     button("engage").click();
     button("withdraw").click();
