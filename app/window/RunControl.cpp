@@ -21,7 +21,7 @@ namespace asperity {
 
 namespace {
 
-/// What the window calls the scene.
+/// Returns the name of the scene in the window's title.
 QString titleOf(const SampleDescription& sample) {
     const std::filesystem::path file = sample.file;
     return QString::fromStdString(sample.shape ? sampleName(sample)

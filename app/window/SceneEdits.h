@@ -41,7 +41,7 @@ public:
     [[nodiscard]] int count() const { return stack_.count(); }
     /// Returns the number of changes that are made.
     [[nodiscard]] int index() const { return stack_.index(); }
-    /// The scene after so many changes; there are some.
+    /// Returns the scene after a number of changes, at most as many as there are.
     [[nodiscard]] const PastScene& after(int changes) const;
     /// Returns the name of the change with this number, from 0.
     [[nodiscard]] QString nameOf(int change) const { return stack_.text(change); }

@@ -554,7 +554,7 @@ void DeviceControl::show() {
     runs_.showKnobs();
 }
 
-/// Of one with motors: its scale, and what is felt; so short that the bottom line has room for it.
+/// Tells the scale of a device with motors, and what is felt, in words that fit the bottom line.
 void DeviceControl::tell() {
     if (const CoupledDevice* const coupled = runs_.run()->coupling().coupled()) {
         const Settings& settings = runs_.run()->settings();

@@ -46,8 +46,8 @@ constexpr double kShortest = 1e-3;     // way to the first position of a file [s
 
 constexpr const char* kInMeters = "x_m, y_m and z_m must be meters from its lower left corner";
 
-/// Of a recording on another sample than that of the run, both: "recorded on ps.gwy, channel
-/// Height; followed on steps.gsf, channel Height". Empty: it is the same, or nobody knows.
+/// Returns the samples of a recording and of the run where they differ: "recorded on ps.gwy,
+/// channel Height; followed on steps.gsf, channel Height". Empty: it is the same, or nobody knows.
 QString bothSamples(const LoadedScene& here, const std::filesystem::path& recording) {
     const std::optional<RecordedSample> recorded = sampleOf(recording);
     const SampleDescription& sample = here.scene.description.sample;
@@ -73,7 +73,7 @@ QPolygonF outline(const DevicePath& path) {
     return way;
 }
 
-/// A path so many times, one after the other, with a second from its end to its start.
+/// Returns a path repeated, with a second from its end to its start.
 DevicePath repeated(const DevicePath& path, int times) {
     constexpr double kBack = 1.0;  // [s]
     DevicePath all = path;
@@ -190,7 +190,7 @@ PathControl::PathControl(Stage& stage)
     addEntries();
 }
 
-/// What was chosen and met on another scan says nothing of this one.
+/// Forgets the file, length and plots of another scan: they say nothing of this one.
 void PathControl::forgetScan() {
     const Scene& scene = runs_.run()->scene();
     file_.reset();

@@ -15,7 +15,7 @@
 
 namespace asperity {
 
-/// What the tip meets along the line of a path on which it is.
+/// Heights and forces along the line of a path that the tip is on.
 class LineRecord {
 public:
     /// @param path of the base @param lines what it is made of; none: a file's, one way along it

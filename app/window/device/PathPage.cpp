@@ -252,7 +252,8 @@ void PathPage::suggestLoad() {
     load_->setMuted(true);
 }
 
-/// Of a file length, direction and speed are its own; an approach has no line and holds nothing.
+/// Enables the fields that the chosen path uses: a file has its own length, direction and speed,
+/// and an approach has no line and holds nothing.
 void PathPage::showUse() {
     const PathRequest now = request();
     const bool drawsLines = !now.isFile && isLines(now.kind);
