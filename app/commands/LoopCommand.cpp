@@ -194,7 +194,7 @@ void openEverything(LiveWindow& live) {
     SecondViewSettings settings = live.panels().second().settings();
     settings.content = SecondContent::Space;
     live.panels().second().setSettings(settings);
-    for (const char* const name : {"secondView", "markers", "touches", "roughness", "profile"}) {
+    for (const char* const name : {"markers", "touches", "roughness", "profile"}) {
         live.window().menus().entry(name).trigger();
     }
 }

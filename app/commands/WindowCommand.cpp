@@ -7,6 +7,7 @@
 #include "app/program/DataFolder.h"
 #include "app/runs/OutputFolder.h"
 #include "app/window/Stage.h"
+#include "app/window/device/DemonstrationControl.h"
 #include "app/window/lab/Features.h"
 #include "app/window/lab/LiveWindow.h"
 #include "app/window/recording/RecordingControl.h"
@@ -113,14 +114,18 @@ int execWith(LiveWindow& live, const std::filesystem::path& input, const SceneOv
     return status;
 }
 
-/// Without a file: the last session, or the scene that comes with the program.
+/// Without a file: the last session, or a demonstration on a scene that comes with the program.
 int execAsBefore(LiveWindow& live) {
     if (live.stage().get<SessionControl>().startsWithLast()) {
         openLastSession(live.stage());
         return live.exec();
     }
-    const std::filesystem::path shipped = defaultSceneFile();
-    return shipped.empty() ? live.exec() : execWith(live, shipped, {}, false);
+    const std::filesystem::path shipped = firstSceneFile();
+    if (shipped.empty()) {
+        return live.exec();
+    }
+    live.stage().get<DemonstrationControl>().beginWithNextRun();
+    return execWith(live, shipped, {}, false);
 }
 
 int exec(LiveWindow& live, const WindowOptions& options, const SceneOverrides& overrides) {

@@ -16,6 +16,12 @@ bool isDataFolder(const std::filesystem::path& folder) {
     return std::filesystem::is_directory(folder / "materials", ignored);
 }
 
+std::filesystem::path shippedScene(const char* name) {
+    const std::filesystem::path file = dataFolder() / "scenes" / name;
+    std::error_code ignored;
+    return std::filesystem::exists(file, ignored) ? file : std::filesystem::path();
+}
+
 constexpr const char* kVariable = "XDG_RUNTIME_DIR";
 
 constexpr const char* kExtension = ".toml";
@@ -58,11 +64,9 @@ std::vector<std::filesystem::path> dataFiles(const std::filesystem::path& kind) 
     return files;
 }
 
-std::filesystem::path defaultSceneFile() {
-    const std::filesystem::path file = dataFolder() / "scenes" / "granular_film.toml";
-    std::error_code ignored;
-    return std::filesystem::exists(file, ignored) ? file : std::filesystem::path();
-}
+std::filesystem::path defaultSceneFile() { return shippedScene("granular_film.toml"); }
+
+std::filesystem::path firstSceneFile() { return shippedScene("polystyrene.toml"); }
 
 // NOLINTBEGIN(concurrency-mt-unsafe): the header says when
 

@@ -16,8 +16,11 @@ namespace asperity {
 /// The files of a kind ("materials", "scenes") in the data folder, by name.
 [[nodiscard]] std::vector<std::filesystem::path> dataFiles(const std::filesystem::path& kind);
 
-/// The scene that the program opens by itself; empty when there is none.
+/// The scene of commands that are given none; empty when there is none.
 [[nodiscard]] std::filesystem::path defaultSceneFile();
+
+/// The scene with which the window begins, a soft and sticky sample; empty when there is none.
+[[nodiscard]] std::filesystem::path firstSceneFile();
 
 /// The folder of a desktop session that Qt asks for, XDG_RUNTIME_DIR, for as long as this lives:
 /// where there is none, Qt would make one in TMPDIR and leave it there. It is made before the

@@ -10,6 +10,8 @@
 #include "core/words/SceneWords.h"
 #include "ui/shell/Host.h"
 #include "ui/shell/Menus.h"
+#include "ui/view/ContactPlot.h"
+#include "ui/view/SecondView.h"
 #include "ui/view/ZoomView.h"
 
 #include <QAction>
@@ -186,9 +188,14 @@ void RunControl::replace(LoadedScene scene, const std::optional<Vector2>& tip) {
 
 void RunControl::rebuild(LoadedScene scene, const Vector3& start, const Settings& settings) {
     const double halfWidth = live_.view().halfWidth();
+    ContactPlot& section = live_.second().section();
+    const std::optional<double> sectionHalfWidth = section.chosenHalfWidth();
     end();
     begin(std::move(scene), start, settings);
     live_.view().setHalfWidth(halfWidth);
+    if (sectionHalfWidth) {
+        section.setHalfWidth(*sectionHalfWidth);
+    }
     Q_EMIT rebuilt();
 }
 

@@ -1,11 +1,12 @@
 /// Opens the live window on a scan, brings it into one of the states of docs/window.md as a user
-/// does, and saves what the screen shows then.
+/// does, saves what the screen shows then, and prints the frames a second of each view.
 /// Usage: asperity_window_picture start|profile|roughness|touches|map|path|section|scene|
 ///        haptics SCENE_OR_SCAN WIDTH HEIGHT OUT.png [dark]
 
 #include "app/commands/VirtualDisplay.h"
 #include "app/loading/SceneLoader.h"
 #include "app/window/Stage.h"
+#include "app/window/ViewControl.h"
 #include "app/window/lab/LiveWindow.h"
 #include "app/window/live/ControlBar.h"
 #include "app/window/live/LivePanels.h"
@@ -27,6 +28,7 @@
 #include <QTabWidget>
 
 #include <functional>
+#include <iostream>
 #include <map>
 #include <string>
 
@@ -154,10 +156,7 @@ void showPath(User& user) {
     live(kMoment);
 }
 
-void showSection(User& user) {
-    user.window().menus().entry("secondView").trigger();
-    user.engage();
-}
+void showSection(User& user) { user.engage(); }
 
 int run(char** argv) {
     const VirtualDisplay display;
@@ -188,6 +187,9 @@ int run(char** argv) {
     show->second();
     user.window().statusBar()->clearMessage();
     live(200);
+    for (const ViewRate& rate : user.stage().get<ViewControl>().rates()) {
+        std::cout << rate.view << ' ' << rate.framesPerSecond << " frames/s\n";
+    }
     const bool saved = user.window().grab().save(QString::fromUtf8(argv[5]));
     if (!saved) {
         throw Error(std::string(argv[5]) + ": the picture cannot be written");

@@ -56,6 +56,7 @@ void addPageSwitches(std::vector<PanelSwitch>& switches, const QString& area, in
 WindowLayout::WindowLayout(const Middle& middle, QWidget* parent)
     : QWidget(parent)
     , views_(middle.split)
+    , showViews_(middle.showViews)
     , sides_(newSplitter(Qt::Horizontal, "sides", this))
     , rows_(newSplitter(Qt::Vertical, "rows", this))
     , cards_(newCards(this))
@@ -129,6 +130,7 @@ void WindowLayout::reset() {
     sidePages_->reset();
     sides_->setSizes(kSideShares);
     rows_->setSizes(kRowShares);
+    showViews_();
     views_->setSizes(QVector<int>(views_->count(), kSideShares.front()).toList());
 }
 

@@ -43,9 +43,10 @@ class WindowLayout : public QWidget {
 public:
     /// Widgets in the middle of the window.
     struct Middle {
-        QWidget* top;        ///< above all
-        QWidget* views;      ///< left, over the tools
-        QSplitter* split;    ///< of the views beside one another
+        QWidget* top;                     ///< above all
+        QWidget* views;                   ///< left, over the tools
+        QSplitter* split;                 ///< of the views beside one another
+        std::function<void()> showViews;  ///< all of them
         QWidget* banner;     ///< in sight whatever is enlarged; the first of its column
         QBoxLayout* column;  ///< of the views
     };
@@ -73,9 +74,10 @@ Q_SIGNALS:
     void panelsChanged();
 
 private:
-    QSplitter* views_;  ///< beside one another
-    QSplitter* sides_;  ///< left and right
-    QSplitter* rows_;   ///< of the left: views, tools
+    QSplitter* views_;                 ///< beside one another
+    std::function<void()> showViews_;  ///< all of them
+    QSplitter* sides_;                 ///< left and right
+    QSplitter* rows_;                  ///< of the left: views, tools
     CardColumn* cards_;
     QScrollArea* live_;
     PageTabs* tools_;

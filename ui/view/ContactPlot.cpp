@@ -37,6 +37,12 @@ constexpr double kFill = 0.75;    // of the plot's height, by what fits
 constexpr double kMaxFactor = 1000.0;
 constexpr double kMarkReach = 7.0;  // of the contact's marks [px]
 
+// Position of the surface below the tip, in parts of the plot's height from below.
+constexpr double kUsualLevel = 0.4;
+constexpr double kLowestLevel = 0.25;
+constexpr double kHighestLevel = 0.6;
+constexpr double kLowestContact = 0.08;  // same, of the contact in a deep dent
+
 /// What the section shows of heights near the contact [m].
 ValueRange heightsOf(const ContactSection& section) {
     ValueRange heights{section.contact.y(), section.contact.y()};
@@ -47,6 +53,24 @@ ValueRange heightsOf(const ContactSection& section) {
         }
     }
     return heights;
+}
+
+/// Height of the undeformed surface on the tip's axis, world z [m]; beyond the scan's edge that of
+/// its nearest point.
+double heightBelowTip(const ContactSection& section) {
+    const auto isNearer = [](const Vector2& one, const Vector2& other) {
+        return std::abs(one.x()) < std::abs(other.x());
+    };
+    const auto nearest = std::min_element(section.rest.begin(), section.rest.end(), isNearer);
+    return nearest == section.rest.end() ? section.contact.y() : nearest->y();
+}
+
+/// Lowest point of the tip's outline, world z [m].
+double apexHeight(const ContactSection& section) {
+    const auto isLower = [](const Vector2& one, const Vector2& other) {
+        return one.y() < other.y();
+    };
+    return std::min_element(section.tip.begin(), section.tip.end(), isLower)->y();
 }
 
 QString angleText(double azimuth) {
@@ -71,6 +95,8 @@ void ContactPlot::setScene(const Scene* scene) {
     crossHair_.reset();
     writtenForce_.clear();
     evidence_.forget();
+    middleHeight_.reset();
+    chosenHalfWidth_.reset();
     if (scene_ != nullptr) {
         const ViewScale scale = viewScale(*scene_);
         paraboloidReach_ = scale.paraboloidReach;
@@ -117,6 +143,7 @@ void ContactPlot::setAzimuth(double azimuth) {
 
 void ContactPlot::setHeightFactor(double factor) {
     heightFactor_ = factor;
+    middleHeight_.reset();
     if (section_) {
         fitScale();
     }
@@ -127,33 +154,47 @@ void ContactPlot::setHalfWidth(double halfWidth) {
     if (scene_ != nullptr) {
         const double largest = 0.5 * std::max(scene_->surface.sizeX(), scene_->surface.sizeY());
         plane_.halfWidth = std::clamp(halfWidth, leastHalfWidth_, largest);
+        chosenHalfWidth_ = plane_.halfWidth;
+        middleHeight_.reset();
         cut();
     }
 }
 
 QRectF ContactPlot::area() const { return QRectF(rect()).adjusted(kLeft, kTop, -kRight, -kBottom); }
 
-/// The tip's apex stays in the upper middle; heights fill the plot where they shall.
+/// Heights fill the plot where they shall.
 void ContactPlot::fitScale() {
     const QRectF inside = area();
     metersPerPixel_ = 2.0 * plane_.halfWidth / std::max(inside.width(), 1.0);
-    const ValueRange heights = heightsOf(*section_);
     drawnFactor_ = heightFactor_;
     if (heightFactor_ <= 0.0) {
+        const ValueRange heights = heightsOf(*section_);
         const double extent = std::max(heights.high - heights.low, 1e-12);
         const double fits = kFill * inside.height() * metersPerPixel_ / extent;
         drawnFactor_ = fits > 1.0 ? std::min(niceBelow(fits), kMaxFactor) : 1.0;
     }
-    const double seen = inside.height() * metersPerPixel_ / drawnFactor_;
-    const double sampleMiddle = 0.5 * (heights.low + heights.high);
-    // What is higher than the plot is centered at the contact.
-    middleHeight_ = heights.high - heights.low > seen ? section_->contact.y() : sampleMiddle;
+    followSurface();
+}
+
+/// Keeps the surface below the tip between two levels, and a deep contact in sight. Where the tip
+/// is does not matter else: its way up or down is seen.
+void ContactPlot::followSurface() {
+    const double seen = area().height() * metersPerPixel_ / drawnFactor_;
+    const auto middleFor = [seen](double height, double level) {
+        return height + (0.5 - level) * seen;
+    };
+    const double below = heightBelowTip(*section_);
+    const double middle =
+        std::clamp(middleHeight_.value_or(middleFor(below, kUsualLevel)),
+                   middleFor(below, kHighestLevel), middleFor(below, kLowestLevel));
+    middleHeight_ = std::min(middle, middleFor(section_->contact.y(), kLowestContact));
 }
 
 QPointF ContactPlot::toPixel(const Vector2& point) const {
     const QRectF inside = area();
     return {inside.center().x() + point.x() / metersPerPixel_,
-            inside.center().y() - (point.y() - middleHeight_) * drawnFactor_ / metersPerPixel_};
+            inside.center().y() -
+                (point.y() - middleHeight_.value_or(0.0)) * drawnFactor_ / metersPerPixel_};
 }
 
 QPolygonF ContactPlot::drawn(const std::vector<Vector2>& points) const {
@@ -179,6 +220,7 @@ void ContactPlot::paintEvent(QPaintEvent* /*event*/) {
     drawBodies(painter);
     drawContact(painter);
     drawForce(painter);
+    drawTipAbove(painter);
     painter.restore();
     drawAxes(painter);
     drawLegend(painter);
@@ -256,6 +298,19 @@ void ContactPlot::drawForce(QPainter& painter) const {
                      QStringLiteral("|F| ") + QString::fromStdString(written));
 }
 
+/// Says where a tip is that is not in sight.
+void ContactPlot::drawTipAbove(QPainter& painter) const {
+    const QRectF inside = area();
+    if (section_->tip.empty() || toPixel({0.0, apexHeight(*section_)}).y() > inside.top()) {
+        return;
+    }
+    const double above = apexHeight(*section_) - heightBelowTip(*section_);
+    painter.setPen(theme::colors().tip);
+    painter.setFont(theme::boldFont(theme::kTextSize));
+    painter.drawText(inside.adjusted(0.0, 6.0, 0.0, 0.0), Qt::AlignHCenter | Qt::AlignTop,
+                     tr("▲ tip %1 above").arg(siText(above, "m")));
+}
+
 void ContactPlot::drawAxes(QPainter& painter) const {
     const QRectF inside = area();
     painter.setFont(theme::textFont(theme::kSmallSize));
@@ -263,9 +318,10 @@ void ContactPlot::drawAxes(QPainter& painter) const {
     painter.setBrush(Qt::NoBrush);
     painter.drawRect(inside);
     const double halfHeight = 0.5 * inside.height() * metersPerPixel_ / drawnFactor_;
+    const double middle = middleHeight_.value_or(0.0);
     const SiScale along = siScaleFor(plane_.halfWidth, "m");
-    const SiScale up = siScaleFor(
-        std::max(std::abs(middleHeight_ - halfHeight), std::abs(middleHeight_ + halfHeight)), "m");
+    const SiScale up =
+        siScaleFor(std::max(std::abs(middle - halfHeight), std::abs(middle + halfHeight)), "m");
     const auto shown = [](std::vector<double> ticks, double factor) {
         for (double& tick : ticks) {
             tick *= factor;
@@ -283,7 +339,7 @@ void ContactPlot::drawAxes(QPainter& painter) const {
                          Qt::AlignHCenter, QString::fromStdString(xLabels[i]));
     }
     const std::vector<double> z =
-        niceTicks(middleHeight_ - halfHeight, middleHeight_ + halfHeight,
+        niceTicks(middle - halfHeight, middle + halfHeight,
                   std::max(2, static_cast<int>(2.0 * inside.height()) / kTickRoom));
     const std::vector<std::string> zLabels = shown(z, up.factor);
     for (std::size_t i = 0; i < z.size(); ++i) {

@@ -22,7 +22,8 @@ struct Scene;
 
 /// The section through the contact as a plot: the surface at rest and deformed, the tip's outline,
 /// the ends of the contact, the force, in a vertical plane through the tip. True to scale, or with
-/// heights larger by a stated factor.
+/// heights larger by a stated factor. The scale is that of the contact at the setpoint, and what is
+/// seen moves with the surface below the tip alone: a tip that rises rises in the plot.
 class ContactPlot : public QWidget {
     Q_OBJECT
 
@@ -47,6 +48,8 @@ public:
     /// Half the width that is seen [m].
     void setHalfWidth(double halfWidth);
     [[nodiscard]] double halfWidth() const { return plane_.halfWidth; }
+    /// Returns the half width that was set since the scene was shown [m]; none: it is the scene's.
+    [[nodiscard]] const std::optional<double>& chosenHalfWidth() const { return chosenHalfWidth_; }
 
     /// Shows a position of the surface at rest, world x, y [m], where it lies along the plane.
     void showCrossHair(const std::optional<Vector2>& position,
@@ -70,12 +73,14 @@ protected:
 private:
     void cut();
     void fitScale();
+    void followSurface();
     [[nodiscard]] QRectF area() const;
     [[nodiscard]] QPolygonF drawn(const std::vector<Vector2>& points) const;
     void drawAxes(QPainter& painter) const;
     void drawBodies(QPainter& painter) const;
     void drawContact(QPainter& painter) const;
     void drawForce(QPainter& painter) const;
+    void drawTipAbove(QPainter& painter) const;
     void drawLegend(QPainter& painter) const;
     void drawCrossHair(QPainter& painter) const;
 
@@ -86,14 +91,15 @@ private:
     std::optional<TickSample> sample_;
     double heightFactor_ = 1.0;  ///< as asked for; 0: as large as it fits
     double drawnFactor_ = 1.0;
-    double metersPerPixel_ = 1e-10;  ///< along the plane
-    double middleHeight_ = 0.0;      ///< world z in the middle of the plot [m]
-    double paraboloidReach_ = 0.0;   ///< see ViewScale [m]
-    double forceScale_ = 1e-9;       ///< usual force [N]
+    double metersPerPixel_ = 1e-10;       ///< along the plane
+    std::optional<double> middleHeight_;  ///< world z in the middle of the plot [m]
+    double paraboloidReach_ = 0.0;        ///< see ViewScale [m]
+    double forceScale_ = 1e-9;            ///< usual force [N]
     ForceEvidence evidence_;
     bool isForceKnown_ = false;
     std::string writtenForce_;     ///< at the arrow; empty: of the sample
     double leastHalfWidth_ = 0.0;  ///< [m]
+    std::optional<double> chosenHalfWidth_;
     std::optional<Vector2> crossHair_;
     std::optional<SurfaceReading> reading_;
 };

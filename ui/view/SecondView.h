@@ -36,8 +36,7 @@ enum class SecondContent : std::uint8_t { Space, Section };
 
 template <>
 inline constexpr auto kEnumTable<SecondContent> = std::to_array<EnumRow<SecondContent>>(
-    {{SecondContent::Space, "space", "3-D view"},
-     {SecondContent::Section, "section", "Section through the contact"}});
+    {{SecondContent::Space, "space", "3-D view"}, {SecondContent::Section, "section", "Section"}});
 
 /// Settings of the second view; kept from one session to the next.
 struct SecondViewSettings {

@@ -42,7 +42,8 @@ constexpr double kWideContact = 0.35;  // in tip radii: beyond, sphere and parab
 constexpr double kParaboloidReach = 1.5;                        // in contact radii
 constexpr Width kMinWidth = {.ofTip = 1.25, .ofContact = 1.9};  // its patch still holds the contact
 constexpr Width kSectionWidth = {.ofTip = 2.0, .ofContact = 2.0};
-constexpr double kMinSection = 0.02;          // of the tip
+constexpr double kSectionContacts = 3.0;  // contact radii in half a section's width: dent and neck
+constexpr double kMinSection = 0.02;      // of the tip
 constexpr double kMinFrameShare = 1.0 / 3.0;  // of the scan, for a tip that would fill it
 constexpr int kSearched = 128;                // positions along each side of the scan
 
@@ -104,6 +105,24 @@ double usualContactRadius(const Scene& scene, const ContactPair& pair) {
     const auto depth = basePositionAt(model, kHeld, scene.description.setpoint);
     return depth ? std::max(onSphere, model.equilibrium(*depth, kHeld, kBondedMemory).contactRadius)
                  : onSphere;
+}
+
+/// Contact radius at the setpoint, or without load where that is wider [m]; 0: there is none.
+double setpointContactRadius(const Scene& scene, const ContactPair& pair) {
+    const ContactModel model = scene.belief.contact.withPair(pair);
+    constexpr double kHeld = 0.0;  // compliance [m/N]
+    const auto depth = basePositionAt(model, kHeld, scene.description.setpoint);
+    return std::max(usualContactRadius(scene, pair),
+                    depth ? model.equilibrium(*depth, kHeld, kBondedMemory).contactRadius : 0.0);
+}
+
+/// Half the width with which a section begins [m]: in it the contact that the setpoint makes is
+/// large enough to be seen true to scale, and on a soft sample so is the tip.
+double sectionHalfWidth(double tip, double contact) {
+    const double seen = contact > 0.0
+                            ? std::min(kSectionWidth.ofTip * tip, kSectionContacts * contact)
+                            : kSectionWidth.ofTip * tip;
+    return std::max(seen, kSectionWidth.ofContact * contact);
 }
 
 /// Of a flat sample, without its lever [m]; 0 where the law does not reach the setpoint.
@@ -198,7 +217,7 @@ ViewScale viewScale(const Scene& scene) {
     return {.patch = kPatchWidth.of(shown, contact),
             .usual = given > 0.0 ? given : std::max(usual, pressed),
             .least = kMinWidth.of(shown, contact),
-            .section = std::min(scan, kSectionWidth.of(shown, contact)),
+            .section = std::min(scan, sectionHalfWidth(shown, setpointContactRadius(scene, pair))),
             .leastSection = std::min(scan, kMinSection * shown),
             .pixel = pixel,
             .paraboloidReach = reach,

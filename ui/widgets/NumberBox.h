@@ -43,6 +43,7 @@ public:
     void discardTyped();
     /// Shows its number muted: it is what it is by default.
     void setMuted(bool muted);
+    [[nodiscard]] bool isMuted() const { return muted_; }
     /// Undo and redo are the window's while nothing typed is to be undone.
     bool event(QEvent* event) override;
 

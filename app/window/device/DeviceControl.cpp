@@ -32,14 +32,21 @@ namespace {
 
 constexpr double kJourney = 1.5;  // [s]
 
-// To engage takes about two seconds: down to right above the sample, then slowly to the setpoint.
+// To engage takes some two seconds: down to right above the sample, then slowly to the setpoint.
 constexpr double kCoarse = 0.7;  // [s]
-constexpr double kFine = 3.0;    // of an approach with its way back [s]
+constexpr double kFine = 4.0;    // of an approach with its way back [s]
 
 constexpr double kKeySpeed = 0.25;    // along the sample, of held keys [half widths/s]
 constexpr double kLead = 0.06;        // of the mouse over a tip that a feedback slows down [s]
 constexpr double kTurnSpeed = 1.0;    // of a device's axes: the force turns with them [rad/s]
 constexpr double kKeySpeedUp = 0.05;  // and across it [half widths/s]
+
+/// Raises where the base waits to where a ramp begins and ends, never lowers it.
+Vector3 topOf(const Ramp& ramp, const Scene& scene, Vector3 waiting) {
+    const double top = touchHeight(scene, waiting.x(), waiting.y()) + ramp.size;
+    waiting.z() = std::max(waiting.z(), top);
+    return waiting;
+}
 
 /// Where held keys send the device, world frame [half widths/s].
 Vector3 keyVelocity(const KeyDirection& keys, const ViewCamera& camera) {
@@ -139,16 +146,22 @@ void ActiveDevice::approach(const PlannedApproach& approach) {
     approachBy([&] { return leadIn(approach.start); }, approach.plan);
 }
 
-double usualRate(const Scene& scene, const Vector2& position, double setpoint) {
-    return planApproach(scene, {.duration = kFine, .position = position, .setpoint = setpoint})
-        .plan.speed;
+Ramp usualRamp(const Scene& scene, const Vector2& position, double setpoint) {
+    const PlannedApproach planned =
+        planApproach(scene, {.duration = kFine, .position = position, .setpoint = setpoint});
+    const Vector3& start = planned.start;
+    return {.rate = planned.plan.speed,
+            .size = start.z() - touchHeight(scene, start.x(), start.y())};
 }
 
-void ActiveDevice::engage(double setpoint, const Vector2& position, double rate) {
+void ActiveDevice::engage(double setpoint, const Vector2& position, const Ramp& ramp) {
     PlannedApproach planned = planApproach(
         run_->scene(), {.duration = kFine, .position = position, .setpoint = setpoint});
     planned.plan.dwell = std::numeric_limits<double>::infinity();
-    planned.plan.speed = rate;
+    planned.plan.speed = ramp.rate;
+    const double usualTop = planned.start.z();
+    planned.start = topOf(ramp, run_->scene(), planned.start);
+    planned.plan.maxDescent += planned.start.z() - usualTop;
     const auto wayThere = [&]() -> DevicePath {
         const Vector3 base = run_->basePosition();
         if (base.head<2>() != position) {
@@ -213,13 +226,14 @@ void ActiveDevice::travelTo(const Vector2& position) {
     }
 }
 
-void ActiveDevice::rise(double rate) {
+void ActiveDevice::rise(const Ramp& ramp) {
     if (piloted() == nullptr) {
         return;
     }
     const Vector3 base = run_->basePosition();
-    const Vector3 free = waitingPosition(run_->scene(), base.head<2>());
-    pilot_.follow({{0.0, base}, {std::max(free.z() - base.z(), 0.0) / rate, free}});
+    const Scene& scene = run_->scene();
+    const Vector3 free = topOf(ramp, scene, waitingPosition(scene, base.head<2>()));
+    pilot_.follow({{0.0, base}, {std::max(free.z() - base.z(), 0.0) / ramp.rate, free}});
 }
 
 void ActiveDevice::advance(double seconds, double halfWidth) {
@@ -395,8 +409,8 @@ void DeviceControl::approach(const PlannedApproach& approach) {
     show();
 }
 
-void DeviceControl::engage(double setpoint, const Vector2& position, double rate) {
-    device_.engage(setpoint, position, rate);
+void DeviceControl::engage(double setpoint, const Vector2& position, const Ramp& ramp) {
+    device_.engage(setpoint, position, ramp);
     show();
 }
 
@@ -415,16 +429,17 @@ void DeviceControl::followFromHere(const ActiveDevice::MakePath& makePath) {
     show();
 }
 
-void DeviceControl::withdraw(double rate) {
+void DeviceControl::withdraw(const Ramp& ramp) {
     release();
+    const Scene& scene = runs_.run()->scene();
     const Vector3 base = runs_.run()->basePosition();
-    if (base.z() >= waitingPosition(runs_.run()->scene(), base.head<2>()).z()) {
+    if (base.z() >= topOf(ramp, scene, waitingPosition(scene, base.head<2>())).z()) {
         return;
     }
     if (device_.driver() != &pointerDriver()) {
         use(pointerDriver());
     }
-    device_.rise(rate);
+    device_.rise(ramp);
 }
 
 void DeviceControl::release() {

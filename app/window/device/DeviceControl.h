@@ -2,6 +2,7 @@
 
 #include "app/runs/LiveRun.h"
 #include "app/window/Stage.h"
+#include "app/window/live/EngageBar.h"
 #include "core/haptics/DevicePath.h"
 #include "core/haptics/SetpointApproach.h"
 #include "core/haptics/ZFeedback.h"
@@ -20,8 +21,8 @@ namespace asperity {
 
 class HeldKeys;
 
-/// Returns the speed at which an approach to a setpoint [N] takes some seconds on a scene [m/s].
-[[nodiscard]] double usualRate(const Scene& scene, const Vector2& position, double setpoint);
+/// Returns the ramp to a setpoint [N] that takes about four seconds on a scene, with its way back.
+[[nodiscard]] Ramp usualRamp(const Scene& scene, const Vector2& position, double setpoint);
 
 /// Force that a feedback holds.
 struct HeldForce {
@@ -48,10 +49,9 @@ public:
     /// Goes to where the approach begins, well above the sample, and approaches.
     void approach(const PlannedApproach& approach);
     /// Approaches there (x, y) [m], from right above the sample, and stays at the setpoint.
-    /// @param rate of the base down to it [m/s]
-    void engage(double setpoint, const Vector2& position, double rate);
-    /// Rises straight up, out of the sample's reach. @param rate [m/s]
-    void rise(double rate);
+    void engage(double setpoint, const Vector2& position, const Ramp& ramp);
+    /// Rises straight up, out of the sample's reach.
+    void rise(const Ramp& ramp);
     /// The approach that has the tip; null: none has.
     [[nodiscard]] const ApproachDevice* approaching() const {
         return isOurs() ? approach_ : nullptr;
@@ -129,10 +129,9 @@ public:
     /// The device approaches, from where the approach begins. There is a run.
     void approach(const PlannedApproach& approach);
     /// Approaches there (x, y) [m], up to a setpoint [N], and stays there. There is a run.
-    /// @param rate of the base down to it [m/s]
-    void engage(double setpoint, const Vector2& position, double rate);
-    /// Goes up from the sample, out of its reach. There is a run. @param rate [m/s]
-    void withdraw(double rate);
+    void engage(double setpoint, const Vector2& position, const Ramp& ramp);
+    /// Goes up from the sample, out of its reach. There is a run.
+    void withdraw(const Ramp& ramp);
     /// Returns whether the tip still moves by itself: after withdraw() or a click on the overview.
     [[nodiscard]] bool isTraveling() const { return device_.isTraveling(); }
     /// The approach that has the tip; null: none has.

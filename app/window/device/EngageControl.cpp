@@ -88,8 +88,8 @@ void EngageControl::showSetpoint() {
     }
     if (LiveRun* const run = runs_.run()) {
         live_.engage().setUnits(setpointUnits(run->scene()));
-        live_.engage().setUsualRate(
-            usualRate(run->scene(), run->basePosition().head<2>(), live_.engage().setpoint()));
+        live_.engage().setUsualRamp(
+            usualRamp(run->scene(), run->basePosition().head<2>(), live_.engage().setpoint()));
     }
 }
 
@@ -104,7 +104,7 @@ void EngageControl::holdSetpoint() {
 
 void EngageControl::engage(double setpoint, const Vector2& position) {
     asked_ = setpoint;
-    devices_.engage(asked_, position, live_.engage().rate());
+    devices_.engage(asked_, position, live_.engage().ramp());
     engaging_ = true;
     withdrawing_ = false;
 }
@@ -113,7 +113,7 @@ void EngageControl::withdraw() {
     if (runs_.run() != nullptr) {
         engaging_ = false;
         withdrawing_ = true;
-        devices_.withdraw(live_.engage().rate());
+        devices_.withdraw(live_.engage().ramp());
         host_.tell(tr("Withdrawing"));
     }
 }

@@ -18,6 +18,8 @@ public:
     void engage(double setpoint, const Vector2& position);
     /// Returns whether an approach of engage() has the tip.
     [[nodiscard]] bool isEngaging() const { return engaging_ && devices_.approaching() != nullptr; }
+    /// Takes the tip out of the sample's reach.
+    void withdraw();
     /// Once a frame: follows the approach, the withdrawal and what is held. There is a run.
     void advance();
     /// Every tick, in order: how well the force is held.
@@ -41,7 +43,6 @@ private:
     void followApproach();
     void followWithdrawal();
     void followHold();
-    void withdraw();
     void chooseHold(bool force);
     void holdHeight();
     void setSetpoint(double force);

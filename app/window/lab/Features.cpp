@@ -5,6 +5,7 @@
 #include "app/window/Stage.h"
 #include "app/window/ViewControl.h"
 #include "app/window/curve/MeasuredCurveControl.h"
+#include "app/window/device/DemonstrationControl.h"
 #include "app/window/device/DeviceControl.h"
 #include "app/window/device/EngageControl.h"
 #include "app/window/device/HapticControl.h"
@@ -85,6 +86,7 @@ void addFeatures(Stage& stage) {
            FidelityControl,       //
            EngageControl,         //
            PathControl,           //
+           DemonstrationControl,  //
            StudyControl,          //
            HapticControl,         //
            ViewControl,           //

@@ -21,10 +21,10 @@ namespace {
 
 constexpr int kEngageHeight = 26;   // [px, as theme::scaled() takes them]
 constexpr int kSetpointWidth = 76;  // same
-constexpr int kRateWidth = 70;      // same
-constexpr double kNanoRate = 1e9;   // rates are shown in nanometers
-constexpr double kMinRate = 0.1;    // [nm/s]
-constexpr double kMaxRate = 1e6;    // same
+constexpr int kRampWidth = 66;      // same
+constexpr double kNanoRamp = 1e9;   // ramps are shown in nanometers
+constexpr double kMinRamp = 0.1;    // [nm/s], [nm]
+constexpr double kMaxRamp = 1e6;    // same
 constexpr int kSpace = 6;           // [px]
 constexpr int kShownDigits = 4;     // of a setpoint in another unit
 
@@ -55,7 +55,8 @@ EngageBar::EngageBar(QWidget* parent)
     , units_{{tr("nN"), 1e9}}
     , box_(new GainSpinBox(1e9 * kMinSetpoint, 1e9 * kMaxSetpoint, this))
     , unit_(engageChoice("setpointUnit", {units_.front().name}, this))
-    , rate_(new GainSpinBox(kMinRate, kMaxRate, this))
+    , rate_(new GainSpinBox(kMinRamp, kMaxRamp, this))
+    , size_(new GainSpinBox(kMinRamp, kMaxRamp, this))
     , engage_(engageButton("engage", tr("Engage"), this))
     , withdraw_(engageButton("withdraw", tr("Withdraw"), this))
     , hold_(engageChoice("hold", {tr("force"), tr("height")}, this))
@@ -107,19 +108,31 @@ void EngageBar::addSetpoint() {
 }
 
 void EngageBar::addRamp() {
-    rate_->setObjectName(QStringLiteral("rampRate"));
-    rate_->setToolTip(tr("Speed of the base down to the setpoint and up out of the sample's reach "
-                         "[nm/s]; muted: suits the scene"));
-    rate_->setAccessibleName(tr("Speed of the ramp"));
-    rate_->setFixedSize(theme::scaled(kRateWidth), theme::scaled(kEngageHeight));
-    guardFromWheel(*rate_);
-    auto* caption = captionLabel(tr("nm/s"), this);
-    caption->setToolTip(rate_->toolTip());
-    addGroup({engage_, withdraw_, rate_, caption});
-    connect(rate_, qOverload<double>(&QDoubleSpinBox::valueChanged), this, [this] {
-        hasOwnRate_ = true;
-        rate_->setMuted(false);
-    });
+    addRampBox(*size_, "rampSize", tr("Size of the ramp"),
+               tr("Size of the ramp: distance from the sample at which an approach begins and a "
+                  "withdrawal ends [nm]; muted: suits the scene, just out of the sample's reach"));
+    addRampBox(*rate_, "rampRate", tr("Speed of the ramp"),
+               tr("Speed of the base down to the setpoint and up out of the sample's reach "
+                  "[nm/s]; muted: suits the scene, a cycle takes about four seconds"));
+    const auto caption = [this](const QString& text, const QWidget& box) {
+        auto* label = captionLabel(text, this);
+        label->setToolTip(box.toolTip());
+        return label;
+    };
+    addGroup({engage_, withdraw_, size_, caption(tr("nm at"), *size_), rate_,
+              caption(tr("nm/s"), *rate_)});
+}
+
+void EngageBar::addRampBox(GainSpinBox& box, const char* name, const QString& spoken,
+                           const QString& toolTip) {
+    box.setObjectName(QString::fromUtf8(name));
+    box.setToolTip(toolTip);
+    box.setAccessibleName(spoken);
+    box.setFixedSize(theme::scaled(kRampWidth), theme::scaled(kEngageHeight));
+    guardFromWheel(box);
+    box.setMuted(true);
+    connect(&box, qOverload<double>(&QDoubleSpinBox::valueChanged), &box,
+            [&box] { box.setMuted(false); });
 }
 
 void EngageBar::addHold() {
@@ -174,14 +187,19 @@ void EngageBar::setUnits(std::vector<SetpointUnit> units) {
     showSetpoint();
 }
 
-double EngageBar::rate() const { return rate_->value() / kNanoRate; }
+Ramp EngageBar::ramp() const {
+    return {.rate = rate_->value() / kNanoRamp, .size = size_->value() / kNanoRamp};
+}
 
-void EngageBar::setUsualRate(double rate) {
-    if (!hasOwnRate_) {
-        const QSignalBlocker blocker(rate_);
-        rate_->setValue(QString::number(kNanoRate * rate, 'g', 2).toDouble());
-        rate_->setMuted(true);
-    }
+void EngageBar::setUsualRamp(const Ramp& usual) {
+    const auto show = [](GainSpinBox& box, double length) {
+        if (box.isMuted()) {
+            const QSignalBlocker blocker(box);
+            box.setValue(QString::number(kNanoRamp * length, 'g', 2).toDouble());
+        }
+    };
+    show(*rate_, usual.rate);
+    show(*size_, usual.size);
 }
 
 bool EngageBar::holdsForce() const { return hold_->currentIndex() == 0; }

@@ -22,6 +22,13 @@ struct SetpointUnit {
     bool operator==(const SetpointUnit&) const = default;
 };
 
+/// Way of the base straight down to the sample, and up again.
+struct Ramp {
+    double rate = 0.0;  ///< [m/s]
+    double size = 0.0;  ///< from where it begins and ends to the first touch, at least what takes
+                        ///< the tip out of the sample's reach [m]
+};
+
 /// The row above the view with which a user brings the tip to the sample, holds it there and takes
 /// it away. Setters show a state and emit nothing.
 class EngageBar : public QWidget {
@@ -35,10 +42,9 @@ public:
     void setSetpoint(double force);
     /// Sets in which units a setpoint can be typed; the chosen one stays where it is among them.
     void setUnits(std::vector<SetpointUnit> units);
-    /// Speed of the base down to the setpoint and up from it [m/s].
-    [[nodiscard]] double rate() const;
-    /// Sets the speed that suits the scene [m/s], as long as no other is typed.
-    void setUsualRate(double rate);
+    [[nodiscard]] Ramp ramp() const;
+    /// Sets rate and size that suit the scene, as long as no others are typed.
+    void setUsualRamp(const Ramp& usual);
     /// Returns whether a feedback is to hold the force; else the height stays.
     [[nodiscard]] bool holdsForce() const;
     void setHoldsForce(bool holds);
@@ -60,6 +66,8 @@ private:
     void addGroup(std::initializer_list<QWidget*> widgets);
     void addSetpoint();
     void addRamp();
+    void addRampBox(GainSpinBox& box, const char* name, const QString& spoken,
+                    const QString& toolTip);
     void addHold();
     [[nodiscard]] const SetpointUnit& unit() const;
     void showSetpoint();
@@ -68,8 +76,8 @@ private:
     std::vector<SetpointUnit> units_;
     GainSpinBox* box_;
     QComboBox* unit_;
-    bool hasOwnRate_ = false;
-    GainSpinBox* rate_;  ///< [nm/s]
+    GainSpinBox* rate_;  ///< [nm/s]; muted: the usual one
+    GainSpinBox* size_;  ///< [nm]; same
     QPushButton* engage_;
     QPushButton* withdraw_;
     QComboBox* hold_;

@@ -78,7 +78,7 @@ public:
         StateBanner* banner;
         EngageBar* engage;
         ZoomView* view;
-        SecondView* second;  ///< beside it, hidden at first
+        SecondView* second;  ///< beside it
         LoadingBar* loading;
     };
 
@@ -97,7 +97,6 @@ public:
         views_->setStretchFactor(0, 1);
         views_->setStretchFactor(1, 1);
         views_->setSizes({kHalf, kHalf});
-        parts.second->hide();
         column_->addWidget(views_, 1);
         column_->addWidget(bars_);
         addBottomLine();
@@ -149,6 +148,7 @@ LivePanels::LivePanels(Host& host)
     host.setMiddle({.top = controls_,
                     .views = side_,
                     .split = &side_->views(),
+                    .showViews = [this] { secondEntry_->setChecked(true); },
                     .banner = banner_,
                     .column = &side_->column()});
     leaving_.setSingleShot(true);
@@ -219,6 +219,7 @@ void LivePanels::addEntries() {
                     .tip = tr("Beside the large view: a section through the contact, or a 3-D "
                               "view with a direction and options of its own"),
                     .isCheckable = true});
+    secondEntry_->setChecked(true);
     colors_ = new ColorsMenu(menus.addMenu({MenuName::View, 2, 10}, "colors", tr("&Colors")));
     auto* options = new QMenu(&host_.widget());
     viewOptions_ = new ViewOptionsMenu(*options);
@@ -293,6 +294,11 @@ void LivePanels::setEmergencyStop(bool active) {
     showHint();
 }
 
+void LivePanels::setDemonstration(bool isPlaying) {
+    isDemonstration_ = isPlaying;
+    showHint();
+}
+
 void LivePanels::refuseTip(const QString& why) {
     controls_->refuseTip(why);
     tipMoves_ = why.isEmpty();
@@ -308,6 +314,11 @@ void LivePanels::fix(const QString& why) {
 }
 
 void LivePanels::showHint() {
+    if (isDemonstration_) {
+        side_->setHint(tr("<b>Demonstration: the tip approaches the sample and withdraws by "
+                          "itself.</b> Click or press a key to take over."));
+        return;
+    }
     QString hint = tr("Right drag: turn   ·   Ctrl + wheel: zoom");
     if (tipMoves_) {
         hint = tr("Drag: move the tip   ·   Wheel: up and down   ·   %1").arg(hint);

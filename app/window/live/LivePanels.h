@@ -51,7 +51,6 @@ public:
     [[nodiscard]] StateBanner& banner() { return *banner_; }
     [[nodiscard]] EngageBar& engage() { return *engage_; }
     [[nodiscard]] ZoomView& view() { return *view_; }
-    /// Hidden at first.
     [[nodiscard]] SecondView& second() { return *second_; }
     /// Returns the entry that shows the second view.
     [[nodiscard]] QAction& secondEntry() { return *secondEntry_; }
@@ -76,6 +75,8 @@ public:
     void showScene(const Scene* scene, const QString& title);
     /// Says in the hint whether Esc switches the forces of a device off, and keeps Esc for that.
     void setEmergencyStop(bool active);
+    /// Says in the hint that the tip moves by itself, and how to take it.
+    void setDemonstration(bool isPlaying);
     /// Disables all that moves the tip. @param why for tool tips; empty: it can be moved
     void refuseTip(const QString& why);
     /// Disables all that changes scene and knobs, and hides the cross-hair. @param why for tool
@@ -101,6 +102,7 @@ private:
     bool hasShownScene_ = false;
     bool hasEmergencyStop_ = false;
     bool tipMoves_ = true;
+    bool isDemonstration_ = false;
     bool isFixed_ = false;
     ControlBar* controls_;
     StateBanner* banner_;

@@ -122,7 +122,7 @@ void restoreViews(LivePanels& live, const QVariantMap& kept) {
     second.azimuth = std::clamp(numberAt(kept, key(kSecond, "azimuth"), 0.0), -180.0, 180.0);
     second.heightFactor = numberAt(kept, key(kSecond, "heightFactor"), second.heightFactor);
     live.second().setSettings(second);
-    live.secondEntry().setChecked(kept.value(key(kSecond, "shown"), false).toBool());
+    live.secondEntry().setChecked(kept.value(key(kSecond, "shown"), true).toBool());
 }
 
 void keepViews(LivePanels& live, QVariantMap& kept) {

@@ -44,7 +44,8 @@ protected:
     LivePanels panels{window};
 };
 
-TEST_F(SecondViewTest, IsHiddenAtFirstAndDoesNothingThen) {
+TEST_F(SecondViewTest, DoesNothingWhileItIsHidden) {
+    window.menus().entry("secondView").trigger();
     EXPECT_FALSE(second().isVisible());
     QSignalSpy frames(&second().space(), &ZoomView::frameRendered);
     second().showSnapshot(moments.deep);
@@ -53,8 +54,7 @@ TEST_F(SecondViewTest, IsHiddenAtFirstAndDoesNothingThen) {
     EXPECT_EQ(frames.count(), 0);
 }
 
-TEST_F(SecondViewTest, BothViewsAreEquallyWideAtFirst) {
-    window.menus().entry("secondView").trigger();
+TEST_F(SecondViewTest, BothViewsAreThereAtFirstAndEquallyWide) {
     EXPECT_TRUE(eventually([this] {
         return second().isVisible() && std::abs(panels.view().width() - second().width()) <= 2;
     })) << panels.view().width()
@@ -62,7 +62,6 @@ TEST_F(SecondViewTest, BothViewsAreEquallyWideAtFirst) {
 }
 
 TEST_F(SecondViewTest, ShowsASectionOrA3DView) {
-    window.menus().entry("secondView").trigger();
     ASSERT_TRUE(second().isVisible());
     second().showSnapshot(moments.deep);
     EXPECT_TRUE(second().section().section());
@@ -84,7 +83,6 @@ TEST_F(SecondViewTest, ShowsASectionOrA3DView) {
 TEST_F(SecondViewTest, TheSectionCopiesSurfaceAndTip) {
     const CopyablePlot& plot = *CopyablePlot::of(&second().section());
     EXPECT_EQ(plot.data(), QString());
-    window.menus().entry("secondView").trigger();
     second().showSnapshot(moments.deep);
     const QStringList lines = plot.data().split('\n');
     EXPECT_TRUE(
@@ -99,7 +97,6 @@ TEST_F(SecondViewTest, HasADirectionAndOptionsOfItsOwn) {
     settings.content = SecondContent::Space;
     settings.options.heightScale = 5.0;
     second().setSettings(settings);
-    window.menus().entry("secondView").trigger();
     second().space().lookFrom(ViewDirection::Top);
     EXPECT_EQ(second().space().options().heightScale, 5.0);
     EXPECT_EQ(panels.view().options().heightScale, 1.0);
@@ -107,7 +104,6 @@ TEST_F(SecondViewTest, HasADirectionAndOptionsOfItsOwn) {
 }
 
 TEST_F(SecondViewTest, TheDirectionOfTheSectionIsTyped) {
-    window.menus().entry("secondView").trigger();
     auto* direction = second().findChild<NumberBox*>("sectionDirection");
     direction->setValue(45.0);
     EXPECT_NEAR(second().section().azimuth(), std::numbers::pi / 4.0, 1e-12);
@@ -115,7 +111,6 @@ TEST_F(SecondViewTest, TheDirectionOfTheSectionIsTyped) {
 }
 
 TEST_F(SecondViewTest, OneCrossHairIsInAllViews) {
-    window.menus().entry("secondView").trigger();
     panels.view().showSnapshot(moments.deep);
     second().showSnapshot(moments.deep);
     Q_EMIT second().section().positionHovered(70.0_nm, 60.0_nm);

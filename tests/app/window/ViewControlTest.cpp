@@ -21,10 +21,10 @@ TEST_F(ViewControlTest, DrawsThePanelsEverySecondFrameAndCountsBoth) {
         views.show(100.0 + 0.025 * frame);
     }
     const std::vector<ViewRate> rates = views.rates();
-    ASSERT_EQ(rates.size(), 4U);
+    ASSERT_EQ(rates.size(), 5U);
     EXPECT_EQ(rates[0].view, "zoom");
     EXPECT_NEAR(rates[0].framesPerSecond, 40.0, 1.0);
-    for (const char* panel : {"forces", "cantilever", "overview"}) {
+    for (const char* panel : {"forces", "cantilever", "overview", "second"}) {
         const auto found = std::ranges::find(rates, panel, &ViewRate::view);
         ASSERT_NE(found, rates.end()) << panel;
         EXPECT_NEAR(found->framesPerSecond, 20.0, 1.0);

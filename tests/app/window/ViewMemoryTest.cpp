@@ -34,7 +34,7 @@ TEST(ViewMemory, KeepsHowTheViewsLook) {
         panels.view().setOptions(options);
         panels.view().setPerspective(true);
         panels.second().setSettings(second);
-        window.menus().entry("secondView").setChecked(true);
+        window.menus().entry("secondView").setChecked(false);
         keepViews(panels, kept);
         keepViewpoint(panels, kept);
     }
@@ -51,7 +51,7 @@ TEST(ViewMemory, KeepsHowTheViewsLook) {
     EXPECT_EQ(panels.second().settings().content, SecondContent::Space);
     EXPECT_EQ(panels.second().settings().options, second.options);
     EXPECT_EQ(panels.second().settings().azimuth, 30.0);
-    EXPECT_TRUE(window.menus().entry("secondView").isChecked());
+    EXPECT_FALSE(window.menus().entry("secondView").isChecked());
 }
 
 TEST(ViewMemory, WhatCannotBeReadIsAsAtFirst) {
@@ -68,7 +68,7 @@ TEST(ViewMemory, WhatCannotBeReadIsAsAtFirst) {
     first.of(SurfaceQuantity::Height).low = 9.0;
     EXPECT_EQ(panels.colors().look(), first) << "an own range upside down is none";
     EXPECT_EQ(panels.view().options(), ViewOptions());
-    EXPECT_FALSE(window.menus().entry("secondView").isChecked());
+    EXPECT_TRUE(window.menus().entry("secondView").isChecked());
 }
 
 }  // namespace

@@ -4,7 +4,9 @@
 #include "tests/support/Waits.h"
 #include "ui/shell/CardColumn.h"
 #include "ui/shell/MainWindow.h"
+#include "ui/shell/Menus.h"
 #include "ui/shell/PageTabs.h"
+#include "ui/view/SecondView.h"
 #include "ui/view/ZoomView.h"
 #include "ui/widgets/Card.h"
 
@@ -78,6 +80,7 @@ TEST_F(WindowLayoutTest, HidingAllLeavesTheViewAndResettingBringsAllBack) {
     const QSize view = panels.view().size();
     entry(QStringLiteral("tool/Profile")).trigger();
     EXPECT_TRUE(profile->isVisible());
+    window.menus().entry("secondView").trigger();
     for (const auto& [key, was] : before) {
         QAction& part = entry(key);
         if (part.isChecked()) {
@@ -94,6 +97,7 @@ TEST_F(WindowLayoutTest, HidingAllLeavesTheViewAndResettingBringsAllBack) {
     EXPECT_EQ(shown(), before);
     EXPECT_EQ(sizes(), room);
     EXPECT_EQ(panels.view().size(), view);
+    EXPECT_TRUE(panels.second().isVisible());
     EXPECT_EQ(window.layout().sidePages().pageOnTop(), QStringLiteral("Live"));
 }
 

@@ -3,6 +3,7 @@
 #include "core/Units.h"
 #include "tests/support/TestScenes.h"
 #include "tests/ui/view/ViewMoments.h"
+#include "ui/view/ViewFrame.h"
 #include "ui/widgets/Theme.h"
 
 #include <QMouseEvent>
@@ -11,11 +12,18 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
 namespace asperity::test {
 namespace {
+
+Vector2 tipApex(const ContactSection& section) {
+    return *std::min_element(
+        section.tip.begin(), section.tip.end(),
+        [](const Vector2& one, const Vector2& other) { return one.y() < other.y(); });
+}
 
 class ContactPlotTest : public ::testing::Test {
 protected:
@@ -52,6 +60,53 @@ TEST_F(ContactPlotTest, IsTrueToScaleUnlessAFactorIsAskedFor) {
     plot.setHeightFactor(0.0);
     EXPECT_GT(plot.drawnFactor(), 1.0) << "a dent of nanometers is flat";
     EXPECT_NEAR(plot.drawnFactor() * lengths().x(), lengths().y(), 1e-9);
+}
+
+/// On polystyrene 5 nN changed the picture by nothing that one saw.
+TEST_F(ContactPlotTest, ItsScaleIsThatOfTheContactAtTheSetpointAndStaysThroughACycle) {
+    plot.showSnapshot(moments.away);
+    const double halfWidth = plot.halfWidth();
+    const double contact = unloadedContactRadius(scene.belief.contact.pair());
+    EXPECT_GT(halfWidth, 2.5 * contact);
+    EXPECT_LT(halfWidth, 4.0 * contact);
+    const double surface = plot.toPixel({0.0, 0.0}).y();
+    const auto apex = [this] { return plot.toPixel(tipApex(*plot.section())).y(); };
+    EXPECT_LT(apex(), surface - 20.0) << "far: the tip is seen above the sample";
+    plot.showSnapshot(moments.deep);
+    const double deepest = apex();
+    EXPECT_GT(deepest, surface + 8.0) << "the dent is seen";
+    plot.showSnapshot(moments.neck);
+    EXPECT_LT(apex(), deepest) << "a tip that rises, rises in the plot";
+    plot.showSnapshot(moments.away);
+    EXPECT_EQ(plot.halfWidth(), halfWidth);
+    EXPECT_DOUBLE_EQ(plot.toPixel({0.0, 0.0}).y(), surface);
+}
+
+TEST_F(ContactPlotTest, TheWidthThatAUserChoseIsTold) {
+    EXPECT_FALSE(plot.chosenHalfWidth());
+    plot.setHalfWidth(12.0_nm);
+    EXPECT_EQ(plot.chosenHalfWidth(), 12.0_nm);
+    plot.setScene(&scene);
+    EXPECT_FALSE(plot.chosenHalfWidth());
+}
+
+TEST_F(ContactPlotTest, ASlopingSampleScrollsOnlyBeforeItLeavesTheMiddle) {
+    const Scene slope = buildScene(plainScene(), slopedMap(0.4));
+    plot.setScene(&slope);
+    Snapshot moment = momentsOf(slope).deep;
+    plot.showSnapshot(moment);
+    const auto below = [&] {
+        const Vector2 axis = plot.section()->axis;
+        return plot.toPixel({0.0, slope.surface.at(axis.x(), axis.y()).height}).y();
+    };
+    const double first = below();
+    moment.sample.output.model.tip += Vector3(1.0_nm, 0.0, 0.4_nm);
+    plot.showSnapshot(moment);
+    EXPECT_LT(below(), first - 1.0) << "it is higher there, and is drawn higher";
+    moment.sample.output.model.tip += Vector3(60.0_nm, 0.0, 24.0_nm);
+    plot.showSnapshot(moment);
+    EXPECT_GT(below(), 0.3 * plot.height());
+    EXPECT_LT(below(), 0.9 * plot.height());
 }
 
 TEST_F(ContactPlotTest, ShowsTheSurfaceWhereThePlotSaysItIs) {

@@ -4,6 +4,7 @@
 #include "app/window/live/EngageBar.h"
 #include "tests/app/window/ControlFixture.h"
 #include "ui/view/ZoomView.h"
+#include "ui/widgets/NumberBox.h"
 
 #include <QComboBox>
 #include <QDoubleSpinBox>
@@ -168,6 +169,42 @@ TEST_F(EngageControlTest, WithdrawsOutOfTheSamplesReachAlsoWhileItEngages) {
     button("withdraw").click();
     EXPECT_EQ(device(), "Mouse and keyboard");
     ASSERT_TRUE(framesUntil([this] { return run().basePosition().z() > 5e-9; }));
+}
+
+/// A withdrawal was over in 0.2 s: nobody saw what happened.
+TEST_F(EngageControlTest, ACycleTakesAboutFourSecondsAndGoesAsFarAsTheUserSays) {
+    useFlatScene();
+    auto& rate = *window.findChild<GainSpinBox*>("rampRate");
+    auto& size = *window.findChild<GainSpinBox*>("rampSize");
+    EXPECT_TRUE(rate.isMuted() && size.isMuted()) << "they suit the scene";
+    ASSERT_TRUE(framesUntil([this] { return latest().region() == TipRegion::Far; }));
+    const double top = run().basePosition().z();
+    const auto isAt = [&](double height) {
+        return std::abs(run().basePosition().z() - height) < 0.02 * top;
+    };
+    EXPECT_NEAR(panels.engage().ramp().size, top, 0.05 * top) << "it waits where a ramp begins";
+    const double begin = tickTime();
+    button("engage").click();
+    ASSERT_TRUE(framesUntil([this] { return engaged(); })) << told();
+    const double contact = tickTime();
+    button("withdraw").click();
+    ASSERT_TRUE(framesUntil([this] { return told() == "Withdrawn"; })) << told();
+    const double cycle = tickTime() - begin;
+    EXPECT_GT(tickTime() - contact, 1.0);
+    EXPECT_GT(cycle, 3.0);
+    EXPECT_LT(cycle, 6.0);
+    size.setValue(3e9 * top);
+    rate.setValue(10e9 * top);
+    EXPECT_FALSE(rate.isMuted() || size.isMuted());
+    button("withdraw").click();
+    ASSERT_TRUE(framesUntil([this] { return told() == "Withdrawn"; })) << told();
+    EXPECT_TRUE(framesUntil([&] { return isAt(3.0 * top); }));
+    button("engage").click();
+    ASSERT_TRUE(framesUntil([this] { return engaged(); })) << told();
+    size.setValue(1.0);
+    button("withdraw").click();
+    ASSERT_TRUE(framesUntil([this] { return told() == "Withdrawn"; })) << told();
+    EXPECT_TRUE(framesUntil([&] { return isAt(top); })) << "out of the sample's reach in any case";
 }
 
 TEST_F(EngageControlTest, AWithdrawalThatTheUserEndsInContactIsNoWithdrawal) {

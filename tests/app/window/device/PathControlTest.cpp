@@ -123,7 +123,7 @@ TEST_F(PathControlTest, ALineThatLeavesTheSampleSaysSo) {
     Q_EMIT panels.controls().pathChosen(1);
     button("startPath").click();
     ASSERT_TRUE(eventually([this] { return isMoving(); }));
-    devices.withdraw(20e-9);
+    devices.withdraw({.rate = 20e-9});
     EXPECT_TRUE(eventually([this] { return told().starts_with("Path ended"); })) << told();
 }
 
