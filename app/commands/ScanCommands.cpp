@@ -355,8 +355,7 @@ MeasuredProfile measuredProfile(const MeasureOptions& options, const HeightMap& 
     const int samples =
         options.samples > 0 ? options.samples : usualSamples(map.pitchX, map.pitchY, from, to);
     MeasuredProfile measured;
-    measured.profile = profileOf([&map](double x, double y) { return bilinearHeight(map, x, y); },
-                                 from, to, samples);
+    measured.profile = profileOf(bilinearField(map).at, from, to, samples);
     const double length = measured.profile.length();
     measured.ends = readingBetween(measured.profile, 0.0, length);
     measured.fittedAngle = fittedAngle(measured.profile, {0.0, length});

@@ -162,7 +162,7 @@ Profile meanProfile(const BSplineSurface& surface, const QLineF& line, int width
     const double pitchY = surface.grid().pitchY;
     const int samples = std::max(kMinSamples, usualSamples(pitchX, pitchY, from, to));
     if (width <= 1) {
-        return profileOf(surface, from, to, samples);
+        return profileOf(fieldOf(surface).at, from, to, samples);
     }
     const Vector2 along = (to - from).normalized();
     const Vector2 step = std::min(pitchX, pitchY) * Vector2(-along.y(), along.x());
