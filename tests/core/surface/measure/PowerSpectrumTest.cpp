@@ -34,10 +34,11 @@ HeightMap spectrumMap(int columns, int rows, const std::function<double(int, int
     return map;
 }
 
-HeightMap whiteNoise(int columns, int rows, double sigma) {
+HeightMap whiteNoise(int columns, int rows, double sigma, double aspect = 1.0) {
     std::mt19937 generator(7);
     std::normal_distribution<double> heights(0.0, sigma);
-    return spectrumMap(columns, rows, [&](int, int) { return heights(generator); });
+    return spectrumMap(
+        columns, rows, [&](int, int) { return heights(generator); }, aspect);
 }
 
 PowerSpectrum spectrumOfAll(const HeightMap& map) {
@@ -113,10 +114,10 @@ TEST(PowerSpectrum, OfASineIsAPeakAtItsFrequencyWithItsPower) {
 }
 
 TEST(PowerSpectrum, OfWhiteNoiseIsFlatAtVarianceTimesThePixelArea) {
-    const PowerSpectrum spectrum = spectrumOfAll(whiteNoise(512, 512, 2e-9));
-    const double expected = 2e-9 * 2e-9 * kPixel * kPixel;
+    const PowerSpectrum spectrum = spectrumOfAll(whiteNoise(512, 400, 2e-9, 1.5));
+    const double expected = 2e-9 * 2e-9 * kPixel * 1.5 * kPixel;
     const double nyquist = 0.5 / kPixel;
-    for (double low = 0.05; low < 1.3; low += 0.05) {
+    for (double low = 0.05; low < 1.15; low += 0.05) {
         double sum = 0.0;
         double count = 0.0;
         for (const SpectrumRing& ring : spectrum.rings) {
@@ -168,6 +169,15 @@ TEST(PowerSpectrum, EdgesOfARectangleAddNothing) {
     const PowerSpectrum spectrum = spectrumOfAll(map);
     const double square = std::pow(sqOf(map), 2);
     EXPECT_LT(powerIn(spectrum, 10.0 / (256 * kPixel)), 1e-5 * square);
+}
+
+/// (1 + c) / 2 times c - 1 / 2, with c = cos: (cos + cos of twice) / 4, and no constant.
+TEST(PowerSpectrum, LeavesOutTheMeanUnderTheWindow) {
+    const PowerSpectrum spectrum = spectrumOfAll(spectrumMap(
+        256, 1, [](int x, int) { return -1e-9 * std::cos(kWaveTurn * (x + 0.5) / 256.0); }));
+    EXPECT_NEAR(spectrum.rings[0].density, spectrum.rings[1].density,
+                1e-6 * spectrum.rings[0].density);
+    EXPECT_LT(spectrum.rings[2].density, 1e-6 * spectrum.rings[0].density);
 }
 
 TEST(PowerSpectrum, CountsFrequenciesInMetersAlongBothAxes) {
