@@ -22,6 +22,9 @@
 #include <QSpinBox>
 
 #include <cmath>
+#include <cstddef>
+#include <map>
+#include <string>
 
 namespace asperity::test {
 namespace {
@@ -163,6 +166,26 @@ TEST_F(ExportControlTest, TheDeformedSurfaceIsAField) {
     const CsvTable table = readCsv(folder.file("field.csv"));
     EXPECT_GT(table.rows(), 1000U);
     EXPECT_LT(std::abs(table.number(0, "displacement_z_m")), 1e-12);
+}
+
+TEST_F(ExportControlTest, TheSectionThroughTheContactIsATable) {
+    ask(ExportSubject::Section, "csv");
+    child<QLineEdit>("exportName")->setText("section");
+    ASSERT_TRUE(isWritten("section.csv"));
+    const CsvTable table = readCsv(folder.file("section.csv"));
+    std::map<std::string, std::size_t> points;
+    for (std::size_t row = 0; row < table.rows(); ++row) {
+        ++points[table.text(row, "curve")];
+    }
+    EXPECT_EQ(points["rest"], 401U);
+    EXPECT_EQ(points["deformed"], 401U);
+    EXPECT_GT(points["tip"], 20U);
+    EXPECT_EQ(points.size(), 3U);
+    EXPECT_NEAR(table.number(400, "x_m") - table.number(0, "x_m"),
+                table.number(400, "along_m") - table.number(0, "along_m"), 1e-18)
+        << "a section along x";
+    const double ground = run().scene().surface.at(64e-9, 64e-9).height;
+    EXPECT_NEAR(table.number(200, "z_m"), ground, 1e-12);
 }
 
 TEST_F(ExportControlTest, NothingIsReplacedUnasked) {
