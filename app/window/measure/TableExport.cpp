@@ -10,8 +10,8 @@
 namespace asperity {
 
 void askForTable(Host& host, const QString& title, const QString& name, const WriteTable& write) {
-    QString file = QFileDialog::getSaveFileName(&host.widget(), title, name,
-                                                QFileDialog::tr("Tables (*.csv)"));
+    QString file =
+        QFileDialog::getSaveFileName(&host.widget(), title, name, QObject::tr("Tables (*.csv)"));
     if (!file.isEmpty()) {
         file += QFileInfo(file).suffix().isEmpty() ? QStringLiteral(".csv") : QString();
         writeTableTo(host, QFile::encodeName(file).toStdString(), write);
@@ -21,7 +21,7 @@ void askForTable(Host& host, const QString& title, const QString& name, const Wr
 void writeTableTo(Host& host, const std::filesystem::path& file, const WriteTable& write) {
     try {
         write(file);
-        host.tell(QFileDialog::tr("Saved as %1").arg(QString::fromStdString(file.string())));
+        host.tell(QObject::tr("Saved as %1").arg(QString::fromStdString(file.string())));
     } catch (const Error& error) {
         host.complain(QString::fromUtf8(error.what()));
     }
