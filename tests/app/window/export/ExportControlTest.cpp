@@ -177,15 +177,16 @@ TEST_F(ExportControlTest, TheSectionThroughTheContactIsATable) {
     for (std::size_t row = 0; row < table.rows(); ++row) {
         ++points[table.text(row, "curve")];
     }
-    EXPECT_EQ(points["rest"], 401U);
-    EXPECT_EQ(points["deformed"], 401U);
+    const std::size_t rest = points["rest"];
+    EXPECT_GT(rest, 100U);
+    EXPECT_EQ(points["deformed"], rest);
     EXPECT_GT(points["tip"], 20U);
     EXPECT_EQ(points.size(), 3U);
-    EXPECT_NEAR(table.number(400, "x_m") - table.number(0, "x_m"),
-                table.number(400, "along_m") - table.number(0, "along_m"), 1e-18)
+    EXPECT_NEAR(table.number(rest - 1, "x_m") - table.number(0, "x_m"),
+                table.number(rest - 1, "along_m") - table.number(0, "along_m"), 1e-18)
         << "a section along x";
-    const double ground = run().scene().surface.at(64e-9, 64e-9).height;
-    EXPECT_NEAR(table.number(200, "z_m"), ground, 1e-12);
+    EXPECT_EQ(table.number(rest - 1, "y_m"), table.number(0, "y_m"));
+    EXPECT_NEAR(table.number(rest / 2, "z_m"), 0.0, 1e-12) << "the sample is flat";
 }
 
 TEST_F(ExportControlTest, NothingIsReplacedUnasked) {
