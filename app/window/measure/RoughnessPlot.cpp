@@ -22,6 +22,7 @@ constexpr double kSpectrumMargin = 0.03;  ///< of an axis' extent, on both sides
 constexpr double kTop = 1.08;             ///< of a histogram's axis, over its highest bin
 constexpr int kTickHeight = 16;           ///< between ticks of the vertical axis [px]
 constexpr int kTickWidth = 70;            ///< between those of the horizontal axis [px]
+constexpr double kWideLabels = 1.4;       ///< room for powers of ten, over that of numbers
 constexpr int kFillOpacity = 70;          ///< below a histogram, of 255
 constexpr double kPerMicrometer = -6.0;   ///< 1/m in 1/µm, power of ten
 constexpr double kNanometer4 = 36.0;      ///< m^4 in nm^4, power of ten
@@ -31,7 +32,7 @@ QString powerText(double exponent) {
     static const QString kDigits = QStringLiteral("⁰¹²³⁴⁵⁶⁷⁸⁹");
     const int whole = static_cast<int>(std::lround(exponent));
     if (std::abs(exponent - whole) > 1e-6 || std::abs(whole) < 4) {
-        return QString::number(std::pow(10.0, exponent), 'g', 3);
+        return QString::number(std::pow(10.0, exponent), 'g', 4);
     }
     QString text = whole < 0 ? QStringLiteral("10⁻") : QStringLiteral("10");
     for (const QChar digit : QString::number(std::abs(whole))) {
@@ -149,7 +150,7 @@ RoughnessPlot::Canvas::Canvas(RoughnessPlot* owner, Kind kind)
     }
     plot_->setAxisScaleDraw(QwtPlot::yLeft, vertical);
     styleLivePlot(*plot_);
-    vertical->setMinimumExtent(valueLabelRoom());
+    vertical->setMinimumExtent(valueLabelRoom() * (kind == Kind::Histogram ? 1.0 : kWideLabels));
     curve_->setRenderHint(QwtPlotItem::RenderAntialiased, kind == Kind::Spectrum);
     curve_->attach(plot_);
     reading_ = std::make_unique<PlotCursor>(*plot_);

@@ -45,8 +45,10 @@ TEST(ProfilePlot, DrawsEachLineInItsColor) {
     plot.setCurves({first}, 0);
     EXPECT_GT(pixelsIn(theme::colors().blue), 200);
     EXPECT_EQ(pixelsIn(theme::colors().orange), 0);
-    plot.setCurves({first, {"Line 2", 1, {{0.0, 3e-9}, {4e-9, 3e-9}}}}, 1);
+    const ProfileCurve second{"Line 2", 1, {{0.0, 3e-9}, {4e-9, 3e-9}}};
+    plot.setCurves({first, second}, 0);  // the selected one is drawn stronger
     EXPECT_GT(pixelsIn(theme::colors().blue), 200);
+    plot.setCurves({first, second}, 1);
     EXPECT_GT(pixelsIn(theme::colors().orange), 200);
     plot.setCurves({}, -1);
     EXPECT_EQ(pixelsIn(theme::colors().blue), 0);
