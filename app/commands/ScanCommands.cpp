@@ -303,6 +303,7 @@ struct MeasureOptions {
     std::vector<double> high;       ///< [m]
     int samples = 0;                ///< 0: one a pixel
     std::string out;                ///< table of the profile; empty: none
+    std::string psd;                ///< table of the power spectrum; empty: none
     bool json = false;
     bool csv = false;
 };
@@ -355,8 +356,7 @@ MeasuredProfile measuredProfile(const MeasureOptions& options, const HeightMap& 
     const int samples =
         options.samples > 0 ? options.samples : usualSamples(map.pitchX, map.pitchY, from, to);
     MeasuredProfile measured;
-    measured.profile = profileOf([&map](double x, double y) { return bilinearHeight(map, x, y); },
-                                 from, to, samples);
+    measured.profile = profileOf(bilinearField(map).at, from, to, samples);
     const double length = measured.profile.length();
     measured.ends = readingBetween(measured.profile, 0.0, length);
     measured.fittedAngle = fittedAngle(measured.profile, {0.0, length});
@@ -385,8 +385,12 @@ MeasuredMap measuresOf(const MeasureOptions& options, LeveledChannel level) {
     ProgressLine line("measuring");
     ProgressPart first(&line, 0.0, 0.3);
     measured.roughness = roughnessOf(rows, measured.rectangle, &first);
-    ProgressPart second(&line, 0.3, 1.0);
+    ProgressPart second(&line, 0.3, 0.8);
     measured.texture = textureOf(rows, measured.rectangle, &second);
+    if (!options.psd.empty()) {
+        ProgressPart third(&line, 0.8, 1.0);
+        measured.spectrum = powerSpectrumOf(rows, measured.rectangle, &third);
+    }
     if (!options.profile.empty()) {
         measured.profile = measuredProfile(options, level.map);
     }
@@ -396,11 +400,15 @@ MeasuredMap measuresOf(const MeasureOptions& options, LeveledChannel level) {
 void measureOne(const MeasureOptions& options) {
     const std::string& input = options.inputs.front();
     requireWritableTable(options.out, {input});
+    requireWritableTable(options.psd, {input});
     const MeasuredMap measured = measuresOf(options, load(input, options));
     if (options.json) {
         std::cout << measuresJson(measured) << '\n';
     } else {
         printMeasures(std::cout, measured);
+    }
+    if (measured.spectrum) {
+        writeSpectrum(options.psd, provenanceOf(measured, "power spectrum"), *measured.spectrum);
     }
     if (!options.out.empty()) {
         writeTable(options.out, [&](std::ostream& out, Progress* /*progress*/) {
@@ -524,6 +532,12 @@ void addMeasureCommand(CLI::App& program) {
                "roughness of the pixels whose centers lie between the corners x0,y0 and x1,y1, "
                "from the lower left corner of the scan [m]");
     addProfileOptions(*command, *options);
+    CLI::Option* psd =
+        command
+            ->add_option("--psd", options->psd,
+                         "CSV file to write the power spectral density to, areal, mean over all "
+                         "directions")
+            ->check(notEmpty());
     CLI::Option* json =
         command->add_flag("--json", options->json, "print JSON with SI values in full precision");
     command
@@ -531,6 +545,7 @@ void addMeasureCommand(CLI::App& program) {
                    "print a table of the roughness of all files, a row each, with SI values in "
                    "full precision")
         ->excludes(json)
+        ->excludes(psd)
         ->excludes("--profile");
     command->callback([options] { measure(*options); });
 }

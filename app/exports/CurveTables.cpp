@@ -181,6 +181,25 @@ void writeCycleTable(const std::filesystem::path& path, const std::vector<CycleP
     csv.close();
 }
 
+void writeSectionTable(const std::filesystem::path& path, const ContactSection& section) {
+    CsvWriter csv(path,
+                  {madeBy("section through the contact, a vertical plane through the tip's axis"),
+                   "rest, deformed: the same points of the surface that the tip touches; tip: its "
+                   "outline; along: from the tip's axis; x, y, z: world frame"},
+                  {"curve", "along_m", "x_m", "y_m", "z_m"});
+    const auto add = [&](const char* name, const std::vector<Vector2>& points) {
+        for (const Vector2& point : points) {
+            const Vector2 position = section.positionAt(point.x());
+            csv.add(name).add(point.x()).add(position.x()).add(position.y()).add(point.y());
+            csv.endRow();
+        }
+    };
+    add("rest", section.rest);
+    add("deformed", section.deformed);
+    add("tip", section.tip);
+    csv.close();
+}
+
 void writePatchTable(const std::filesystem::path& path, const SurfacePatch& patch) {
     CsvWriter csv(path,
                   {madeBy("deformed surface around the contact, world frame"),

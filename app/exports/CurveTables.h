@@ -2,6 +2,7 @@
 
 #include "app/charts/Chart.h"
 #include "app/recording/RunPlayback.h"
+#include "core/deformation/ContactDeformation.h"
 #include "core/haptics/cycle/CycleDetector.h"
 #include "core/surface/deformation/SurfaceDeformation.h"
 
@@ -49,6 +50,10 @@ void writeForceCurvesTable(const std::filesystem::path& path, std::span<const Cu
 
 /// One row a tick of a cycle. @throw Error
 void writeCycleTable(const std::filesystem::path& path, const std::vector<CyclePoint>& cycle);
+
+/// One row a point of a section, curve by curve: undeformed and deformed surface, tip.
+/// @throw Error
+void writeSectionTable(const std::filesystem::path& path, const ContactSection& section);
 
 /// One row a point of a deformed patch, bottom row first. @throw Error
 void writePatchTable(const std::filesystem::path& path, const SurfacePatch& patch);

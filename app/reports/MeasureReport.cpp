@@ -19,6 +19,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+constexpr const char* kProfileColumns =
+    "distance along the line, position in the world frame, height; meters; nan: no data";
+
 std::string degrees(double angle) {
     return formatted("%.4g degrees", angle * 180.0 / std::numbers::pi);
 }
@@ -200,6 +203,10 @@ std::string measuresJson(const MeasuredMap& measured) {
 
 RoughnessTable::RoughnessTable(std::ostream& out) : csv_(out, {}, roughnessColumns()) {}
 
+RoughnessTable::RoughnessTable(const std::filesystem::path& file,
+                               const std::vector<std::string>& comments)
+    : csv_(file, comments, roughnessColumns()) {}
+
 void RoughnessTable::add(const std::string& file, const MeasuredMap& measured) {
     const Roughness& roughness = measured.roughness;
     const PixelRectangle& part = measured.rectangle;
@@ -226,16 +233,64 @@ void RoughnessTable::addUnmeasured(const std::string& file) {
     csv_.flush();
 }
 
+std::vector<std::string> provenanceOf(const MeasuredMap& measured, const std::string& what) {
+    std::vector<std::string> lines{std::string("Asperity ") + kVersion + ": " + what + " of " +
+                                   measured.file + ", channel " + measured.channel};
+    lines.insert(lines.end(), measured.notes.begin(), measured.notes.end());
+    return lines;
+}
+
 void writeProfile(std::ostream& out, const MeasuredMap& measured, const Profile& profile) {
-    std::vector<std::string> comments{
-        std::string("Asperity ") + kVersion + ": profile of " + measured.file + ", channel " +
-            measured.channel,
-        "distance along the line, position in the world frame, height; meters; nan: no data"};
-    comments.insert(comments.end(), measured.notes.begin(), measured.notes.end());
+    std::vector<std::string> comments = provenanceOf(measured, "profile");
+    comments.emplace_back(kProfileColumns);
     CsvWriter csv(out, comments, {"distance_m", "x_m", "y_m", "z_m"});
     for (std::size_t i = 0; i < profile.heights.size(); ++i) {
         const Vector2 point = profile.position(i);
         csv.row(std::array{profile.distance(i), point.x(), point.y(), profile.heights[i]});
+    }
+    csv.close();
+}
+
+void writeProfiles(const std::filesystem::path& file, std::vector<std::string> comments,
+                   const std::vector<NamedProfile>& profiles) {
+    comments.emplace_back(kProfileColumns);
+    CsvWriter csv(file, comments, {"profile", "distance_m", "x_m", "y_m", "z_m"});
+    for (const auto& [name, profile] : profiles) {
+        for (std::size_t i = 0; i < profile.heights.size(); ++i) {
+            const Vector2 point = profile.position(i);
+            csv.add(name).add(profile.distance(i)).add(point.x()).add(point.y());
+            csv.add(profile.heights[i]).endRow();
+        }
+    }
+    csv.close();
+}
+
+void writeHistogram(const std::filesystem::path& file, std::vector<std::string> comments,
+                    const HeightHistogram& histogram) {
+    comments.emplace_back("middle of each bin, pixels in it, their share of the area, share of the "
+                          "area above the bin's lower edge");
+    CsvWriter csv(file, comments, {"height_m", "pixels", "share", "share_above"});
+    double all = 0.0;
+    for (const std::size_t count : histogram.counts) {
+        all += static_cast<double>(count);
+    }
+    double above = all;
+    for (std::size_t bin = 0; bin < histogram.counts.size(); ++bin) {
+        const auto count = static_cast<double>(histogram.counts[bin]);
+        csv.row(std::array{histogram.middle(bin), count, count / all, above / all});
+        above -= count;
+    }
+    csv.close();
+}
+
+void writeSpectrum(const std::filesystem::path& file, std::vector<std::string> comments,
+                   const PowerSpectrum& spectrum) {
+    comments.emplace_back("areal power spectral density, Hann window, mean over all directions; "
+                          "Sq^2 is the sum of psd_m4 * waves * " +
+                          formatted("%.17g", spectrum.waveArea) + " 1/m^2");
+    CsvWriter csv(file, comments, {"frequency_1_m", "psd_m4", "waves"});
+    for (const SpectrumRing& ring : spectrum.rings) {
+        csv.row(std::array{ring.frequency, ring.density, ring.waves});
     }
     csv.close();
 }

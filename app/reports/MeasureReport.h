@@ -1,10 +1,12 @@
 #pragma once
 
 #include "core/io/tables/CsvWriter.h"
+#include "core/surface/measure/PowerSpectrum.h"
 #include "core/surface/measure/Profile.h"
 #include "core/surface/measure/Roughness.h"
 #include "core/surface/measure/Texture.h"
 
+#include <filesystem>
 #include <optional>
 #include <ostream>
 #include <string>
@@ -34,6 +36,7 @@ struct MeasuredMap {
     PixelRectangle rectangle;
     Roughness roughness;
     Texture texture;
+    std::optional<PowerSpectrum> spectrum;  ///< if it was asked for
     std::optional<MeasuredProfile> profile;
 };
 
@@ -49,6 +52,8 @@ class RoughnessTable {
 public:
     /// @param out outlives the table
     explicit RoughnessTable(std::ostream& out);
+    /// Into a file. @param comments one line each @throw Error
+    RoughnessTable(const std::filesystem::path& file, const std::vector<std::string>& comments);
 
     /// @param file as the user gave it; the cells are of the rectangle that was measured
     void add(const std::string& file, const MeasuredMap& measured);
@@ -61,7 +66,33 @@ private:
     CsvWriter csv_;
 };
 
+/// Returns the comments of a table. @param what it has
+[[nodiscard]] std::vector<std::string> provenanceOf(const MeasuredMap& measured,
+                                                    const std::string& what);
+
 /// The samples of a profile as a table.
 void writeProfile(std::ostream& out, const MeasuredMap& measured, const Profile& profile);
+
+// Tables in files: SI units, as each column's name ends, to 17 digits; whole or not at all.
+// @param comments one line each, of where the heights come from. @throw Error
+
+/// A profile with its name, as a table and a plot state it.
+struct NamedProfile {
+    std::string name;
+    Profile profile;
+};
+
+/// The samples of profiles, one profile after the other.
+void writeProfiles(const std::filesystem::path& file, std::vector<std::string> comments,
+                   const std::vector<NamedProfile>& profiles);
+
+/// A row a bin: middle, count, share of the area in it and share of the area above its lower edge
+/// (ISO 25178-2, areal material ratio).
+void writeHistogram(const std::filesystem::path& file, std::vector<std::string> comments,
+                    const HeightHistogram& histogram);
+
+/// A row a ring of waves.
+void writeSpectrum(const std::filesystem::path& file, std::vector<std::string> comments,
+                   const PowerSpectrum& spectrum);
 
 }  // namespace asperity

@@ -1,7 +1,7 @@
 /// Opens the live window on a scan, brings it into one of the states of docs/window.md as a user
 /// does, saves what the screen shows then, and prints the frames a second of each view.
-/// Usage: asperity_window_picture start|profile|roughness|touches|map|path|section|scene|
-///        haptics SCENE_OR_SCAN WIDTH HEIGHT OUT.png [dark]
+/// Usage: asperity_window_picture start|profile|profiles|roughness|spectrum|touches|map|path|
+///        section|scene|haptics SCENE_OR_SCAN WIDTH HEIGHT OUT.png [dark]
 
 #include "app/commands/VirtualDisplay.h"
 #include "app/loading/SceneLoader.h"
@@ -21,6 +21,7 @@
 
 #include <QAbstractButton>
 #include <QAction>
+#include <QComboBox>
 #include <QElapsedTimer>
 #include <QLabel>
 #include <QMouseEvent>
@@ -132,6 +133,19 @@ void showRoughness(User& user) {
     live(kMoment);
 }
 
+void showProfiles(User& user) {
+    showProfile(user);
+    user.click("addProfile");
+    user.dragOnScan({0.2, 0.15}, {0.85, 0.9});
+    live(kMoment);
+}
+
+void showSpectrum(User& user) {
+    showRoughness(user);
+    user.window().findChild<QComboBox*>(QStringLiteral("roughnessCurve"))->setCurrentIndex(1);
+    live(kMoment);
+}
+
 void showForceCycles(User& user) {
     user.window().menus().entry("touches").trigger();
     user.touch();
@@ -166,7 +180,9 @@ int run(char** argv) {
     const std::map<std::string, std::function<void()>> states{
         {"start", [] {}},
         {"profile", [&] { showProfile(user); }},
+        {"profiles", [&] { showProfiles(user); }},
         {"roughness", [&] { showRoughness(user); }},
+        {"spectrum", [&] { showSpectrum(user); }},
         {"touches", [&] { showForceCycles(user); }},
         {"map", [&] { showMap(user); }},
         {"path", [&] { showPath(user); }},
@@ -204,7 +220,7 @@ int run(char** argv) {
 int main(int argc, char** argv) {
     return asperity::runPictureTool(
         {argv, static_cast<std::size_t>(argc)}, argc == 7 ? 6 : 5,
-        "asperity_window_picture start|profile|roughness|touches|map|path|section|scene|"
-        "haptics SCENE_OR_SCAN WIDTH HEIGHT OUT.png [dark]",
+        "asperity_window_picture start|profile|profiles|roughness|spectrum|touches|map|path|"
+        "section|scene|haptics SCENE_OR_SCAN WIDTH HEIGHT OUT.png [dark]",
         asperity::run);
 }

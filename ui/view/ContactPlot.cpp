@@ -31,6 +31,7 @@ constexpr double kTick = 4.0;
 constexpr double kArrowHead = 7.0;
 constexpr int kTickRoom = 64;
 
+constexpr double kTipHeight = 6.0;  // of the tip's outline, in half widths
 constexpr double kWheelStep = 1.2;
 constexpr double kNotch = 120.0;  // eighths of a degree
 constexpr double kFill = 0.75;    // of the plot's height, by what fits
@@ -123,17 +124,31 @@ void ContactPlot::showSnapshot(const Snapshot& snapshot) {
 /// Rebuilds the section of the sample.
 void ContactPlot::cut() {
     section_.reset();
-    if (sample_ && isDrawable(sample_->output.model)) {
-        const TipState& state = sample_->output.model;
-        plane_.tipHeight = 6.0 * plane_.halfWidth;
-        plane_.paraboloidReach = paraboloidReach_;
-        section_ = contactSection(
-            *scene_,
-            ContactDeformation(*scene_, state, scene_->model.deformation, halfSpace_.get()),
-            plane_);
+    if (sample_) {
+        section_ = sectionOf(*scene_, sample_->output.model);
+    }
+    if (section_) {
         fitScale();
     }
     update();
+}
+
+std::optional<ContactSection> ContactPlot::sectionOf(const Scene& scene,
+                                                     const TipState& state) const {
+    if (!isDrawable(state)) {
+        return std::nullopt;
+    }
+    SectionPlane plane = plane_;
+    plane.paraboloidReach = paraboloidReach_;
+    if (scene_ != &scene) {  // while it is hidden it has none
+        const ViewScale scale = viewScale(scene);
+        plane.paraboloidReach = scale.paraboloidReach;
+        plane.halfWidth = scale.section;
+    }
+    plane.tipHeight = kTipHeight * plane.halfWidth;
+    const HalfSpaceAnswer* const answer = scene_ == &scene ? halfSpace_.get() : nullptr;
+    return contactSection(scene, ContactDeformation(scene, state, scene.model.deformation, answer),
+                          plane);
 }
 
 void ContactPlot::setAzimuth(double azimuth) {

@@ -56,6 +56,10 @@ public:
                        const std::optional<SurfaceReading>& reading);
     /// Section that is drawn now; none: nothing.
     [[nodiscard]] const std::optional<ContactSection>& section() const { return section_; }
+    /// Returns the section of a state in the plane of this plot, shown or not; none: the state
+    /// cannot be drawn.
+    [[nodiscard]] std::optional<ContactSection> sectionOf(const Scene& scene,
+                                                          const TipState& state) const;
     /// Returns the position at which a point of the section is drawn [pixel].
     [[nodiscard]] QPointF toPixel(const Vector2& point) const;
 

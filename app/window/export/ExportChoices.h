@@ -14,7 +14,16 @@ class QSettings;
 namespace asperity {
 
 /// Subjects that the window can write to a file.
-enum class ExportSubject : std::uint8_t { View, Window, Forces, Cycle, Deformation, Surface, Film };
+enum class ExportSubject : std::uint8_t {
+    View,
+    Window,
+    Forces,
+    Cycle,
+    Deformation,
+    Section,
+    Surface,
+    Film
+};
 
 template <>
 inline constexpr auto kEnumTable<ExportSubject> = std::to_array<EnumRow<ExportSubject>>(
@@ -23,6 +32,7 @@ inline constexpr auto kEnumTable<ExportSubject> = std::to_array<EnumRow<ExportSu
      {ExportSubject::Forces, "forces", "Plot: forces over time"},
      {ExportSubject::Cycle, "cycle", "Plot: force over distance"},
      {ExportSubject::Deformation, "deformation", "Deformed surface at the contact"},
+     {ExportSubject::Section, "section", "Section through the contact"},
      {ExportSubject::Surface, "surface", "Surface of the scan"},
      {ExportSubject::Film, "film", "Film of a recording"}});
 

@@ -65,6 +65,7 @@ ExportOffer offer() {
           ExportSubject::Deformation}) {
         offer.formats[subject] = viewFormats(subject);
     }
+    offer.formats[ExportSubject::Section] = {offered(".csv", false)};
     for (const std::string& extension : surfaceExtensions()) {
         offer.formats[ExportSubject::Surface].push_back(offered(extension, false));
     }
@@ -276,6 +277,9 @@ QString ExportControl::wordsFor(ExportSubject subject) const {
         return tr(
             "Points of the deformed surface around the contact, with their undeformed positions, "
             "displacements and normals, in meters.");
+    case ExportSubject::Section:
+        return tr("The section through the contact: undeformed and deformed surface and outline of "
+                  "the tip, as the second view shows them, in meters.");
     case ExportSubject::Surface:
         return tr("The surface that the tip meets, leveled and smoothed: %1 × %2 heights.")
             .arg(grid.columns)

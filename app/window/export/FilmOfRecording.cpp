@@ -14,7 +14,9 @@
 #include "core/io/heightmap/HeightMapWriter.h"
 #include "core/surface/measure/Roughness.h"
 #include "core/words/SceneWords.h"
+#include "ui/view/ContactPlot.h"
 #include "ui/view/OffscreenZoom.h"
+#include "ui/view/SecondView.h"
 #include "ui/view/ZoomView.h"
 #include "ui/widgets/Theme.h"
 
@@ -224,6 +226,7 @@ ExportMoment presentMoment(LivePanels& live, RunControl& runs) {
             .name = nameOf(run.scene().description.sample),
             .sample = sample,
             .patch = zoomGrid(run.scene(), sample),
+            .section = live.second().section().sectionOf(run.scene(), sample.output.model),
             .view = *live.view().shown(),
             .ticks = runs.shownTicks(),
             .cycles = cycleChart(panel),
@@ -284,6 +287,11 @@ ExportWork dataWork(const ExportOrder& order, std::shared_ptr<const ExportMoment
         if (order.subject == ExportSubject::Deformation) {
             writeField(order.path, zoomPatch(scene, moment->sample, moment->patch),
                        formatOf(order));
+        } else if (order.subject == ExportSubject::Section) {
+            if (!moment->section) {
+                throw Error("There is no section: the tip has no equilibrium position.");
+            }
+            writeSectionTable(order.path, *moment->section);
         } else if (order.subject == ExportSubject::Surface) {
             writeHeightMap(order.path, rowsOf(scene.surface), {.title = moment->name}, &progress,
                            surfaceFormats());

@@ -7,6 +7,7 @@
 #include "app/window/RunControl.h"
 #include "app/window/export/ExportChoices.h"
 #include "core/Progress.h"
+#include "core/deformation/ContactDeformation.h"
 #include "core/surface/deformation/SurfaceDeformation.h"
 #include "ui/view/ZoomPicture.h"
 #include "vtkplugins/pictures/RasterImage.h"
@@ -16,6 +17,7 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -92,6 +94,7 @@ struct ExportMoment {
     std::string name;                           ///< of the scan's file, or of the shape
     TickSample sample;                          ///< that it showed
     PatchGrid patch;                            ///< of the surface around the tip
+    std::optional<ContactSection> section;      ///< through the contact; none: no tip
     ShownView view;                             ///< of the large view
     std::vector<TickSample> ticks;              ///< the last seconds until then, in order
     Chart cycles;                               ///< the force-distance curves that are drawn

@@ -16,6 +16,7 @@
 #include "app/window/map/ForceMapControl.h"
 #include "app/window/measure/ForceCycleControl.h"
 #include "app/window/measure/MarkerControl.h"
+#include "app/window/measure/MeasuredHeights.h"
 #include "app/window/measure/ProfileControl.h"
 #include "app/window/measure/RoughnessControl.h"
 #include "app/window/recording/PlaybackControl.h"
@@ -90,6 +91,7 @@ void addFeatures(Stage& stage) {
            StudyControl,          //
            HapticControl,         //
            ViewControl,           //
+           MeasuredHeights,       //
            ProfileControl,        //
            RoughnessControl,      //
            MarkerControl,         //

@@ -3,6 +3,7 @@
 #include "app/reports/ForceCycleTable.h"
 #include "app/window/live/LivePanels.h"
 #include "app/window/live/OverviewPanel.h"
+#include "app/window/measure/TableExport.h"
 #include "core/Error.h"
 #include "core/words/BudgetWords.h"
 #include "core/words/SceneWords.h"
@@ -400,23 +401,17 @@ void ForceCycleControl::markAll() {
 }
 
 void ForceCycleControl::askForFile() {
-    QString file =
-        QFileDialog::getSaveFileName(&host_.widget(), tr("Export the force cycles"),
-                                     QStringLiteral("touches.csv"), tr("Tables (*.csv)"));
-    if (!file.isEmpty()) {
-        file += QFileInfo(file).suffix().isEmpty() ? QStringLiteral(".csv") : QString();
-        writeTo(file.toStdString());
-    }
+    askForTable(host_, tr("Export the force cycles"), QStringLiteral("touches.csv"),
+                [this](const std::filesystem::path& file) { write(file); });
 }
 
 void ForceCycleControl::writeTo(const std::filesystem::path& file) {
+    writeTableTo(host_, file, [this](const std::filesystem::path& path) { write(path); });
+}
+
+void ForceCycleControl::write(const std::filesystem::path& file) {
     update(true);
-    try {
-        writeForceCycles(file, page_->model().forceCycles());
-        host_.tell(tr("Saved as %1").arg(QString::fromStdString(file.string())));
-    } catch (const Error& error) {
-        host_.complain(QString::fromUtf8(error.what()));
-    }
+    writeForceCycles(file, page_->model().forceCycles());
 }
 
 ForceCyclePage::ForceCyclePage(QWidget* parent)

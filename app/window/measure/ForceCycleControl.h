@@ -111,6 +111,7 @@ private:
     void end();
     void clear();
     void askForFile();
+    void write(const std::filesystem::path& file);
     /// @param more there are new cycles
     void update(bool more);
     void markAll();

@@ -5,13 +5,16 @@
 #include "ui/shell/Menus.h"
 #include "ui/view/MapTool.h"
 #include "ui/view/OverviewMap.h"
+#include "ui/widgets/Card.h"
+#include "ui/widgets/FlowLayout.h"
 #include "ui/widgets/PageParts.h"
 #include "ui/widgets/Theme.h"
 
 #include <QAction>
-#include <QHBoxLayout>
+#include <QCheckBox>
 #include <QHeaderView>
 #include <QItemSelectionModel>
+#include <QLabel>
 #include <QLineF>
 #include <QPainter>
 #include <QPainterPath>
@@ -20,6 +23,8 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <utility>
 
 namespace asperity {
@@ -139,7 +144,9 @@ Qt::CursorShape MarkerTool::cursor(const MapPointer& pointer, const OverviewMap&
 QString MarkerTool::hint() const { return tr("Double click: set a marker; drag: move one"); }
 
 MarkerControl::MarkerControl(Stage& stage)
-    : Feature(stage), page_(new MarkersPage(&host_.widget())) {
+    : Feature(stage)
+    , heights_(stage.get<MeasuredHeights>())
+    , page_(new MarkersPage(&host_.widget())) {
     addScanTool(page_, tr("Markers"), 30, "markers",
                 {.text = tr("&Markers"),
                  .tip = tr("Named points to travel to"),
@@ -158,6 +165,9 @@ MarkerControl::MarkerControl(Stage& stage)
     connectPage();
     connect(&runs_, &RunControl::begun, this, &MarkerControl::show);
     connect(&edits_, &SceneEdits::changed, this, &MarkerControl::show);
+    heights_.follow(page_->smoothed());
+    connect(&heights_, &MeasuredHeights::changed, this, &MarkerControl::show);
+    connect(page_, &MarkersPage::shown, this, &MarkerControl::show);
 }
 
 void MarkerControl::connectPage() {
@@ -177,15 +187,20 @@ std::vector<Marker> MarkerControl::markers() const {
     return edits_.wanted() != nullptr ? edits_.wanted()->markers : std::vector<Marker>();
 }
 
+/// Heights are read while somebody looks at them.
 void MarkerControl::show() {
     const std::vector<Marker> all = markers();
+    const bool isNeeded = !all.empty() && page_->isVisible();
+    const std::shared_ptr<const MeasuredScan> scan = isNeeded ? heights_.scan() : nullptr;
     std::vector<double> heights;
     for (const Marker& marker : all) {
-        heights.push_back(runs_.run() != nullptr
-                              ? runs_.run()->scene().surface.at(marker.x, marker.y).height
-                              : 0.0);
+        heights.push_back(scan != nullptr ? scan->field().at(marker.x, marker.y)
+                                          : std::numeric_limits<double>::quiet_NaN());
     }
-    page_->setMarkers(all, heights);
+    const QString words = scan != nullptr ? tr("Smoothing: %1").arg(scan->smoothing())
+                          : isNeeded      ? heights_.state()
+                                          : QString();
+    page_->setMarkers(all, heights, words);
     tool_.setMarkers(all);
 }
 
@@ -290,7 +305,8 @@ QVariant MarkerModel::data(const QModelIndex& index, int role) const {
     case Y:
         return markerLengthText(marker.y, 1e6, 4);
     case Z:
-        return markerLengthText(heights_.at(row), 1e9, 2);
+        return std::isfinite(heights_.at(row)) ? markerLengthText(heights_.at(row), 1e9, 2)
+                                               : QStringLiteral("–");
     default:
         return QString::fromStdString(marker.name);
     }
@@ -334,7 +350,7 @@ QVariant MarkerModel::headerData(int section, Qt::Orientation orientation, int r
         case Y:
             return tr("From the lower edge of the scan");
         case Z:
-            return tr("Height of the undeformed surface there");
+            return tr("Height there: of the leveled scan, or of the surface that the tip meets");
         default:
             return tr("Name of the point; it is kept in the scene");
         }
@@ -356,19 +372,27 @@ MarkersPage::MarkersPage(QWidget* parent)
                          tr("The tip rises, moves to the selected marker and comes down to just "
                             "above the sample"),
                          this))
-    , delete_(pageButton(tr("Delete"), "deleteMarker", tr("Deletes the selected marker"), this)) {
+    , delete_(pageButton(tr("Delete"), "deleteMarker", tr("Deletes the selected marker"), this))
+    , smoothed_(newSmoothedBox("markersSmoothed", this))
+    , hint_(captionLabel(QString(), this)) {
     setToolTip(tr("Named points of the scene to travel to"));
     placing_->setCheckable(true);
-    auto* bar = new QHBoxLayout;
+    auto* row = new QWidget(this);
+    auto* bar = new FlowLayout(row);
+    bar->setContentsMargins(0, 0, 0, 0);
     bar->setSpacing(4);
     for (QToolButton* const button : {placing_, atTip_, travel_, delete_}) {
         bar->addWidget(button);
     }
-    bar->addStretch(1);
+    bar->addWidget(smoothed_);
+    bar->addWidget(hint_, 1);
+    hint_->setObjectName(QStringLiteral("markersState"));
+    hint_->setToolTip(tr("Smoothing of the heights"));
+    hint_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(6, 4, 6, 4);
     column->setSpacing(4);
-    column->addLayout(bar);
+    column->addWidget(row);
     column->addWidget(table_, 1);
     table_->setModel(model_);
     stylePageTable(*table_, "markers", tr("Markers of the scene; a double click renames"));
@@ -385,9 +409,15 @@ MarkersPage::MarkersPage(QWidget* parent)
     showSelection();
 }
 
-void MarkersPage::setMarkers(const std::vector<Marker>& markers,
-                             const std::vector<double>& heights) {
+void MarkersPage::setMarkers(const std::vector<Marker>& markers, const std::vector<double>& heights,
+                             const QString& words) {
     model_->set(markers, heights);
+    hint_->setText(words);
+}
+
+void MarkersPage::showEvent(QShowEvent* event) {
+    QWidget::showEvent(event);
+    Q_EMIT shown();
 }
 
 int MarkersPage::selected() const {

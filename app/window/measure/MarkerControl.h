@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/window/Stage.h"
+#include "app/window/measure/MeasuredHeights.h"
 #include "core/scene/SceneDescription.h"
 #include "ui/view/MapTool.h"
 
@@ -10,6 +11,8 @@
 #include <functional>
 #include <vector>
 
+class QCheckBox;
+class QLabel;
 class QTableView;
 class QToolButton;
 
@@ -56,6 +59,7 @@ private:
 /// The markers of the scene: each change of them is one of the scene's, with undo.
 class MarkerControl : public Feature {
 public:
+    /// @param stage has MeasuredHeights
     explicit MarkerControl(Stage& stage);
 
     [[nodiscard]] MarkersPage& page() { return *page_; }
@@ -73,6 +77,7 @@ private:
     void travelTo(int row);
     void change(const QString& name, const std::vector<Marker>& markers);
 
+    MeasuredHeights& heights_;
     MarkersPage* page_;  ///< the window's
     MarkerTool tool_;
 };
@@ -87,7 +92,7 @@ public:
 
     using QAbstractTableModel::QAbstractTableModel;
 
-    /// @param heights of the surface at rest under each [m]
+    /// @param heights under each; NaN: not known [m]
     void set(const std::vector<Marker>& markers, const std::vector<double>& heights);
     [[nodiscard]] const std::vector<Marker>& markers() const { return markers_; }
 
@@ -114,7 +119,11 @@ class MarkersPage : public QWidget {
 public:
     explicit MarkersPage(QWidget* parent = nullptr);
 
-    void setMarkers(const std::vector<Marker>& markers, const std::vector<double>& heights);
+    /// @param words smoothing of the heights, or why there are none
+    void setMarkers(const std::vector<Marker>& markers, const std::vector<double>& heights,
+                    const QString& words);
+    /// The choice whether the heights are those that the tip meets, else of the leveled scan.
+    [[nodiscard]] QCheckBox& smoothed() { return *smoothed_; }
     [[nodiscard]] const MarkerModel& model() const { return *model_; }
     /// The row that is selected; -1: none.
     [[nodiscard]] int selected() const;
@@ -129,6 +138,11 @@ Q_SIGNALS:
     void deleteChosen(int row);
     void renameChosen(int row, QString name);
     void selectionChanged(int row);
+    /// The user looks at it now.
+    void shown();
+
+protected:
+    void showEvent(QShowEvent* event) override;
 
 private:
     void showSelection();
@@ -139,6 +153,8 @@ private:
     QToolButton* atTip_;
     QToolButton* travel_;
     QToolButton* delete_;
+    QCheckBox* smoothed_;
+    QLabel* hint_;
 };
 
 }  // namespace asperity

@@ -7,6 +7,7 @@
 
 #include <QVBoxLayout>
 #include <qwt_plot.h>
+#include <qwt_plot_legenditem.h>
 #include <qwt_plot_marker.h>
 #include <qwt_plot_zoneitem.h>
 #include <qwt_text.h>
@@ -14,24 +15,43 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 namespace asperity {
 
 namespace {
 
 constexpr double kMinHeights = 0.1e-9;  ///< extent of the height axis [m]
+constexpr double kEmptyLength = 1e-6;   ///< of the distance axis without a profile [m]
 constexpr double kMargin = 0.06;        ///< of the heights' extent, above and below
-constexpr double kCurveWidth = 1.5;     ///< [px]
+constexpr double kCurveWidth = 1.2;     ///< [px]
+constexpr double kSelectedWidth = 2.0;  ///< [px]
+constexpr double kSelectedZ = 30.0;     ///< above the others
 constexpr int kMinTickHeight = 16;      ///< between ticks of the height axis [px]
 constexpr int kMinTickWidth = 70;       ///< between those of the distance axis [px]
 constexpr int kZoneOpacity = 46;        ///< of a stretch, of 255
+constexpr int kLegendOpacity = 200;     ///< of the paper behind the legend, of 255
 
-AxisRange heightsOf(const QVector<QPointF>& points) {
+double lengthOf(const ProfileCurve& curve) {
+    return curve.points.isEmpty() ? 0.0 : curve.points.last().x();
+}
+
+double longestOf(const QVector<ProfileCurve>& curves) {
+    double longest = 0.0;
+    for (const ProfileCurve& curve : curves) {
+        longest = std::max(longest, lengthOf(curve));
+    }
+    return longest;
+}
+
+AxisRange heightsOf(const QVector<ProfileCurve>& curves) {
     AxisRange range{std::numeric_limits<double>::infinity(),
                     -std::numeric_limits<double>::infinity()};
-    for (const QPointF& point : points) {
-        if (std::isfinite(point.y())) {
-            range = {std::min(range.low, point.y()), std::max(range.high, point.y())};
+    for (const ProfileCurve& curve : curves) {
+        for (const QPointF& point : curve.points) {
+            if (std::isfinite(point.y())) {
+                range = {std::min(range.low, point.y()), std::max(range.high, point.y())};
+            }
         }
     }
     if (!(range.low <= range.high)) {
@@ -53,8 +73,8 @@ public:
     [[nodiscard]] PlotHandles& handles() { return *handles_; }
     [[nodiscard]] QWidget& area() { return *plot_->canvas(); }
     void showAxes(const PlotWindow& window, const SiScale& distance, const SiScale& height);
-    void showProfile(const QVector<QPointF>& points, const SiScale& distance,
-                     const SiScale& height);
+    void showCurves(const QVector<ProfileCurve>& curves, int selected, const SiScale& distance,
+                    const SiScale& height);
     void showCursors(const Cursors& cursors, double factor, bool visible);
     void showStretches(const std::optional<Stretches>& stretches, double factor);
     void showReading(const SiScale& distance, const SiScale& height);
@@ -68,7 +88,10 @@ private:
     QwtPlot* plot_;
     NumberScaleDraw* heightLabels_;    ///< owned by the plot
     NumberScaleDraw* distanceLabels_;  ///< owned by the plot
-    PiecewiseCurve* curve_;
+    std::vector<std::unique_ptr<PiecewiseCurve>> curves_;
+    std::vector<int> colors_;  ///< of the curves
+    const PiecewiseCurve* selected_ = nullptr;
+    QwtPlotLegendItem* legend_;
     std::array<QwtPlotMarker*, 2> cursors_{};
     std::array<QwtPlotZoneItem*, 2> stretches_{};
     std::unique_ptr<PlotCursor> reading_;
@@ -80,7 +103,7 @@ ProfilePlot::Canvas::Canvas(ProfilePlot* owner)
     : plot_(new QwtPlot(owner))
     , heightLabels_(new NumberScaleDraw)
     , distanceLabels_(new NumberScaleDraw)
-    , curve_(new PiecewiseCurve) {
+    , legend_(new QwtPlotLegendItem) {
     plot_->setAxisScaleDraw(QwtPlot::yLeft, heightLabels_);
     plot_->setAxisScaleDraw(QwtPlot::xBottom, distanceLabels_);
     styleLivePlot(*plot_);
@@ -88,19 +111,24 @@ ProfilePlot::Canvas::Canvas(ProfilePlot* owner)
     for (QwtPlotZoneItem*& stretch : stretches_) {
         stretch = new QwtPlotZoneItem;
         stretch->setOrientation(Qt::Vertical);
+        stretch->setItemAttribute(QwtPlotItem::Legend, false);
         stretch->attach(plot_);
     }
-    curve_->setRenderHint(QwtPlotItem::RenderAntialiased);
-    curve_->attach(plot_);
+    legend_->setAlignment(Qt::AlignTop | Qt::AlignHCenter);
+    legend_->setFont(theme::textFont(theme::kSmallSize));
+    legend_->setBorderRadius(0.0);
+    legend_->setMargin(0);
+    legend_->attach(plot_);
     for (QwtPlotMarker*& cursor : cursors_) {
         cursor = new QwtPlotMarker;
         cursor->setLineStyle(QwtPlotMarker::VLine);
+        cursor->setItemAttribute(QwtPlotItem::Legend, false);
         cursor->attach(plot_);
     }
     reading_ = std::make_unique<PlotCursor>(*plot_);
     navigation_ = new PlotNavigation(area());
     handles_ = new PlotHandles(area(), *navigation_);
-    plot_->setToolTip(QObject::tr("Height of the undeformed surface along the line\nDrag A and B, "
+    plot_->setToolTip(QObject::tr("Heights along the lines\nDrag A and B, "
                                   "or the edges of the stretches\n") +
                       PlotNavigation::help());
     auto* layout = new QVBoxLayout(owner);
@@ -124,7 +152,16 @@ void ProfilePlot::Canvas::color() {
         cursors_[i]->setLabel(name);
         cursors_[i]->setLinePen(colors.ink, 1.0, Qt::SolidLine);
     }
-    curve_->setPen(colors.blue, kCurveWidth, Qt::SolidLine);
+    legend_->setTextPen(colors.ink);
+    QColor paper = colors.paper;
+    paper.setAlpha(kLegendOpacity);
+    legend_->setBackgroundBrush(paper);
+    legend_->setBorderPen(Qt::NoPen);
+    for (std::size_t i = 0; i < curves_.size(); ++i) {
+        const double width = curves_[i].get() == selected_ ? kSelectedWidth : kCurveWidth;
+        curves_[i]->setPen(seriesColor(colors, static_cast<std::size_t>(colors_[i])), width,
+                           Qt::SolidLine);
+    }
 }
 
 void ProfilePlot::Canvas::showAxis(int axis, NumberScaleDraw& labels, const AxisRange& range,
@@ -144,14 +181,33 @@ void ProfilePlot::Canvas::showAxes(const PlotWindow& window, const SiScale& dist
              plot_->canvas()->width() / kMinTickWidth);
 }
 
-void ProfilePlot::Canvas::showProfile(const QVector<QPointF>& points, const SiScale& distance,
-                                      const SiScale& height) {
-    QVector<QPointF> shown;
-    shown.reserve(points.size());
-    for (const QPointF& point : points) {
-        shown.append({distance.factor * point.x(), height.factor * point.y()});
+void ProfilePlot::Canvas::showCurves(const QVector<ProfileCurve>& curves, int selected,
+                                     const SiScale& distance, const SiScale& height) {
+    while (curves_.size() > static_cast<std::size_t>(curves.size())) {
+        curves_.pop_back();
     }
-    curve_->setSamples(shown);
+    while (curves_.size() < static_cast<std::size_t>(curves.size())) {
+        curves_.push_back(std::make_unique<PiecewiseCurve>());
+        curves_.back()->setRenderHint(QwtPlotItem::RenderAntialiased);
+        curves_.back()->setLegendAttribute(QwtPlotCurve::LegendShowLine);
+        curves_.back()->attach(plot_);
+    }
+    selected_ = selected < 0 ? nullptr : curves_[static_cast<std::size_t>(selected)].get();
+    colors_.clear();
+    for (std::size_t i = 0; i < curves_.size(); ++i) {
+        const ProfileCurve& curve = curves[static_cast<int>(i)];
+        QVector<QPointF> shown;
+        shown.reserve(curve.points.size());
+        for (const QPointF& point : curve.points) {
+            shown.append({distance.factor * point.x(), height.factor * point.y()});
+        }
+        curves_[i]->setSamples(shown);
+        curves_[i]->setTitle(curve.name);
+        curves_[i]->setZ(curves_[i].get() == selected_ ? kSelectedZ : kSelectedZ - 1.0);
+        colors_.push_back(curve.color);
+    }
+    legend_->setVisible(curves.size() > 1);
+    color();
 }
 
 void ProfilePlot::Canvas::showCursors(const Cursors& cursors, double factor, bool visible) {
@@ -181,7 +237,8 @@ void ProfilePlot::Canvas::showStretches(const std::optional<Stretches>& stretche
 void ProfilePlot::Canvas::showReading(const SiScale& distance, const SiScale& height) {
     const std::optional<double> position = navigation_->cursor();
     const std::optional<QPointF> sample =
-        position ? nearestSample(*curve_, distance.factor * *position) : std::nullopt;
+        position && selected_ != nullptr ? nearestSample(*selected_, distance.factor * *position)
+                                         : std::nullopt;
     if (!sample) {
         reading_->hide();
         return;
@@ -204,27 +261,34 @@ ProfilePlot::ProfilePlot(QWidget* parent)
 
 ProfilePlot::~ProfilePlot() = default;
 
-void ProfilePlot::setProfile(const QVector<QPointF>& points) {
-    const bool other = points_.isEmpty() != points.isEmpty() ||
-                       (!points.isEmpty() && points_.last().x() != points.last().x());
-    points_ = points;
+void ProfilePlot::setCurves(const QVector<ProfileCurve>& curves, int selected) {
+    const bool other = longestOf(curves) != longestOf(curves_);
+    curves_ = curves;
+    selected_ = selected;
     if (other) {
-        canvas_->navigation().reset();  // what was looked at is of another line
+        canvas_->navigation().reset();  // what was looked at is of other lines
     }
     draw();
 }
 
 PlotTable ProfilePlot::table() const {
-    std::vector<double> distances;
-    std::vector<double> heights;
-    for (const QPointF& point : points_) {
-        distances.push_back(point.x());
-        heights.push_back(point.y());
-    }
     PlotTable table;
-    table.add(tr("distance [m]"), distances);
-    table.add(tr("height [m]"), heights);
+    for (const ProfileCurve& curve : curves_) {
+        std::vector<double> distances;
+        std::vector<double> heights;
+        for (const QPointF& point : curve.points) {
+            distances.push_back(point.x());
+            heights.push_back(point.y());
+        }
+        const QString of = curves_.size() > 1 ? QStringLiteral(", ") + curve.name : QString();
+        table.add(tr("distance%1 [m]").arg(of), distances);
+        table.add(tr("height%1 [m]").arg(of), heights);
+    }
     return table;
+}
+
+double ProfilePlot::selectedLength() const {
+    return selected_ < 0 ? 0.0 : lengthOf(curves_[selected_]);
 }
 
 void ProfilePlot::setCursors(const Cursors& distances) {
@@ -246,18 +310,20 @@ void ProfilePlot::drag(int handle, double distance) {
 }
 
 void ProfilePlot::draw() {
-    const double length = points_.isEmpty() ? 1e-6 : points_.last().x();
-    const PlotWindow& window = canvas_->navigation().fit({{0.0, length}, heightsOf(points_)});
+    const double longest = longestOf(curves_);
+    const PlotWindow& window = canvas_->navigation().fit(
+        {{0.0, longest > 0.0 ? longest : kEmptyLength}, heightsOf(curves_)});
     const SiScale distance = siScaleFor(std::max(std::abs(window.x.high), 1e-9), "m");
     const SiScale height =
         siScaleFor(std::max({std::abs(window.y.low), std::abs(window.y.high), 1e-9}), "m");
+    const bool isSelected = selectedLength() > 0.0;
     canvas_->showAxes(window, distance, height);
-    canvas_->showProfile(points_, distance, height);
-    canvas_->showCursors(cursors_, distance.factor, !points_.isEmpty());
-    canvas_->showStretches(points_.isEmpty() ? std::nullopt : stretches_, distance.factor);
+    canvas_->showCurves(curves_, selected_, distance, height);
+    canvas_->showCursors(cursors_, distance.factor, isSelected);
+    canvas_->showStretches(isSelected ? stretches_ : std::nullopt, distance.factor);
     canvas_->showReading(distance, height);
     QVector<double> handles;
-    if (!points_.isEmpty()) {
+    if (isSelected) {
         handles << cursors_[0] << cursors_[1];
         if (stretches_) {
             for (const PlotStretch& stretch : *stretches_) {

@@ -19,8 +19,15 @@ struct PlotStretch {
     double to = 0.0;
 };
 
-/// Heights along a profile line, with two cursors and, for a step height, two marked stretches;
-/// all of them can be dragged. A user may zoom and pan (PlotNavigation).
+/// Heights along a line.
+struct ProfileCurve {
+    QString name;
+    int color = 0;            ///< as seriesColor() counts
+    QVector<QPointF> points;  ///< distance and height [m]; NaN parts two pieces
+};
+
+/// Heights along profile lines. One of them is selected: it has two cursors and, for a step height,
+/// two marked stretches; all of them can be dragged. A user may zoom and pan (PlotNavigation).
 class ProfilePlot : public QWidget {
     Q_OBJECT
 
@@ -33,15 +40,13 @@ public:
     ProfilePlot(const ProfilePlot&) = delete;
     ProfilePlot& operator=(const ProfilePlot&) = delete;
 
-    /// @param points distance and height [m]; a height that is not a number parts two pieces.
-    /// Empty:
-    ///               there is no profile
-    void setProfile(const QVector<QPointF>& points);
+    /// @param selected of the curves; -1: none
+    void setCurves(const QVector<ProfileCurve>& curves, int selected);
     void setCursors(const Cursors& distances);
     /// None: no step is measured.
     void setStretches(const std::optional<Stretches>& stretches);
 
-    /// Distance [m] and height [m] along the line.
+    /// Distance [m] and height [m] along each line.
     [[nodiscard]] PlotTable table() const;
 
     [[nodiscard]] QWidget& canvas();
@@ -59,7 +64,10 @@ private:
     void draw();
     void drag(int handle, double distance);
 
-    QVector<QPointF> points_;
+    [[nodiscard]] double selectedLength() const;
+
+    QVector<ProfileCurve> curves_;
+    int selected_ = -1;
     Cursors cursors_{};
     std::optional<Stretches> stretches_;
     std::unique_ptr<Canvas> canvas_;

@@ -1,24 +1,31 @@
 #include "app/window/measure/RoughnessControl.h"
 
-#include "app/loading/SceneLoader.h"
+#include "app/reports/MeasureReport.h"
 #include "app/window/live/LivePanels.h"
 #include "app/window/live/OverviewPanel.h"
+#include "app/window/measure/TableExport.h"
 #include "core/SiFormat.h"
 #include "ui/shell/Menus.h"
 #include "ui/view/OverviewMap.h"
 #include "ui/widgets/Card.h"
+#include "ui/widgets/FlowLayout.h"
 #include "ui/widgets/PageParts.h"
 
 #include <QAction>
 #include <QCheckBox>
+#include <QComboBox>
 #include <QHBoxLayout>
+#include <QLabel>
 #include <QLocale>
+#include <QMenu>
+#include <QStackedWidget>
 #include <QToolButton>
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <variant>
+#include <utility>
 
 namespace asperity {
 
@@ -46,28 +53,31 @@ QString countText(std::size_t count) {
     return QLocale::c().toString(static_cast<qulonglong>(count));
 }
 
-QString levelingText(const SampleDescription& sample) {
-    return QString::fromStdString(textOf(sample.leveling)).replace('_', ' ');
-}
+/// Words of the menu of exports, and the file that the dialog offers.
+struct ExportTexts {
+    RoughnessPage::Table table;
+    const char* name;
+    const char* text;
+    const char* tip;
+    const char* file;
+};
 
-/// Whether the surface has other heights than the leveled scan, which its file still has.
-bool hasSmoothedScan(const SampleDescription& sample) {
-    return !sample.shape &&
-           (sample.smoothingLength > 0.0 || sample.smoothingPixels.value_or(0.0) > 0.0);
-}
+constexpr std::array<ExportTexts, 3> kExports{
+    {{RoughnessPage::Table::Numbers, "exportNumbers",
+      QT_TRANSLATE_NOOP("RoughnessPage", "&Numbers…"),
+      QT_TRANSLATE_NOOP("RoughnessPage", "Writes the numbers as a row, as asperity measure --csv"),
+      "roughness.csv"},
+     {RoughnessPage::Table::Histogram, "exportHistogram",
+      QT_TRANSLATE_NOOP("RoughnessPage", "&Histogram…"),
+      QT_TRANSLATE_NOOP("RoughnessPage", "Writes the histogram of heights and the areal material "
+                                         "ratio"),
+      "histogram.csv"},
+     {RoughnessPage::Table::Spectrum, "exportSpectrum",
+      QT_TRANSLATE_NOOP("RoughnessPage", "&Power spectrum…"),
+      QT_TRANSLATE_NOOP("RoughnessPage", "Writes the power spectral density over frequency"),
+      "spectrum.csv"}}};
 
 }  // namespace
-
-QString smoothingInWords(const SampleDescription& sample) {
-    if (sample.smoothingLength > 0.0) {
-        return RoughnessControl::tr("Gaussian, standard deviation %1 nm")
-            .arg(1e9 * sample.smoothingLength, 0, 'g', 3);
-    }
-    const double pixels = sample.smoothingPixels.value_or(0.0);
-    return pixels > 0.0
-               ? RoughnessControl::tr("Gaussian, standard deviation %1 px").arg(pixels, 0, 'g', 3)
-               : RoughnessControl::tr("none");
-}
 
 RoughnessPage::RoughnessPage(QWidget* parent)
     : QWidget(parent)
@@ -78,14 +88,23 @@ RoughnessPage::RoughnessPage(QWidget* parent)
                        this))
     , whole_(pageButton(tr("Whole scan"), "wholeScan",
                         tr("Removes the rectangle: the roughness is that of the whole scan"), this))
-    , smoothed_(named(new QCheckBox(tr("Smoothed, as the tip meets it"), this), "measureSmoothed",
-                      tr("Measures the surface that the tip touches, with the smoothing of the "
-                         "scene; off: the leveled heights of the scan")))
+    , smoothed_(newSmoothedBox("measureSmoothed", this))
+    , kind_(newList("roughnessCurve", tr("Which curve of the heights is shown")))
+    , export_(pageButton(tr("Export"), "exportRoughness",
+                         tr("Writes numbers or curves to a table, in SI units"), this))
     , state_(captionLabel(QString(), this))
-    , subject_(new QLabel(this)) {
+    , subject_(new QLabel(this))
+    , plots_(new QStackedWidget(this))
+    , histogram_(new RoughnessPlot(RoughnessPlot::Kind::Histogram, this))
+    , spectrum_(new RoughnessPlot(RoughnessPlot::Kind::Spectrum, this)) {
     setToolTip(tr("Roughness (ISO 25178) of the scan or a rectangle"));
     draw_->setCheckable(true);
     addReadings();
+    addExports();
+    kind_->addItems({tr("Histogram"), tr("Power spectrum")});
+    kind_->setAccessibleName(tr("Curve"));
+    plots_->addWidget(histogram_);
+    plots_->addWidget(spectrum_);
     state_->setObjectName(QStringLiteral("roughnessState"));
     state_->setToolTip(tr("Whether the roughness is being computed"));
     subject_->setObjectName(QStringLiteral("roughnessSubject"));
@@ -93,28 +112,52 @@ RoughnessPage::RoughnessPage(QWidget* parent)
                             "smoothing of what was measured"));
     subject_->setWordWrap(true);
     subject_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+    subject_->setMinimumHeight(2 * subject_->fontMetrics().lineSpacing());
     subject_->setTextInteractionFlags(Qt::TextSelectableByMouse);
-    auto* bar = new QHBoxLayout;
-    bar->setSpacing(4);
-    bar->addWidget(draw_);
-    bar->addWidget(whole_);
-    bar->addWidget(smoothed_);
-    bar->addSpacing(8);
-    bar->addWidget(state_, 1);
     auto* middle = new QHBoxLayout;
     middle->setSpacing(24);
     middle->addWidget(readings_);
-    middle->addWidget(subject_, 1);
+    middle->addWidget(plots_, 1);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(6, 4, 6, 4);
     column->setSpacing(6);
-    column->addLayout(bar);
+    column->addWidget(buildBar());
     column->addLayout(middle, 1);
+    column->addWidget(subject_);
     connect(draw_, &QToolButton::toggled, this, &RoughnessPage::drawingChosen);
     connect(whole_, &QToolButton::clicked, this, &RoughnessPage::wholeChosen);
-    connect(smoothed_, &QCheckBox::toggled, this, &RoughnessPage::smoothedChosen);
+    connect(kind_, qOverload<int>(&QComboBox::currentIndexChanged), plots_,
+            &QStackedWidget::setCurrentIndex);
     setRectangle(false);
     clear({});
+}
+
+QWidget* RoughnessPage::buildBar() {
+    auto* bar = new QWidget(this);
+    auto* row = new FlowLayout(bar);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(4);
+    for (QWidget* const control : {static_cast<QWidget*>(draw_), static_cast<QWidget*>(whole_),
+                                   static_cast<QWidget*>(smoothed_), static_cast<QWidget*>(kind_),
+                                   static_cast<QWidget*>(export_)}) {
+        row->addWidget(control);
+    }
+    row->addWidget(state_, 1);
+    return bar;
+}
+
+void RoughnessPage::addExports() {
+    auto* menu = new QMenu(export_);
+    menu->setToolTipsVisible(true);
+    for (const ExportTexts& texts : kExports) {
+        QAction* const entry = menu->addAction(tr(texts.text));
+        entry->setObjectName(QString::fromLatin1(texts.name));
+        entry->setToolTip(tr(texts.tip));
+        connect(entry, &QAction::triggered, this,
+                [this, table = texts.table] { Q_EMIT exportChosen(table); });
+    }
+    export_->setMenu(menu);
+    export_->setPopupMode(QToolButton::InstantPopup);
 }
 
 void RoughnessPage::addReadings() {
@@ -160,19 +203,37 @@ void RoughnessPage::setResult(const Subject& subject, const Numbers& numbers) {
     readings_->set("meanHeight", roughnessLengthText(roughness.mean));
     readings_->set("heightRange", tr("%1, %2").arg(roughnessLengthText(roughness.lowest),
                                                    roughnessLengthText(roughness.highest)));
-    const std::size_t left = subject.pixels - roughness.pixels;
-    QStringList lines;
-    lines << (subject.isRectangle ? tr("Rectangle, %1 × %2") : tr("Whole scan, %1 × %2"))
+    const std::size_t all = static_cast<std::size_t>(subject.pixels.columns) *
+                            static_cast<std::size_t>(subject.pixels.rows);
+    QStringList parts;
+    parts << (subject.isRectangle ? tr("Rectangle, %1 × %2") : tr("Whole scan, %1 × %2"))
                  .arg(roughnessLengthText(subject.width), roughnessLengthText(subject.height));
-    lines << tr("%1 pixels; excluded: %2 without data")
-                 .arg(countText(roughness.pixels), countText(left));
-    lines << tr("Leveling: %1").arg(subject.leveling);
-    lines << tr("Smoothing: %1").arg(subject.smoothing);
+    parts << tr("%1 pixels; excluded: %2 without data")
+                 .arg(countText(roughness.pixels), countText(all - roughness.pixels));
+    parts << tr("Leveling: %1").arg(subject.leveling);
+    parts << tr("Smoothing: %1").arg(subject.smoothing);
     if (texture.step > 1) {
-        lines << tr("Sal, Str: of one pixel in %1 a side").arg(texture.step);
+        parts << tr("Sal, Str: of one pixel in %1 a side").arg(texture.step);
     }
-    subject_->setText(lines.join(QLatin1Char('\n')));
+    subject_->setText(parts.join(QStringLiteral(" · ")));
     state_->clear();
+    export_->setEnabled(true);
+    showCurves(numbers);
+}
+
+void RoughnessPage::showCurves(const Numbers& numbers) {
+    const HeightHistogram& histogram = numbers.histogram;
+    QVector<QPointF> bins;
+    for (std::size_t i = 0; i < histogram.counts.size(); ++i) {
+        bins.append({histogram.middle(i), static_cast<double>(histogram.counts[i]) /
+                                              static_cast<double>(numbers.roughness.pixels)});
+    }
+    histogram_->setPoints(bins);
+    QVector<QPointF> rings;
+    for (const SpectrumRing& ring : numbers.spectrum.rings) {
+        rings.append({ring.frequency, ring.density});
+    }
+    spectrum_->setPoints(rings);
 }
 
 void RoughnessPage::clear(const QString& reason) {
@@ -180,7 +241,10 @@ void RoughnessPage::clear(const QString& reason) {
         readings_->set(reading, {});
     }
     subject_->clear();
-    state_->setText(reason.isEmpty() ? tr("No scan is open") : reason);
+    state_->setText(reason);
+    export_->setEnabled(false);
+    histogram_->setPoints({});
+    spectrum_->setPoints({});
 }
 
 void RoughnessPage::setProgress(double share) {
@@ -191,8 +255,6 @@ void RoughnessPage::setDrawing(bool drawing) { draw_->setChecked(drawing); }
 
 void RoughnessPage::setRectangle(bool drawn) { whole_->setEnabled(drawn); }
 
-bool RoughnessPage::isSmoothed() const { return smoothed_->isChecked(); }
-
 QString RoughnessPage::subject() const { return subject_->text(); }
 
 void RoughnessPage::showEvent(QShowEvent* event) {
@@ -202,23 +264,30 @@ void RoughnessPage::showEvent(QShowEvent* event) {
 
 RoughnessControl::RoughnessControl(Stage& stage)
     : Feature(stage)
+    , heights_(stage.get<MeasuredHeights>())
     , page_(new RoughnessPage(&host_.widget()))
-    , work_(
-          {.progressed = [this](double share) { page_->setProgress(share); },
-           .finished = [this](Result& result) { page_->setResult(result.subject, result.numbers); },
-           .failed =
-               [this](const std::exception_ptr& reason) { page_->clear(reasonOf(reason)); }}) {
+    , work_({.progressed = [this](double share) { page_->setProgress(share); },
+             .finished = [this](Result& result) { show(result); },
+             .failed = [this](const std::exception_ptr& reason) { clear(reasonOf(reason)); }}) {
     addScanTool(page_, tr("Roughness"), 20, "roughness",
                 {.text = tr("&Roughness"),
                  .tip = tr("Roughness (ISO 25178) of the scan or a rectangle"),
                  .shortcuts = {tr("Ctrl+U")}});
     bindTool(live_.overview().map(), rectangle_, *page_, &RoughnessPage::drawingChosen,
              &RoughnessPage::setDrawing);
-    connect(&runs_, &RunControl::begun, this,
-            [this] { runs_.isOnOtherScan() ? forget() : refresh(); });
+    heights_.follow(page_->smoothed());
+    connect(&runs_, &RunControl::begun, this, [this] {
+        if (runs_.isOnOtherScan()) {
+            clear({});
+            forget();
+        } else {
+            refresh();
+        }
+    });
+    connect(&heights_, &MeasuredHeights::changed, this, &RoughnessControl::refresh);
     connect(&rectangle_, &RectangleTool::drawn, this, &RoughnessControl::refresh);
     connect(page_, &RoughnessPage::wholeChosen, this, &RoughnessControl::forget);
-    connect(page_, &RoughnessPage::smoothedChosen, this, &RoughnessControl::refresh);
+    connect(page_, &RoughnessPage::exportChosen, this, &RoughnessControl::askForFile);
     connect(page_, &RoughnessPage::shown, this, [this] {
         if (due_) {
             refresh();
@@ -231,41 +300,29 @@ void RoughnessControl::forget() {
     refresh();
 }
 
-RoughnessControl::Result RoughnessControl::measure(const HeightRows& rows, const QRectF& rectangle,
-                                                   Progress& progress) {
+RoughnessControl::Result RoughnessControl::measure(std::shared_ptr<const MeasuredScan> scan,
+                                                   const QRectF& rectangle, Progress& progress) {
+    const HeightRows rows = scan->rows();
     const PixelRectangle pixels = rectangle.isEmpty()
                                       ? allPixels(rows)
                                       : pixelsBetween(rows, {rectangle.left(), rectangle.top()},
                                                       {rectangle.right(), rectangle.bottom()});
-    ProgressPart first(&progress, 0.0, 0.3);
-    const Roughness roughness = roughnessOf(rows, pixels, &first);
-    ProgressPart second(&progress, 0.3, 1.0);
-    return {.subject = {.width = pixels.columns * rows.pitchX,
-                        .height = pixels.rows * rows.pitchY,
-                        .pixels = static_cast<std::size_t>(pixels.columns) *
-                                  static_cast<std::size_t>(pixels.rows),
-                        .isRectangle = !rectangle.isEmpty(),
-                        .leveling = QString(),
-                        .smoothing = QString()},
-            .numbers = {.roughness = roughness, .texture = textureOf(rows, pixels, &second)}};
-}
-
-RoughnessControl::Result RoughnessControl::compute(const Scene& scene, const QRectF& rectangle,
-                                                   bool smoothed, Progress& progress) {
-    const SampleDescription& sample = scene.description.sample;
-    Result result;
-    if (!smoothed && hasSmoothedScan(sample)) {
-        ProgressPart reading(&progress, 0.0, 0.4);
-        const auto scan = leveledScan(sample, &reading);
-        ProgressPart measuring(&progress, 0.4, 1.0);
-        result = std::visit(
-            [&](const auto& map) { return measure(rowsOf(map), rectangle, measuring); }, scan);
-        result.subject.smoothing = tr("none; the tip meets: %1").arg(smoothingInWords(sample));
-    } else {
-        result = measure(rowsOf(scene.surface), rectangle, progress);
-        result.subject.smoothing = smoothingInWords(sample);
-    }
-    result.subject.leveling = levelingText(sample);
+    Result result{.scan = scan,
+                  .subject = {.width = pixels.columns * rows.pitchX,
+                              .height = pixels.rows * rows.pitchY,
+                              .pixels = pixels,
+                              .isRectangle = !rectangle.isEmpty(),
+                              .leveling = scan->leveling(),
+                              .smoothing = scan->smoothing()},
+                  .numbers = {}};
+    ProgressPart first(&progress, 0.0, 0.2);
+    result.numbers.roughness = roughnessOf(rows, pixels, &first);
+    ProgressPart second(&progress, 0.2, 0.3);
+    result.numbers.histogram = histogramOf(rows, pixels, result.numbers.roughness, &second);
+    ProgressPart third(&progress, 0.3, 0.8);
+    result.numbers.texture = textureOf(rows, pixels, &third);
+    ProgressPart fourth(&progress, 0.8, 1.0);
+    result.numbers.spectrum = powerSpectrumOf(rows, pixels, &fourth);
     return result;
 }
 
@@ -273,14 +330,72 @@ void RoughnessControl::refresh() {
     page_->setRectangle(!rectangle_.isEmpty());
     work_.cancel();
     due_ = !page_->isVisible();
-    if (runs_.run() == nullptr) {
-        page_->clear({});
-    } else if (!due_) {
-        page_->setProgress(0.0);
-        work_.start([loaded = runs_.run()->shared(), rectangle = rectangle_.rectangle(),
-                     smoothed = page_->isSmoothed()](Progress& progress) {
-            return compute(loaded->scene, rectangle, smoothed, progress);
-        });
+    if (due_) {
+        return;
+    }
+    const std::shared_ptr<const MeasuredScan> scan = heights_.scan();
+    if (scan == nullptr) {
+        clear(heights_.state());
+        return;
+    }
+    page_->setProgress(0.0);
+    work_.start([scan, rectangle = rectangle_.rectangle()](Progress& progress) {
+        return measure(scan, rectangle, progress);
+    });
+}
+
+void RoughnessControl::show(const Result& result) {
+    result_ = result;
+    page_->setResult(result.subject, result.numbers);
+}
+
+void RoughnessControl::clear(const QString& reason) {
+    result_.reset();
+    page_->clear(reason);
+}
+
+void RoughnessControl::askForFile(RoughnessPage::Table table) {
+    if (result_) {
+        askForTable(host_, tr("Export the roughness"),
+                    QString::fromLatin1(kExports.at(static_cast<std::size_t>(table)).file),
+                    [table, result = *result_](const std::filesystem::path& file) {
+                        write(file, table, result);
+                    });
+    }
+}
+
+void RoughnessControl::writeTo(const std::filesystem::path& file, RoughnessPage::Table table) {
+    writeTableTo(host_, file,
+                 [&](const std::filesystem::path& path) { write(path, table, result_.value()); });
+}
+
+void RoughnessControl::write(const std::filesystem::path& file, RoughnessPage::Table table,
+                             const Result& result) {
+    const RoughnessPage::Numbers& numbers = result.numbers;
+    const PixelRectangle& pixels = result.subject.pixels;
+    const MeasuredScan& scan = *result.scan;
+    const auto comments = [&](const char* what) {
+        std::vector<std::string> lines = scan.provenance(what);
+        lines.push_back("area: " + std::to_string(pixels.columns) + " x " +
+                        std::to_string(pixels.rows) + " pixels from column " +
+                        std::to_string(pixels.column) + ", row " + std::to_string(pixels.row));
+        return lines;
+    };
+    if (table == RoughnessPage::Table::Histogram) {
+        writeHistogram(file, comments("histogram of heights"), numbers.histogram);
+    } else if (table == RoughnessPage::Table::Spectrum) {
+        writeSpectrum(file, comments("power spectrum"), numbers.spectrum);
+    } else {
+        RoughnessTable row(file, comments("roughness (ISO 25178-2)"));
+        row.add(scan.file(), {.channel = scan.channel(),
+                              .columns = pixels.columns,
+                              .rows = pixels.rows,
+                              .sizeX = result.subject.width,
+                              .sizeY = result.subject.height,
+                              .rectangle = pixels,
+                              .roughness = numbers.roughness,
+                              .texture = numbers.texture});
+        row.close();
     }
 }
 

@@ -98,6 +98,30 @@ std::vector<Plateau> plateausOf(const Profile& profile, double split) {
     return plateaus;
 }
 
+/// Heights between the pixels of a grid. @param pixel its height; NaN: no data
+template <class Grid, class Pixel>
+HeightField fieldBetween(const Grid& grid, Pixel pixel) {
+    return {.pitchX = grid.pitchX,
+            .pitchY = grid.pitchY,
+            .at = [columns = grid.columns, rows = grid.rows, pitchX = grid.pitchX,
+                   pitchY = grid.pitchY, pixel](double x, double y) {
+                if (!(x >= 0.0 && x <= columns * pitchX && y >= 0.0 && y <= rows * pitchY)) {
+                    return kNoData;
+                }
+                return bilinear(betweenPixels(onCenter(rows - 0.5 - y / pitchY), rows),
+                                betweenPixels(onCenter(x / pitchX - 0.5), columns), pixel);
+            }};
+}
+
+/// @param datum to which the heights are relative [m]
+template <class Map>
+HeightField fieldBetweenPixels(const Map& map, double datum) {
+    return fieldBetween(map, [&map, datum](int row, int column) {
+        const double height = map.at(row, column);
+        return map.isValid(row, column) && isFiniteHeight(height) ? datum + height : kNoData;
+    });
+}
+
 }  // namespace
 
 void requireLine(const Vector2& from, const Vector2& to, int samples) {
@@ -109,26 +133,23 @@ void requireLine(const Vector2& from, const Vector2& to, int samples) {
     }
 }
 
-Profile profileOf(const BSplineSurface& surface, const Vector2& from, const Vector2& to,
-                  int samples) {
-    return profileOf(
-        [&surface](double x, double y) {
-            const bool known = surface.contains(x, y) && surface.isMeasured(x, y);
-            return known ? surface.at(x, y).height : kNoData;
-        },
-        from, to, samples);
+HeightField fieldOf(const BSplineSurface& surface) {
+    return {.pitchX = surface.grid().pitchX,
+            .pitchY = surface.grid().pitchY,
+            .at = [&surface](double x, double y) {
+                const bool known = surface.contains(x, y) && surface.isMeasured(x, y);
+                return known ? surface.at(x, y).height : kNoData;
+            }};
 }
 
-double bilinearHeight(const HeightMap& map, double x, double y) {
-    if (!(x >= 0.0 && x <= map.sizeX() && y >= 0.0 && y <= map.sizeY())) {
-        return kNoData;
-    }
-    const auto pixel = [&map](int row, int column) {
-        return map.isValid(row, column) && isFiniteHeight(map.at(row, column)) ? map.at(row, column)
-                                                                               : kNoData;
-    };
-    return bilinear(betweenPixels(onCenter(map.rows - 0.5 - y / map.pitchY), map.rows),
-                    betweenPixels(onCenter(x / map.pitchX - 0.5), map.columns), pixel);
+HeightField bilinearField(const HeightMap& map) { return fieldBetweenPixels(map, 0.0); }
+HeightField bilinearField(const ScanMap& map) { return fieldBetweenPixels(map, map.datum); }
+
+HeightField bilinearField(const BSplineSurface& surface) {
+    const BSplineSurface::Grid& grid = surface.grid();
+    return fieldBetween(grid, [exact = fieldOf(surface), &grid](int row, int column) {
+        return exact.at((column + 0.5) * grid.pitchX, (grid.rows - row - 0.5) * grid.pitchY);
+    });
 }
 
 int usualSamples(double pitchX, double pitchY, const Vector2& from, const Vector2& to) {

@@ -6,6 +6,7 @@
 #include "core/surface/HeightMap.h"
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -47,14 +48,23 @@ template <class HeightAt>
     return profile;
 }
 
-/// Profile of a surface; NaN outside the scan and where it held no data.
-/// @throw Error as requireLine()
-[[nodiscard]] Profile profileOf(const BSplineSurface& surface, const Vector2& from,
-                                const Vector2& to, int samples);
+/// Heights at any position of a scan, world frame.
+struct HeightField {
+    double pitchX = 0.0;  ///< pixel width [m]
+    double pitchY = 0.0;  ///< pixel height [m]
+    /// Returns the height at a position; NaN outside the scan and where it held no data [m].
+    std::function<double(double x, double y)> at;
+};
 
-/// The height of a map at a position, bilinear between pixel centers and level beyond the outermost
-/// ones: NaN outside the scan, and where one of the pixels used holds no data [m].
-[[nodiscard]] double bilinearHeight(const HeightMap& map, double x, double y);
+/// Heights of a surface, which must outlive them.
+[[nodiscard]] HeightField fieldOf(const BSplineSurface& surface);
+
+/// Heights of a map, which must outlive them, bilinear between pixel centers and level beyond the
+/// outermost ones; NaN too where one of the pixels used holds no data.
+[[nodiscard]] HeightField bilinearField(const HeightMap& map);
+[[nodiscard]] HeightField bilinearField(const ScanMap& map);
+/// The same between the heights of a surface at its pixel centers.
+[[nodiscard]] HeightField bilinearField(const BSplineSurface& surface);
 
 /// The number of samples that leaves out no pixel: one a pitch along the line, and both ends.
 [[nodiscard]] int usualSamples(double pitchX, double pitchY, const Vector2& from,

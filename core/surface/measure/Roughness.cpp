@@ -222,6 +222,26 @@ Roughness roughnessOf(const HeightRows& map, const PixelRectangle& pixels, Progr
     return roughness;
 }
 
+HeightHistogram histogramOf(const HeightRows& map, const PixelRectangle& pixels,
+                            const Roughness& roughness, Progress* progress) {
+    constexpr std::size_t kBins = 128;
+    const double extent = roughness.highest - roughness.lowest;
+    HeightHistogram histogram{.lowest = roughness.lowest,
+                              .width = extent / static_cast<double>(kBins),
+                              .counts = std::vector<std::size_t>(extent > 0.0 ? kBins : 1)};
+    const std::size_t last = histogram.counts.size() - 1;
+    const double scale = extent > 0.0 ? static_cast<double>(kBins) / extent : 0.0;
+    RectangleRows(map, pixels).forEach(progress, [&](const auto& row, const auto& /*above*/) {
+        for (const double height : row) {
+            if (isFiniteHeight(height)) {
+                const auto bin = static_cast<std::size_t>(scale * (height - histogram.lowest));
+                ++histogram.counts[std::min(bin, last)];
+            }
+        }
+    });
+    return histogram;
+}
+
 HeightRows rowsOf(const BSplineSurface& surface) {
     const BSplineSurface::Grid& grid = surface.grid();
     return {.columns = grid.columns,

@@ -7,6 +7,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <vector>
 
 namespace asperity {
 
@@ -44,6 +45,21 @@ struct Roughness {
 /// Canceled
 [[nodiscard]] Roughness roughnessOf(const HeightRows& map, const PixelRectangle& pixels,
                                     Progress* progress = nullptr);
+
+/// Number of heights by height, in bins of one width from the lowest height to the highest.
+struct HeightHistogram {
+    double lowest = 0.0;              ///< lower edge of the first bin [m]
+    double width = 0.0;               ///< of a bin; 0: all heights are the same [m]
+    std::vector<std::size_t> counts;  ///< of pixels with data
+
+    [[nodiscard]] double middle(std::size_t bin) const {  ///< [m]
+        return lowest + (static_cast<double>(bin) + 0.5) * width;
+    }
+};
+
+/// @param roughness of the same pixels @throw Canceled
+[[nodiscard]] HeightHistogram histogramOf(const HeightRows& map, const PixelRectangle& pixels,
+                                          const Roughness& roughness, Progress* progress = nullptr);
 
 /// The surface at the pixel centers, NaN where the scan held no data; it must outlive the rows.
 [[nodiscard]] HeightRows rowsOf(const BSplineSurface& surface);

@@ -1,14 +1,13 @@
 #include "core/surface/measure/Texture.h"
 
 #include "core/Error.h"
+#include "core/surface/measure/HalfSpectrum.h"
 
 #include <algorithm>
-#include <array>
-#include <bit>
 #include <cmath>
 #include <complex>
 #include <limits>
-#include <unsupported/Eigen/FFT>
+#include <span>
 #include <vector>
 
 namespace asperity {
@@ -17,15 +16,8 @@ namespace {
 
 constexpr double kDecayLevel = 0.2;  // to which the autocorrelation falls, ISO 25178-2
 constexpr int kLongestSide = 2048;   // [pixel]
-constexpr int kLoopReports = 20;     // of the progress of each loop
 
 std::size_t cellAt(int index) { return static_cast<std::size_t>(index); }
-
-void reportLoop(Progress* progress, int done, int all) {
-    if (done % (all / kLoopReports + 1) == 0) {
-        reportTo(progress, static_cast<double>(done) / all);
-    }
-}
 
 /// Heights of a rectangle about their mean, 0 where there is no data, and 1 where there is some.
 struct SampledHeights {
@@ -77,7 +69,7 @@ void subtractMean(SampledHeights& sampled) {
 }
 
 /// Sums of the products of a field with itself, shifted by up to half of its sides. Behind each row
-/// and column follow as many zeros as there are lags, so that no end meets the other.
+/// and column follow at least as many zeros as there are lags, so that no end meets the other.
 class LagSums {
 public:
     LagSums(int columns, int rows)
@@ -85,11 +77,7 @@ public:
         , rows_(rows)
         , lagsX_(columns / 2)
         , lagsY_(rows / 2)
-        , periodX_(padded(columns + lagsX_))
-        , periodY_(padded(rows + lagsY_))
-        , stride_(cellAt(periodY_) + kPadding)
-        , row_(cellAt(periodX_))
-        , line_(cellAt(std::max(periodX_, periodY_))) {}
+        , spectrum_(columns + lagsX_, rows + lagsY_) {}
 
     [[nodiscard]] int lagsX() const { return lagsX_; }
     [[nodiscard]] int lagsY() const { return lagsY_; }
@@ -97,62 +85,36 @@ public:
     /// Returns the sums at the lags -lagsX .. lagsX of each row, for the lags 0 .. lagsY of the
     /// columns. @throw Canceled
     std::vector<double> of(const std::vector<double>& field, Progress* progress) {
+        spectrum_.clear();
         ProgressPart rows(progress, 0.0, 0.3);
-        forwardRows(field, &rows);
+        for (int row = 0; row < rows_; ++row) {
+            reportLoop(&rows, row, rows_);
+            spectrum_.setRow(
+                row, std::span(field).subspan(cellAt(row) * cellAt(columns_), cellAt(columns_)));
+        }
         ProgressPart columns(progress, 0.3, 0.8);
-        squareColumns(&columns);
+        for (int wave = 0; wave < spectrum_.waves(); ++wave) {
+            reportLoop(&columns, wave, spectrum_.waves());
+            for (std::complex<double>& value : spectrum_.transformColumn(wave)) {
+                value = std::norm(value);
+            }
+            spectrum_.returnColumn(wave);
+        }
         ProgressPart back(progress, 0.8, 1.0);
         return inverseRows(&back);
     }
 
 private:
-    using Complex = std::complex<double>;
-    using Fft = Eigen::FFT<double>;
-    static constexpr int kShortest = 4;         // real transforms are of multiples of four
-    static constexpr std::size_t kPadding = 4;  // columns 2^n apart would share lines of the cache
-
-    static int padded(int samples) {
-        return static_cast<int>(std::bit_ceil(static_cast<unsigned>(std::max(samples, kShortest))));
-    }
-    Complex* column(int wave) { return spectrum_.data() + cellAt(wave) * stride_; }
-
-    void forwardRows(const std::vector<double>& field, Progress* progress) {
-        spectrum_.assign(cellAt(periodX_ / 2 + 1) * stride_, Complex());
-        std::ranges::fill(row_, 0.0);
-        for (int row = 0; row < rows_; ++row) {
-            reportLoop(progress, row, rows_);
-            std::copy_n(field.begin() + static_cast<std::ptrdiff_t>(cellAt(row) * cellAt(columns_)),
-                        columns_, row_.begin());
-            fft_.fwd(line_.data(), row_.data(), periodX_);
-            for (int wave = 0; wave <= periodX_ / 2; ++wave) {
-                column(wave)[row] = line_[cellAt(wave)];
-            }
-        }
-    }
-
-    void squareColumns(Progress* progress) {
-        for (int wave = 0; wave <= periodX_ / 2; ++wave) {
-            reportLoop(progress, wave, periodX_ / 2 + 1);
-            fft_.fwd(line_.data(), column(wave), periodY_);
-            for (int i = 0; i < periodY_; ++i) {
-                line_[cellAt(i)] = std::norm(line_[cellAt(i)]);
-            }
-            fft_.inv(column(wave), line_.data(), periodY_);
-        }
-    }
-
     std::vector<double> inverseRows(Progress* progress) {
-        const double scale = 1.0 / (static_cast<double>(periodX_) * periodY_);
+        const int period = spectrum_.periodX();
+        const double scale = 1.0 / (static_cast<double>(period) * spectrum_.periodY());
         std::vector<double> sums;
         sums.reserve(cellAt(lagsY_ + 1) * cellAt(2 * lagsX_ + 1));
         for (int row = 0; row <= lagsY_; ++row) {
             reportLoop(progress, row, lagsY_ + 1);
-            for (int wave = 0; wave <= periodX_ / 2; ++wave) {
-                line_[cellAt(wave)] = column(wave)[row];
-            }
-            fft_.inv(row_.data(), line_.data(), periodX_);
+            const std::span<const double> values = spectrum_.row(row);
             for (int lag = -lagsX_; lag <= lagsX_; ++lag) {
-                sums.push_back(scale * row_[cellAt((lag + periodX_) % periodX_)]);
+                sums.push_back(scale * values[cellAt((lag + period) % period)]);
             }
         }
         return sums;
@@ -162,13 +124,7 @@ private:
     int rows_;
     int lagsX_;
     int lagsY_;
-    int periodX_;         ///< of the transforms of rows
-    int periodY_;         ///< of those of columns
-    std::size_t stride_;  ///< from one column of the spectrum to the next
-    Fft fft_{Fft::impl_type(), static_cast<Fft::Flag>(Fft::Unscaled | Fft::HalfSpectrum)};
-    std::vector<double> row_;
-    std::vector<Complex> line_;      ///< one row's or column's transform
-    std::vector<Complex> spectrum_;  ///< (periodX / 2 + 1) columns
+    HalfSpectrum spectrum_;
 };
 
 /// The normalized autocorrelation, which is the same at opposite lags: half of it is kept.

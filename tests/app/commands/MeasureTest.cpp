@@ -9,7 +9,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
 #include <nlohmann/json.hpp>
+#include <string>
 
 // `asperity measure`
 
@@ -193,16 +195,39 @@ TEST_F(Measure, TheTableHasTheNumbersOfTheJson) {
     EXPECT_NEAR(table.number(0, "width_m"), 900e-9, 1e-20);
     EXPECT_NEAR(table.number(0, "height_m"), 400e-9, 1e-20);
     EXPECT_EQ(table.number(0, "pixels"), 90.0 * 20.0);
-    EXPECT_EQ(table.number(0, "Sq_m"), single["sq_m"].get<double>());
-    EXPECT_EQ(table.number(0, "Sku"), single["sku"].get<double>());
-    EXPECT_EQ(table.number(0, "Sdq"), single["sdq"].get<double>());
+    const std::map<std::string, std::string> keys{
+        {"Sa_m", "sa_m"}, {"Sq_m", "sq_m"}, {"Ssk", "ssk"}, {"Sku", "sku"}, {"Sp_m", "sp_m"},
+        {"Sv_m", "sv_m"}, {"Sz_m", "sz_m"}, {"Sdq", "sdq"}, {"Sdr", "sdr"}, {"Sal_m", "sal_m"}};
+    for (const auto& [column, key] : keys) {
+        EXPECT_EQ(table.number(0, column), single[key].get<double>()) << column;
+    }
+    EXPECT_EQ(table.text(0, "Str"), "") << "the ridges go on to the border";
+}
+
+/// All waves together have Sq^2 of the part that was measured.
+TEST_F(Measure, ThePowerSpectrumGoesIntoATable) {
+    const std::string out = scratch.file("psd.csv").string();
+    const nlohmann::json single = measured("--rectangle 0,0,900e-9,400e-9 --psd " + out);
+    const CsvTable table(test::contentOf(out), out);
+    double sum = 0.0;
+    for (std::size_t row = 0; row < table.rows(); ++row) {
+        sum += table.number(row, "psd_m4") * table.number(row, "waves");
+        EXPECT_GT(table.number(row, "frequency_1_m"),
+                  row > 0 ? table.number(row - 1, "frequency_1_m") : 0.0);
+    }
+    const double square = std::pow(single["sq_m"].get<double>(), 2);
+    // 90 x 20 pixels, padded to 128 x 32; the file names this area of a wave, too.
+    const double area = 1.0 / (128.0 * 10e-9) / (32.0 * 20e-9);
+    EXPECT_NEAR(sum * area, square, 1e-9 * square);
+    EXPECT_THAT(test::contentOf(out), HasSubstr("# Asperity"));
+    EXPECT_THAT(test::contentOf(out), HasSubstr("channel Height\n"));
 }
 
 TEST_F(Measure, WrongCallsExitWith2) {
     for (const char* const options :
-         {"--csv --json", "--csv --profile 0,0,1e-7,0", "other.gwy", "--rectangle 1,2,3",
-          "--rectangle 0,0,nan,1", "--samples 5", "--out p.csv", "--profile 0,0,1,1 --samples 1",
-          "--profile 0,0,1,1 --low 0,1", "--level flat"}) {
+         {"--csv --json", "--csv --profile 0,0,1e-7,0", "--csv --psd p.csv", "other.gwy",
+          "--rectangle 1,2,3", "--rectangle 0,0,nan,1", "--samples 5", "--out p.csv",
+          "--profile 0,0,1,1 --samples 1", "--profile 0,0,1,1 --low 0,1", "--level flat"}) {
         EXPECT_EQ(run(options).exitCode, 2) << options;
     }
     EXPECT_EQ(run("--profile 0,0,0,0").exitCode, 1);

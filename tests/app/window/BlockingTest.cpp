@@ -1,10 +1,13 @@
+#include "app/window/live/OverviewPanel.h"
 #include "app/window/scene/OpenControl.h"
 #include "app/window/scene/OpenDialog.h"
 #include "app/window/scene/PreviewPane.h"
 #include "app/window/scene/SceneControl.h"
 #include "tests/app/window/WindowFixture.h"
 #include "tests/support/EventLoopWatchdog.h"
+#include "tests/ui/widgets/MouseEvents.h"
 #include "ui/shell/Menus.h"
+#include "ui/view/OverviewMap.h"
 #include "ui/view/ZoomView.h"
 #include "ui/widgets/Theme.h"
 
@@ -131,8 +134,17 @@ protected:
     }
     void measure() {
         step("profile page", [this] { window.menus().entry("profile").trigger(); });
+        step("profile line", [this] {
+            OverviewMap& map = panels.overview().map();
+            const QSizeF scan = map.scanSize();
+            dragMouse(map, map.toPixel({0.1 * scan.width(), 0.3 * scan.height()}),
+                      map.toPixel({0.9 * scan.width(), 0.7 * scan.height()}));
+            EXPECT_TRUE(eventually([this] { return text("profileLength") != "–"; }, 60000));
+        });
         step(
             "roughness page", [this] { window.menus().entry("roughness").trigger(); }, 1500);
+        step("smoothed heights", [this] { child<QAbstractButton>("measureSmoothed")->click(); });
+        step("leveled heights", [this] { child<QAbstractButton>("measureSmoothed")->click(); });
         step("record", [this] { window.menus().entry("record").trigger(); });
         const auto click = [this](const char* button) {
             QTest::mouseClick(child<QAbstractButton>(button), Qt::LeftButton);

@@ -22,6 +22,9 @@
 #include <QSpinBox>
 
 #include <cmath>
+#include <cstddef>
+#include <map>
+#include <string>
 
 namespace asperity::test {
 namespace {
@@ -163,6 +166,27 @@ TEST_F(ExportControlTest, TheDeformedSurfaceIsAField) {
     const CsvTable table = readCsv(folder.file("field.csv"));
     EXPECT_GT(table.rows(), 1000U);
     EXPECT_LT(std::abs(table.number(0, "displacement_z_m")), 1e-12);
+}
+
+TEST_F(ExportControlTest, TheSectionThroughTheContactIsATable) {
+    ask(ExportSubject::Section, "csv");
+    child<QLineEdit>("exportName")->setText("section");
+    ASSERT_TRUE(isWritten("section.csv"));
+    const CsvTable table = readCsv(folder.file("section.csv"));
+    std::map<std::string, std::size_t> points;
+    for (std::size_t row = 0; row < table.rows(); ++row) {
+        ++points[table.text(row, "curve")];
+    }
+    const std::size_t rest = points["rest"];
+    EXPECT_GT(rest, 100U);
+    EXPECT_EQ(points["deformed"], rest);
+    EXPECT_GT(points["tip"], 20U);
+    EXPECT_EQ(points.size(), 3U);
+    EXPECT_NEAR(table.number(rest - 1, "x_m") - table.number(0, "x_m"),
+                table.number(rest - 1, "along_m") - table.number(0, "along_m"), 1e-18)
+        << "a section along x";
+    EXPECT_EQ(table.number(rest - 1, "y_m"), table.number(0, "y_m"));
+    EXPECT_NEAR(table.number(rest / 2, "z_m"), 0.0, 1e-12) << "the sample is flat";
 }
 
 TEST_F(ExportControlTest, NothingIsReplacedUnasked) {

@@ -3,8 +3,11 @@
 #include "ui/widgets/Theme.h"
 
 #include <QHeaderView>
+#include <QLabel>
 #include <QTableView>
 #include <QToolButton>
+
+#include <limits>
 
 namespace asperity {
 namespace {
@@ -55,7 +58,7 @@ TEST_F(MarkerToolTest, ADragMovesOneInOneStep) {
 
 /// The page with two markers.
 struct MarkersPageTest : ::testing::Test {
-    MarkersPageTest() { page.setMarkers(twoMarkers(), {1.5e-9, -2e-9}); }
+    MarkersPageTest() { page.setMarkers(twoMarkers(), {1.5e-9, -2e-9}, {}); }
 
     [[nodiscard]] QString cell(int row, int column) const {
         return page.model().index(row, column).data().toString();
@@ -71,6 +74,10 @@ TEST_F(MarkersPageTest, ListsNamesAndPlacesWithUnits) {
     EXPECT_EQ(cell(0, MarkerModel::Name), QStringLiteral("grain"));
     EXPECT_EQ(cell(1, MarkerModel::X), QStringLiteral("0.0900"));
     EXPECT_EQ(cell(1, MarkerModel::Z), QStringLiteral("-2.00"));
+    page.setMarkers(twoMarkers(), {1.5e-9, std::numeric_limits<double>::quiet_NaN()},
+                    QStringLiteral("Reading the scan"));
+    EXPECT_EQ(cell(1, MarkerModel::Z), QStringLiteral("–"));
+    EXPECT_EQ(page.findChild<QLabel*>("markersState")->text(), QStringLiteral("Reading the scan"));
     EXPECT_EQ(page.model().headerData(MarkerModel::X, Qt::Horizontal, Qt::DisplayRole).toString(),
               QStringLiteral("x [µm]"));
     for (int column = 0; column < MarkerModel::kColumns; ++column) {
@@ -89,7 +96,7 @@ TEST_F(MarkersPageTest, TravelsToAndDeletesTheSelectedOne) {
     ASSERT_EQ(travel.count(), 1);
     EXPECT_EQ(travel[0][0].toInt(), 1);
     EXPECT_EQ(removed.count(), 1);
-    page.setMarkers({twoMarkers().front()}, {0.0});
+    page.setMarkers({twoMarkers().front()}, {0.0}, {});
     EXPECT_FALSE(button("deleteMarker")->isEnabled());
 }
 

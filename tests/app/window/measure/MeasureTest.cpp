@@ -84,7 +84,7 @@ TEST_F(Measure, AProfileReadsTheStepOfAGrating) {
     EXPECT_EQ(text("cursorRise"), "7.451 nm");
     // What is shown has four digits; what is computed is exact.
     const Profile profile =
-        meanProfile(stage.run()->scene().surface, QLineF(128e-9, 90e-9, 64e-9, 90e-9), 1);
+        meanProfile(fieldOf(stage.run()->scene().surface), QLineF(128e-9, 90e-9, 64e-9, 90e-9), 1);
     EXPECT_NEAR(profile.heights.back() - profile.heights.front(), kStep, 1e-12 * kStep);
     QTest::keyClick(&window, Qt::Key_Escape);
     EXPECT_EQ(map().activeTool(), nullptr);

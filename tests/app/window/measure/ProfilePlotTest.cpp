@@ -17,12 +17,41 @@ namespace {
 
 TEST(ProfilePlot, CopiesDistancesAndHeights) {
     ProfilePlot plot;
-    plot.setProfile({{0.0, 1e-9}, {2e-9, std::numeric_limits<double>::quiet_NaN()}, {4e-9, 3e-9}});
+    const ProfileCurve first{
+        "Line 1", 0, {{0.0, 1e-9}, {2e-9, std::numeric_limits<double>::quiet_NaN()}, {4e-9, 3e-9}}};
+    plot.setCurves({first}, 0);
     ASSERT_NE(CopyablePlot::of(&plot.canvas()), nullptr);
     EXPECT_EQ(CopyablePlot::of(&plot.canvas())->data(), QStringLiteral("distance [m]\theight [m]\n"
                                                                        "0\t1e-09\n"
                                                                        "2e-09\t\n"
                                                                        "4e-09\t3e-09\n"));
+    plot.setCurves({first, {"Line 2", 1, {{0.0, 5e-9}, {1e-9, 6e-9}}}}, 1);
+    EXPECT_EQ(CopyablePlot::of(&plot.canvas())->data(),
+              QStringLiteral("distance, Line 1 [m]\theight, Line 1 [m]\tdistance, Line 2 [m]\t"
+                             "height, Line 2 [m]\n"
+                             "0\t1e-09\t0\t5e-09\n"
+                             "2e-09\t\t1e-09\t6e-09\n"
+                             "4e-09\t3e-09\t\t\n"));
+}
+
+TEST(ProfilePlot, DrawsEachLineInItsColor) {
+    ProfilePlot plot;
+    plot.resize(400, 200);
+    const auto pixelsIn = [&plot](const QColor& color) {
+        plot.grab();  // lays it out
+        return test::pixelsLike(plot.canvas().grab().toImage(), color);
+    };
+    const ProfileCurve first{"Line 1", 0, {{0.0, 1e-9}, {4e-9, 1e-9}}};
+    plot.setCurves({first}, 0);
+    EXPECT_GT(pixelsIn(theme::colors().blue), 200);
+    EXPECT_EQ(pixelsIn(theme::colors().orange), 0);
+    const ProfileCurve second{"Line 2", 1, {{0.0, 3e-9}, {4e-9, 3e-9}}};
+    plot.setCurves({first, second}, 0);  // the selected one is drawn stronger
+    EXPECT_GT(pixelsIn(theme::colors().blue), 200);
+    plot.setCurves({first, second}, 1);
+    EXPECT_GT(pixelsIn(theme::colors().orange), 200);
+    plot.setCurves({}, -1);
+    EXPECT_EQ(pixelsIn(theme::colors().blue), 0);
 }
 
 /// At an end of the line there is room on one side only.
@@ -30,7 +59,7 @@ TEST(ProfilePlot, TheLettersOfTheCursorsStandWithinThePlot) {
     constexpr int kLetter = 14;  // with its distance from the line [px]
     ProfilePlot plot;
     plot.resize(400, 200);
-    plot.setProfile({{0.0, 1e-9}, {4e-9, 3e-9}});
+    plot.setCurves({{"Line 1", 0, {{0.0, 1e-9}, {4e-9, 3e-9}}}}, 0);
     const auto inkAtBothEnds = [&plot] {
         plot.grab();  // lays it out
         const QImage drawn = plot.canvas().grab().toImage();

@@ -3,14 +3,18 @@
 #include "app/loading/SceneLoader.h"
 #include "app/window/live/OverviewPanel.h"
 #include "core/io/heightmap/HeightMapWriter.h"
+#include "core/io/tables/CsvTable.h"
 #include "tests/app/window/ControlFixture.h"
 #include "tests/ui/widgets/MouseEvents.h"
 #include "ui/view/OverviewMap.h"
 #include "ui/widgets/PageParts.h"
 
 #include <QCheckBox>
+#include <QComboBox>
+#include <QLabel>
 #include <QToolButton>
 
+#include <filesystem>
 #include <limits>
 
 namespace asperity::test {
@@ -48,6 +52,7 @@ protected:
         ASSERT_TRUE(QTest::qWaitForWindowExposed(&window));
     }
 
+    MeasuredHeights& heights = stage.add<MeasuredHeights>();
     RoughnessControl& roughness = stage.add<RoughnessControl>();
 };
 
@@ -105,6 +110,84 @@ TEST_F(RoughnessControlTest, IsOfTheScanAndNotOfItsSmoothedCopy) {
     ASSERT_TRUE(eventually([this] { return page().subject().contains("Smoothing: Gaussian"); }))
         << page().subject().toStdString();
     EXPECT_NE(reading("sq"), QStringLiteral("1 nm"));
+}
+
+/// Heights that were read are read no more; those of another file are.
+TEST_F(RoughnessControlTest, KeepsTheHeightsThatWereReadForTheirScanAlone) {
+    const auto file = folder.file("stripes.gwy");
+    writeHeightMap(file, stripedMap(), {.title = "Height"});
+    const SceneOverrides overrides{.leveling = LevelingSteps{}, .smoothingPixels = 1.0};
+    runs.use(loadScene(file, overrides));
+    look();
+    ASSERT_TRUE(eventually([this] { return reading("sq") == QStringLiteral("1 nm"); }));
+    std::filesystem::remove(file);
+    page().smoothed().click();
+    ASSERT_TRUE(eventually([this] { return page().subject().contains("Smoothing: Gaussian"); }));
+    page().smoothed().click();
+    EXPECT_TRUE(eventually([this] { return reading("sq") == QStringLiteral("1 nm"); }));
+    HeightMap higher = stripedMap();
+    for (double& height : higher.heights) {
+        height *= 3.0;
+    }
+    writeHeightMap(file, higher, {.title = "Height"});
+    runs.use(loadScene(file, overrides));  // another file of the same name
+    EXPECT_TRUE(eventually([this] { return reading("sq") == QStringLiteral("3 nm"); }))
+        << reading("sq").toStdString();
+    runs.use(
+        loadScene(file, {.leveling = LevelingSteps{LevelingStep::Zero}, .smoothingPixels = 1.0}));
+    EXPECT_TRUE(eventually([this] { return page().subject().contains("Leveling: zero"); }));
+}
+
+TEST_F(RoughnessControlTest, SaysWhyTheScanCannotBeRead) {
+    const auto file = folder.file("stripes.gwy");
+    writeHeightMap(file, stripedMap(), {.title = "Height"});
+    runs.use(loadScene(file, {.leveling = LevelingSteps{}, .smoothingPixels = 1.0}));
+    std::filesystem::remove(file);
+    look();
+    const auto* state = page().findChild<QLabel*>("roughnessState");
+    EXPECT_TRUE(eventually([&] { return state->text().contains("stripes.gwy"); }))
+        << state->text().toStdString();
+    EXPECT_FALSE(page().findChild<QToolButton*>("exportRoughness")->isEnabled());
+}
+
+TEST_F(RoughnessControlTest, DrawsHistogramAndSpectrumOfWhatItMeasures) {
+    look();
+    ASSERT_TRUE(eventually([this] { return reading("sa") != QStringLiteral("–"); }));
+    const QString heights = page().histogram().table().tabSeparated();
+    EXPECT_TRUE(heights.startsWith("height [m]\tshare of the area\n")) << heights.toStdString();
+    EXPECT_EQ(heights.count('\n'), 129);
+    auto* curves = page().findChild<QComboBox*>("roughnessCurve");
+    EXPECT_TRUE(page().histogram().isVisible());
+    curves->setFocus();
+    QTest::keyClick(curves, Qt::Key_Down);
+    EXPECT_TRUE(page().spectrum().isVisible());
+    const QString powers = page().spectrum().table().tabSeparated();
+    EXPECT_TRUE(powers.startsWith("frequency [1/m]\tpower spectral density [m^4]\n"));
+    EXPECT_GT(powers.count('\n'), 32);
+}
+
+TEST_F(RoughnessControlTest, WritesNumbersHistogramAndSpectrum) {
+    using Table = RoughnessPage::Table;
+    look();
+    ASSERT_TRUE(eventually([this] { return reading("sa") != QStringLiteral("–"); }));
+    const auto written = [this](Table table) {
+        const auto file = folder.file("table.csv");
+        roughness.writeTo(file, table);
+        EXPECT_EQ(told(), "Saved as " + file.string());
+        return readCsv(file);
+    };
+    const CsvTable numbers = written(Table::Numbers);
+    ASSERT_EQ(numbers.rows(), 1U);
+    EXPECT_NEAR(numbers.number(0, "Sq_m"), 1e-9, 1e-12);
+    const CsvTable histogram = written(Table::Histogram);
+    EXPECT_EQ(histogram.rows(), 128U);
+    EXPECT_EQ(histogram.number(0, "share_above"), 1.0);
+    const CsvTable spectrum = written(Table::Spectrum);
+    double sum = 0.0;
+    for (std::size_t i = 0; i < spectrum.rows(); ++i) {
+        sum += spectrum.number(i, "psd_m4") * spectrum.number(i, "waves");
+    }
+    EXPECT_NEAR(sum / (128e-9 * 128e-9), 1e-18, 1e-21);
 }
 
 }  // namespace

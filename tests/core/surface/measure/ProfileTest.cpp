@@ -4,6 +4,7 @@
 #include "core/Units.h"
 #include "core/surface/fit/BSplineFit.h"
 #include "core/surface/synthetic/SyntheticSurface.h"
+#include "tests/support/ScanMaps.h"
 
 #include <gtest/gtest.h>
 
@@ -26,8 +27,7 @@ HeightMap slope() {
 }
 
 Profile ofMap(const HeightMap& map, const Vector2& from, const Vector2& to, int samples) {
-    return profileOf([&map](double x, double y) { return bilinearHeight(map, x, y); }, from, to,
-                     samples);
+    return profileOf(bilinearField(map).at, from, to, samples);
 }
 
 TEST(Profile, HasEvenDistancesAndBothEnds) {
@@ -53,15 +53,26 @@ TEST(Profile, OfAMapIsBilinearBetweenPixelCenters) {
         const Vector2 position = profile.position(i);
         EXPECT_NEAR(profile.heights[i], 0.5 * position.x() - 0.25 * position.y(), 1e-23);
     }
-    EXPECT_EQ(bilinearHeight(map, 35.0_nm, 30.0_nm), map.at(3, 3));
+    EXPECT_EQ(bilinearField(map).at(35.0_nm, 30.0_nm), map.at(3, 3));
 }
 
 TEST(Profile, OfAMapIsLevelBeyondTheOutermostCentersAndEndsWithTheScan) {
     const HeightMap map = slope();
-    EXPECT_EQ(bilinearHeight(map, 0.0, 0.0), map.at(4, 0));
-    EXPECT_EQ(bilinearHeight(map, 60.0_nm, 100.0_nm), map.at(0, 5));
-    EXPECT_TRUE(std::isnan(bilinearHeight(map, -0.1_nm, 50.0_nm)));
-    EXPECT_TRUE(std::isnan(bilinearHeight(map, 30.0_nm, 100.1_nm)));
+    EXPECT_EQ(bilinearField(map).at(0.0, 0.0), map.at(4, 0));
+    EXPECT_EQ(bilinearField(map).at(60.0_nm, 100.0_nm), map.at(0, 5));
+    EXPECT_TRUE(std::isnan(bilinearField(map).at(-0.1_nm, 50.0_nm)));
+    EXPECT_TRUE(std::isnan(bilinearField(map).at(30.0_nm, 100.1_nm)));
+}
+
+TEST(Profile, OfAMapInSinglePrecisionCountsFromItsDatum) {
+    const HeightMap map = slope();
+    const ScanMap single = test::singlePrecision(map);
+    const BSplineSurface surface = fitSurface(map);
+    for (const Vector2& at : {Vector2(20.0_nm, 40.0_nm), Vector2(33.0_nm, 71.0_nm)}) {
+        const double exact = bilinearField(map).at(at.x(), at.y());
+        EXPECT_NEAR(bilinearField(single).at(at.x(), at.y()), exact, 1e-15);
+        EXPECT_NEAR(bilinearField(surface).at(at.x(), at.y()), exact, 1e-15);
+    }
 }
 
 TEST(Profile, HasNoHeightWhereAPixelHoldsNoData) {
@@ -69,10 +80,10 @@ TEST(Profile, HasNoHeightWhereAPixelHoldsNoData) {
     map.heights[map.index(2, 2)] = std::numeric_limits<double>::quiet_NaN();
     map.invalid.assign(map.heights.size(), false);
     map.invalid[map.index(0, 0)] = true;
-    EXPECT_TRUE(std::isnan(bilinearHeight(map, 26.0_nm, 51.0_nm)));
-    EXPECT_TRUE(std::isnan(bilinearHeight(map, 2.0_nm, 95.0_nm)));
+    EXPECT_TRUE(std::isnan(bilinearField(map).at(26.0_nm, 51.0_nm)));
+    EXPECT_TRUE(std::isnan(bilinearField(map).at(2.0_nm, 95.0_nm)));
     // On the center of the next pixel the one without data has no weight.
-    EXPECT_EQ(bilinearHeight(map, 35.0_nm, 50.0_nm), map.at(2, 3));
+    EXPECT_EQ(bilinearField(map).at(35.0_nm, 50.0_nm), map.at(2, 3));
 }
 
 TEST(Profile, OfASurfaceIsItsHeight) {
@@ -81,11 +92,12 @@ TEST(Profile, OfASurfaceIsItsHeight) {
     map.invalid[map.index(2, 2)] = true;
     const BSplineSurface surface = fitSurface(map);
     const Profile profile =
-        profileOf(surface, Vector2(5.0_nm, 90.0_nm), Vector2(75.0_nm, 90.0_nm), 8);
+        profileOf(fieldOf(surface).at, Vector2(5.0_nm, 90.0_nm), Vector2(75.0_nm, 90.0_nm), 8);
     EXPECT_NEAR(profile.heights[3], 0.5 * 35.0_nm - 0.25 * 90.0_nm, 1e-15);
     EXPECT_TRUE(std::isnan(profile.heights[7]));
     EXPECT_TRUE(std::isnan(
-        profileOf(surface, Vector2(25.0_nm, 50.0_nm), Vector2(45.0_nm, 50.0_nm), 2).heights[0]));
+        profileOf(fieldOf(surface).at, Vector2(25.0_nm, 50.0_nm), Vector2(45.0_nm, 50.0_nm), 2)
+            .heights[0]));
 }
 
 TEST(Profile, RefusesALineWithoutLengthOrSamples) {

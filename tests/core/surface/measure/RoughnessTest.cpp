@@ -11,6 +11,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <vector>
 
 namespace asperity {
 namespace {
@@ -244,6 +245,30 @@ TEST(Roughness, OfAMapInSinglePrecisionAndOfASurfaceIsThatOfItsHeights) {
     EXPECT_EQ(roughness.pixels, holey.heights.size() - 1);
     EXPECT_NEAR(roughness.sq, measured(holey).sq, 1e-6 * exact.sq);
     EXPECT_NEAR(roughness.sdr, measured(holey).sdr, 1e-5 * exact.sdr);
+}
+
+TEST(Roughness, HistogramCountsEachHeightOnceInItsBin) {
+    HeightMap map = flatMap({.columns = 8, .rows = 16, .sizeX = 8.0, .sizeY = 16.0});
+    for (std::size_t i = 0; i < map.heights.size(); ++i) {
+        map.heights[i] = 1e-6 + 1e-9 * static_cast<double>(i);  // 128 heights, evenly apart
+    }
+    map.heights[5] = std::numeric_limits<double>::quiet_NaN();
+    const HeightRows rows = rowsOf(map);
+    const HeightHistogram histogram = histogramOf(rows, allPixels(rows), measured(map));
+    ASSERT_EQ(histogram.counts.size(), 128U);
+    EXPECT_NEAR(histogram.width, 127e-9 / 128.0, 1e-18);
+    EXPECT_NEAR(histogram.middle(127), 1e-6 + 127e-9 * 127.5 / 128.0, 1e-18);
+    for (std::size_t bin = 0; bin < 128; ++bin) {
+        EXPECT_EQ(histogram.counts[bin], bin == 5 ? 0U : 1U) << bin;
+    }
+}
+
+TEST(Roughness, HistogramOfOneHeightIsOneBin) {
+    const HeightMap map = flatMap({.columns = 4, .rows = 3, .sizeX = 4.0, .sizeY = 3.0});
+    const HeightRows rows = rowsOf(map);
+    const HeightHistogram histogram = histogramOf(rows, allPixels(rows), measured(map));
+    EXPECT_EQ(histogram.counts, std::vector<std::size_t>{12});
+    EXPECT_EQ(histogram.width, 0.0);
 }
 
 }  // namespace

@@ -21,8 +21,8 @@ HeightMap uprightGrating() {
 }
 
 Profile across(const HeightMap& map, int samples) {
-    return profileOf([&map](double x, double y) { return bilinearHeight(map, x, y); },
-                     Vector2(0.0, 21.0_nm), Vector2(2560.0_nm, 21.0_nm), samples);
+    return profileOf(bilinearField(map).at, Vector2(0.0, 21.0_nm), Vector2(2560.0_nm, 21.0_nm),
+                     samples);
 }
 
 TEST(StepHeight, BetweenTwoStretchesOfAGratingIsItsDepth) {
@@ -48,9 +48,8 @@ TEST(StepHeight, ProfileOfAGratingIsExact) {
     const TrapezoidGrating shape{
         .pitch = 400.0_nm, .depth = kDepth, .topWidth = 200.0_nm, .flankWidth = 20.0_nm};
     const HeightMap map = uprightGrating();
-    const Profile profile =
-        profileOf([&map](double x, double y) { return bilinearHeight(map, x, y); },
-                  Vector2(2.5_nm, 12.5_nm), Vector2(2557.5_nm, 12.5_nm), 512);
+    const Profile profile = profileOf(bilinearField(map).at, Vector2(2.5_nm, 12.5_nm),
+                                      Vector2(2557.5_nm, 12.5_nm), 512);
     for (std::size_t i = 0; i < profile.heights.size(); ++i) {
         EXPECT_NEAR(profile.heights[i], shape.height(profile.distance(i) + 2.5_nm, 0.0),
                     1e-12 * kDepth);
