@@ -6,6 +6,7 @@
 #include "core/Error.h"
 #include "core/words/BudgetWords.h"
 #include "core/words/SceneWords.h"
+#include "ui/shell/FileDialogs.h"
 #include "ui/shell/Menus.h"
 #include "ui/view/MapTool.h"
 #include "ui/view/OverviewMap.h"
@@ -18,7 +19,6 @@
 #include <QApplication>
 #include <QCheckBox>
 #include <QClipboard>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QFontMetricsF>
 #include <QHBoxLayout>
@@ -400,9 +400,10 @@ void ForceCycleControl::markAll() {
 }
 
 void ForceCycleControl::askForFile() {
-    QString file =
-        QFileDialog::getSaveFileName(&host_.widget(), tr("Export the force cycles"),
-                                     QStringLiteral("touches.csv"), tr("Tables (*.csv)"));
+    QString file = askWhereToSave(&host_.widget(), {.kind = FileKind::ForceCycles,
+                                                    .title = tr("Export the force cycles"),
+                                                    .suggestion = QStringLiteral("touches.csv"),
+                                                    .filters = tr("Tables (*.csv)")});
     if (!file.isEmpty()) {
         file += QFileInfo(file).suffix().isEmpty() ? QStringLiteral(".csv") : QString();
         writeTo(file.toStdString());
