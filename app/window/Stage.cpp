@@ -4,9 +4,12 @@
 #include "core/realtime/PacedThread.h"
 #include "ui/shell/WorkInBackground.h"
 
+#include <QAbstractItemView>
 #include <QAction>
 #include <QApplication>
 #include <QKeyEvent>
+#include <QLineEdit>
+#include <QMenu>
 
 #include <algorithm>
 #include <stdexcept>
@@ -18,6 +21,14 @@ namespace {
 
 constexpr double kMaxFrameTime = 0.1;  // that a held key moves the device for [s]
 
+/// Returns whether an entry of a list is being typed, which Esc ends.
+bool isTypedInList() {
+    const auto* const line = qobject_cast<const QLineEdit*>(QApplication::focusWidget());
+    const QWidget* const area = line == nullptr ? nullptr : line->parentWidget();
+    return area != nullptr &&
+           qobject_cast<const QAbstractItemView*>(area->parentWidget()) != nullptr;
+}
+
 }  // namespace
 
 Stage::Stage(Host& host, LivePanels& live)
@@ -27,6 +38,8 @@ Stage::Stage(Host& host, LivePanels& live)
             take(sample);
         }
     });
+    listCloses_.setSingleShot(true);
+    listCloses_.setInterval(0);
     frames_.setTimerType(Qt::PreciseTimer);
     connect(&frames_, &QTimer::timeout, this, &Stage::advance);
 }
@@ -62,9 +75,25 @@ bool Stage::eventFilter(QObject* watched, QEvent* event) {
     if (event->type() == QEvent::KeyPress || event->type() == QEvent::ShortcutOverride) {
         if (static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape) {
             stop();
+            return closesList(*event);
         }
     }
     return QObject::eventFilter(watched, event);
+}
+
+/// Qt hides an open list as soon as Esc is offered as a shortcut, and then passes the key on to
+/// what is below: to the dialog, which would close, or to a shortcut of the window.
+/// @return whether the key has done its work
+bool Stage::closesList(QEvent& escape) {
+    QWidget* const popup = QApplication::activePopupWidget();
+    if (popup != nullptr && qobject_cast<QMenu*>(popup) == nullptr) {
+        listCloses_.start();
+    }
+    if (!listCloses_.isActive()) {
+        return false;
+    }
+    escape.accept();
+    return popup == nullptr;
 }
 
 /// What Esc does beside what the widget with the focus makes of it. The forces of a device with
@@ -78,6 +107,7 @@ void Stage::stop() {
     const bool closesTool =
         !stopsForces && active != nullptr && active->windowType() == Qt::Tool;  // by its shortcut
     const bool closesSomething = closesTool || (!stopsForces && host_.escapeCloses()) ||
+                                 listCloses_.isActive() || isTypedInList() ||
                                  QApplication::activePopupWidget() != nullptr ||
                                  QApplication::activeModalWidget() != nullptr;
     if (!closesSomething && !live_.leaveTool()) {

@@ -104,6 +104,7 @@ private:
 
     [[nodiscard]] void* part(std::type_index type) const;
     void stop();
+    [[nodiscard]] bool closesList(QEvent& escape);
     void advance();
 
     Host& host_;
@@ -116,6 +117,7 @@ private:
     std::vector<SessionPart> sessionParts_;
     std::vector<std::pair<std::type_index, std::shared_ptr<void>>> parts_;
     QTimer frames_;
+    QTimer listCloses_;       ///< runs until all parts of the key that closes an open list are over
     double lastFrame_ = 0.0;  ///< [s]
 };
 

@@ -9,6 +9,7 @@
 #include "core/PrintableText.h"
 #include "core/TemporaryFile.h"
 #include "core/words/SceneWords.h"
+#include "ui/shell/FileDialogs.h"
 #include "ui/shell/Menus.h"
 #include "ui/shell/MessagesPanel.h"
 #include "ui/view/ContactShape.h"
@@ -20,7 +21,6 @@
 #include <QAction>
 #include <QCoreApplication>
 #include <QEvent>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QImageWriter>
 #include <QStringList>
@@ -95,8 +95,10 @@ void ViewControl::addEntries() {
                                         .shortcuts = {tr("F12")}});
     connect(&picture, &QAction::triggered, this, [this] {
         const QString file =
-            QFileDialog::getSaveFileName(&host_.widget(), tr("Save a picture of the window"),
-                                         QStringLiteral("asperity.png"), tr("Pictures (*.png)"));
+            askWhereToSave(&host_.widget(), {.kind = FileKind::Picture,
+                                             .title = tr("Save a picture of the window"),
+                                             .suggestion = QStringLiteral("asperity.png"),
+                                             .filters = tr("Pictures (*.png)")});
         if (!file.isEmpty()) {
             savePicture(file);
         }

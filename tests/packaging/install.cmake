@@ -13,6 +13,7 @@ foreach(
   share/applications/asperity.desktop
   share/asperity/data/scenes/granular_film.toml
   share/asperity/data/studies/positioning.toml
+  share/asperity/docs
   share/bash-completion/completions/asperity
   share/doc/asperity/copyright
   share/icons/hicolor/scalable/apps/asperity.svg

@@ -26,6 +26,7 @@ int run(char** argv) {
     live.stage().runs().use(loadScene(argv[1], {}));
     live.window().menus().entry("fidelity").trigger();
     FidelityPanel& panel = *live.window().findChild<FidelityPanel*>();
+    panel.findChild<QPushButton*>(QStringLiteral("fidelityDetails"))->click();
     panel.findChild<QPushButton*>(QStringLiteral("measure"))->click();
     QTimer timer;
     QObject::connect(&timer, &QTimer::timeout, &panel, [&] {

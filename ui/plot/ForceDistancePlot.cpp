@@ -123,6 +123,7 @@ ForceDistancePlot::Canvas::Canvas(ForceDistancePlot* owner)
     , distanceLabels_(new NumberScaleDraw) {
     legend_->setFont(theme::textFont(theme::kSmallSize));
     legend_->setMinimumWidth(1);
+    legend_->setToolTip(enlargeTip());
     heading_->setSpacing(4);
     heading_->addWidget(legend_, 1);
     heading_->addWidget(reset_);
@@ -131,6 +132,7 @@ ForceDistancePlot::Canvas::Canvas(ForceDistancePlot* owner)
     plot_->setAxisScaleDraw(QwtPlot::xBottom, distanceLabels_);
     styleLivePlot(*plot_);
     forceLabels_->setMinimumExtent(valueLabelRoom());
+    keepEndRoom(*plot_);
     addZeroLine(*plot_);
     for (int age = kMaxCycles - 1; age >= 0; --age) {  // the newest is drawn last
         items_[static_cast<std::size_t>(age)] = newItems();

@@ -24,7 +24,8 @@ namespace {
 
 constexpr int kPlotTickLength = 4;    ///< [px]
 constexpr int kMinCanvasHeight = 40;  ///< [px]
-constexpr int kMaxLabelDigits = 6;    ///< letters of a label for which room is kept
+constexpr int kUnitDigits = 3;        ///< same of a unit behind it
+constexpr int kMaxLabelDigits = 7;    ///< letters of a label for which room is kept
 
 constexpr double kAboveCurves = 1000.0;  ///< z of what is drawn last
 constexpr int kCursorOpacity = 215;      ///< of the paper behind the text, of 255
@@ -123,6 +124,7 @@ void styleResetButton(QToolButton& button, int height) {
 }
 
 void placeUnderTitle(QWidget& owner, QWidget& title, QToolButton& reset, QwtPlot& plot) {
+    title.setToolTip(enlargeTip());
     auto* heading = new QHBoxLayout;
     heading->setSpacing(4);
     heading->addWidget(&title, 1);
@@ -132,6 +134,17 @@ void placeUnderTitle(QWidget& owner, QWidget& title, QToolButton& reset, QwtPlot
     layout->setSpacing(1);
     layout->addLayout(heading);
     layout->addWidget(&plot, 1);
+}
+
+QString enlargeTip() {
+    return QObject::tr("A double click on the title of the panel, or on its tab, enlarges it");
+}
+
+void keepEndRoom(QwtPlot& plot) {
+    const QFontMetrics metrics(theme::textFont(theme::kTickSize));
+    const int room =
+        (kMaxLabelDigits + kUnitDigits) * metrics.horizontalAdvance(QLatin1Char('0')) / 2;
+    plot.axisWidget(QwtPlot::xBottom)->setMinBorderDist(room, room);
 }
 
 double valueLabelRoom() {

@@ -55,6 +55,11 @@ void addZeroLine(QwtPlot& plot);
 void styleResetButton(QToolButton& button, int height);
 /// Lays a plot out under a line with its title, the button at the line's end.
 void placeUnderTitle(QWidget& owner, QWidget& title, QToolButton& reset, QwtPlot& plot);
+/// What the title of a plot says of the panel that holds it.
+[[nodiscard]] QString enlargeTip();
+/// Keeps room for the first and last label of the horizontal axis, so that the canvas stays as wide
+/// whatever its numbers.
+void keepEndRoom(QwtPlot& plot);
 /// Room for the labels of the value axis, so that the canvas stays where it is.
 [[nodiscard]] double valueLabelRoom();
 

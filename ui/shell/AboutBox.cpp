@@ -90,15 +90,24 @@ AboutBox::AboutBox(const ProgramFacts& facts, QWidget* parent) : QDialog(parent)
     setWindowTitle(tr("About Asperity"));
     setObjectName(QStringLiteral("aboutBox"));
     setAttribute(Qt::WA_DeleteOnClose);
-    auto* heading = new QLabel(tr("<b>Asperity %1</b><br>An augmented-reality interface for an "
-                                  "atomic force microscope. BSD-3-Clause.")
-                                   .arg(facts.version.toHtmlEscaped()),
-                               this);
+    auto* heading = new QLabel(
+        tr("<p><b>Asperity %1</b></p>"
+           "<p>Touch what an atomic force microscope has scanned: open a height map, move the tip "
+           "over it with the mouse or a force-feedback device, and get contact, adhesion and dent "
+           "as contact mechanics predicts them. Measure the scan, record the run, and export "
+           "pictures, curves and tables.</p>"
+           "<p>Free software under the BSD-3-Clause license.</p>")
+            .arg(facts.version.toHtmlEscaped()),
+        this);
+    heading->setObjectName(QStringLiteral("aboutText"));
+    heading->setWordWrap(true);
     heading->setTextInteractionFlags(Qt::TextSelectableByMouse);
-    heading->setToolTip(tr("Version of the program, with the commit that it is built from"));
+    heading->setToolTip(tr("What the program does, with its version and license"));
     auto* pages = new QTabWidget(this);
+    pages->setObjectName(QStringLiteral("aboutDetails"));
     pages->addTab(versions(facts), tr("&Versions"));
     pages->addTab(licenses(facts), tr("&Licenses"));
+    pages->hide();
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
     QPushButton* const copy =
         buttons->addButton(tr("Copy for a &bug report"), QDialogButtonBox::ActionRole);
@@ -106,13 +115,21 @@ AboutBox::AboutBox(const ProgramFacts& facts, QWidget* parent) : QDialog(parent)
     copy->setToolTip(tr("Copies versions, system, screens and graphics driver as text"));
     connect(copy, &QPushButton::clicked, this,
             [text = reportText(facts)] { QApplication::clipboard()->setText(text); });
+    QPushButton* const details = buttons->addButton(tr("&Details"), QDialogButtonBox::ActionRole);
+    details->setObjectName(QStringLiteral("aboutMore"));
+    details->setCheckable(true);
+    details->setToolTip(tr("Versions and licenses of the program, its libraries and the system"));
+    connect(details, &QPushButton::toggled, this, [this, pages](bool shown) {
+        pages->setVisible(shown);
+        resize(shown ? kAboutSize : QSize(kAboutSize.width(), minimumSizeHint().height()));
+    });
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::close);
     buttons->button(QDialogButtonBox::Close)->setToolTip(tr("Closes this box"));
     auto* column = new QVBoxLayout(this);
     column->addWidget(heading);
     column->addWidget(pages, 1);
     column->addWidget(buttons);
-    resize(kAboutSize);
+    resize(kAboutSize.width(), minimumSizeHint().height());
 }
 
 QWidget* AboutBox::versions(const ProgramFacts& facts) {

@@ -27,8 +27,8 @@ struct ProgramFacts {
     QStringList system;  ///< a line each
 };
 
-/// Versions and licenses of the program and of all that it is built with, and a button that copies
-/// what a bug report should say.
+/// What the program is for; on request the versions and licenses of it and of all that it is built
+/// with, and a button that copies what a bug report should say.
 class AboutBox : public QDialog {
     Q_OBJECT
 

@@ -91,7 +91,7 @@ void askWhether(QWidget* window, const QString& question, const QString& action,
                 const std::function<void()>& act) {
     auto* box = new QMessageBox(QMessageBox::Question, QObject::tr("Asperity"), question,
                                 QMessageBox::Cancel, window);
-    box->setObjectName(QStringLiteral("askWhether"));
+    box->setObjectName(QString::fromUtf8(kAskWhether));
     box->setTextFormat(Qt::PlainText);  // a name may look like markup
     box->setAttribute(Qt::WA_DeleteOnClose);
     const QPushButton* agree = box->addButton(action, QMessageBox::AcceptRole);

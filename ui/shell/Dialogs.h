@@ -31,6 +31,9 @@ struct ScanFileType {
 void askForName(QWidget* window, const QString& title, const QString& label, const QString& name,
                 const std::function<void(const QString&)>& take);
 
+/// Name of the box of askWhether() as an object.
+inline constexpr const char* kAskWhether = "askWhether";
+
 /// Asks before something of a user's is lost; the window stays usable.
 /// @param action what the button that does it says
 /// @param act is called where the user agrees

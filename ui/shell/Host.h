@@ -61,6 +61,10 @@ public:
     /// Names what is shown in the title; empty: nothing is.
     virtual void setTitle(const QString& title) = 0;
 
+    /// Asks the user before the window closes while there is a reason not to.
+    /// @param reason a sentence on what is under way and becomes of it; empty: nothing is
+    virtual void askBeforeClosing(std::function<QString()> reason) = 0;
+
     /// Calls a function for each file that is dropped on the window, as a URI.
     virtual void onDrop(std::function<void(const QString& file)> open) = 0;
     /// Enables all that changes the scene, or disables it.

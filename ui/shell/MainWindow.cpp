@@ -11,6 +11,8 @@
 #include "ui/widgets/NumberBox.h"
 
 #include <QAction>
+#include <QCloseEvent>
+#include <QDialog>
 #include <QDragEnterEvent>
 #include <QMenu>
 #include <QMenuBar>
@@ -192,6 +194,7 @@ void MainWindow::keepEscape(bool isKept) {
 bool MainWindow::escapeCloses() const { return isPanelEnlarged(); }
 
 void MainWindow::lock() {
+    closingReasons_.clear();  // a measurement ends by itself
     allowChanges(false);
     menus_->lock();
     const QAction* const quit = &menus_->entry("quit");
@@ -240,6 +243,30 @@ void MainWindow::restore(const QVariantMap& kept) {
     }
     for (PageTabs* pages : {&layout_->tools(), &layout_->sidePages()}) {
         pages->putOnTop(kept.value(kOnTop + pages->objectName()).toString());
+    }
+}
+
+void MainWindow::askBeforeClosing(std::function<QString()> reason) {
+    closingReasons_.push_back(std::move(reason));
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+    QStringList reasons;
+    for (const auto& reason : closingReasons_) {
+        if (const QString words = reason(); !words.isEmpty()) {
+            reasons << words;
+        }
+    }
+    if (reasons.isEmpty() || isClosing_) {
+        QMainWindow::closeEvent(event);
+        return;
+    }
+    event->ignore();
+    if (findChild<QDialog*>(QString::fromUtf8(kAskWhether)) == nullptr) {  // Alt+F4 twice asks once
+        askWhether(this, reasons.join(QLatin1Char('\n')), tr("Close"), [this] {
+            isClosing_ = true;
+            close();
+        });
     }
 }
 

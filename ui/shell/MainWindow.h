@@ -45,6 +45,7 @@ public:
     void complain(const QString& message) override;
     void setTitle(const QString& title) override;
 
+    void askBeforeClosing(std::function<QString()> reason) override;
     void onDrop(std::function<void(const QString& file)> open) override;
     void allowChanges(bool allowed) override;
     void keepEscape(bool isKept) override;
@@ -67,6 +68,7 @@ Q_SIGNALS:
 
 protected:
     void showEvent(QShowEvent* event) override;
+    void closeEvent(QCloseEvent* event) override;
     void dragEnterEvent(QDragEnterEvent* event) override;
     void dropEvent(QDropEvent* event) override;
 
@@ -83,6 +85,8 @@ private:
     WindowLayout* layout_ = nullptr;  ///< null: there is no middle yet
     CheatSheet* cheatSheet_;
     std::function<void(const QString& file)> drop_ = [](const QString& /*file*/) {};
+    std::vector<std::function<QString()>> closingReasons_;
+    bool isClosing_ = false;               ///< the user agreed to it
     std::set<QWidget*> placed_;            ///< panels once placed beside this window
     std::vector<QShortcut*> toolClosers_;  ///< Esc, where it is no emergency stop
 };

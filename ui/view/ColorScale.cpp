@@ -1,6 +1,7 @@
 #include "ui/view/ColorScale.h"
 
 #include "ui/plot/PlotNavigation.h"
+#include "ui/widgets/ShownText.h"
 #include "ui/widgets/Theme.h"
 #include "vtkplugins/pictures/Ticks.h"
 
@@ -47,6 +48,7 @@ bool isSame(const ValueRange& one, const ValueRange& other) {
     return one.low == other.low && one.high == other.high;
 }
 
+constexpr int kLeastBarWidth = 76;   ///< two numbers and a part of its name [px]
 constexpr int kColorBarHeight = 10;  ///< [px]
 constexpr int kBarTickLength = 3;    ///< [px]
 constexpr int kSideMargin = 14;      ///< room for half a label at each end [px]
@@ -121,6 +123,10 @@ SiScale shownScale(double magnitude, const QString& unit) {
 QString shownValue(double value, const QString& unit, int digits) {
     if (!std::isfinite(value)) {
         return QStringLiteral("–");
+    }
+    constexpr double kSmallLength = 1e-9;  // [m]
+    if (unit == QStringLiteral("m") && std::abs(value) < kSmallLength) {
+        return siText(value, "m");
     }
     const SiScale scale = shownScale(value, unit);
     const double shown = value == 0.0 ? 0.0 : value * scale.factor;  // never "-0"
@@ -254,7 +260,7 @@ QSize ColorBarWidget::sizeHint() const {
     return {160, heading + 2 + kColorBarHeight + kBarTickLength + 1 + labels};
 }
 
-QSize ColorBarWidget::minimumSizeHint() const { return {100, sizeHint().height()}; }
+QSize ColorBarWidget::minimumSizeHint() const { return {kLeastBarWidth, sizeHint().height()}; }
 
 void ColorBarWidget::paintEvent(QPaintEvent* /*event*/) {
     if (scale_.colors.size() < 2) {

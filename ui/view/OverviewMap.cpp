@@ -238,7 +238,8 @@ void OverviewMap::paintEvent(QPaintEvent* /*event*/) {
         }
         drawPathMark(painter, drawn);
     }
-    drawScaleBar(painter, map);
+    painter.setFont(theme::textFont(theme::kSmallSize));
+    drawScaleBar(painter, scaleBar(painter, map));
     drawFrame(painter);
     for (const MapTool* const tool : tools_) {
         painter.save();
@@ -267,7 +268,8 @@ void OverviewMap::drawCrossHair(QPainter& painter, const QRectF& map) const {
     QRect plate(map.topLeft().toPoint() + QPoint(kInset, kInset),
                 text.size() + QSize(2 * kInset, kInset));
     if (plate.adjusted(-kInset, -kInset, kInset, kInset).contains(pixel.toPoint())) {
-        plate.moveBottom(static_cast<int>(map.bottom()) - kInset);  // out of the pointer's way
+        // Out of the pointer's way, and not over the scale bar.
+        plate.moveBottom(static_cast<int>(scaleBar(painter, map).plate.top()) - kInset);
     }
     QColor paper(theme::colors().paper);
     paper.setAlphaF(0.88);
@@ -276,13 +278,12 @@ void OverviewMap::drawCrossHair(QPainter& painter, const QRectF& map) const {
     painter.drawText(plate.adjusted(kInset, 0, 0, 0), Qt::AlignLeft | Qt::AlignVCenter, reading);
 }
 
-void OverviewMap::drawScaleBar(QPainter& painter, const QRectF& map) const {
-    painter.setFont(theme::textFont(theme::kSmallSize));
+ScaleBar OverviewMap::scaleBar(const QPainter& painter, const QRectF& map) const {
     ScaleBar bar = scaleBarOf(painter, map, size_.width());
     if (tip_ && bar.plate.adjusted(-12.0, -12.0, 12.0, 12.0).contains(toPixel(*tip_))) {
         bar.plate.moveRight(map.right() - 5.0);  // out of the tip's way
     }
-    asperity::drawScaleBar(painter, bar);
+    return bar;
 }
 
 void OverviewMap::drawFrame(QPainter& painter) const {

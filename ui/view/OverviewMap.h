@@ -86,7 +86,8 @@ private:
     /// Returns whether the active tool receives what this button does.
     [[nodiscard]] bool belongsToTool(const QMouseEvent& event) const;
     [[nodiscard]] double heightAt(const QPointF& position) const;  ///< [m]
-    void drawScaleBar(QPainter& painter, const QRectF& map) const;
+    /// @param painter has the letters of its number
+    [[nodiscard]] ScaleBar scaleBar(const QPainter& painter, const QRectF& map) const;
     void drawFrame(QPainter& painter) const;
     void drawTip(QPainter& painter, const QRectF& map) const;
     void drawCrossHair(QPainter& painter, const QRectF& map) const;

@@ -77,6 +77,7 @@ SecondView::SecondView(QWidget* parent)
     controls->addWidget(contents_);
     controls->addWidget(spaceControls_);
     controls->addWidget(sectionControls_);
+    controls->addWidget(heights_);
     auto* spaceRow = new QHBoxLayout(spaceControls_);
     auto* sectionRow = new QHBoxLayout(sectionControls_);
     for (QHBoxLayout* row : {spaceRow, sectionRow}) {
@@ -158,7 +159,6 @@ void SecondView::addSectionControls(QHBoxLayout& row) {
         heights_->addItem(tr("Heights ×%1").arg(factor), factor);
     }
     heights_->addItem(tr("Heights fill the plot"), kFitting);
-    row.addWidget(heights_);
     connect(heights_, qOverload<int>(&QComboBox::activated), this,
             [this] { section_->setHeightFactor(heights_->currentData().toDouble()); });
 }
@@ -173,6 +173,7 @@ void SecondView::showContent() {
     spaceControls_->setVisible(isSpace);
     bars_->setVisible(isSpace);
     sectionControls_->setVisible(!isSpace);
+    heights_->setVisible(!isSpace);
     useScene(isVisible());
 }
 

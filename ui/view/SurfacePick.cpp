@@ -15,18 +15,28 @@ namespace asperity {
 
 namespace {
 
-/// In nanometers or larger units, to a hundredth of the unit: what is smaller is no length here.
-QString lengthText(double meters) {
+constexpr double kKnownHeight = 1e-11;   ///< heights of a scan are known no better [m]
+constexpr double kOfPixel = 0.1;         ///< to which a position in the scan means something
+constexpr double kRoundingSlack = 1e-6;  ///< of the logarithm of a power of ten
+constexpr double kMaxDecimals = 4.0;
+
+/// In nanometers or larger units, with no digit finer than what is known.
+/// @param known smallest difference that means something [m]
+QString lengthText(double meters, double known) {
     const SiScale scale = siScaleFor(std::max(std::abs(meters), 1e-9), "m");
-    return QString::fromStdString(scaledText(meters, scale, scale.unit == "nm" ? 2 : 4));
+    const double digits = std::ceil(-std::log10(known * scale.factor) - kRoundingSlack);
+    return QString::fromStdString(
+        scaledText(meters, scale, static_cast<int>(std::clamp(digits, 0.0, kMaxDecimals))));
 }
 
 }  // namespace
 
 QString textOf(const SurfaceReading& reading) {
-    QString text = QStringLiteral("x %1   y %2   z %3")
-                       .arg(lengthText(reading.position.x()), lengthText(reading.position.y()),
-                            lengthText(reading.position.z()));
+    const double across = std::max(kOfPixel * reading.pixel, kKnownHeight);
+    QString text =
+        QStringLiteral("x %1   y %2   z %3")
+            .arg(lengthText(reading.position.x(), across), lengthText(reading.position.y(), across),
+                 lengthText(reading.position.z(), kKnownHeight));
     if (!reading.quantity.isEmpty()) {
         text += QStringLiteral("   %1 %2")
                     .arg(reading.quantity, shownValue(reading.value, reading.unit));
@@ -72,7 +82,9 @@ SurfaceReading readingAt(const Scene& scene, const SurfaceField& field, const Co
                          const Vector2& position) {
     const HeightSample sample = scene.surface.at(position.x(), position.y());
     const Vector3 rest(position.x(), position.y(), sample.height);
-    SurfaceReading reading{.position = rest, .quantity = {}, .unit = {}};
+    const BSplineSurface::Grid& grid = scene.surface.grid();
+    SurfaceReading reading{
+        .position = rest, .pixel = std::min(grid.pitchX, grid.pitchY), .quantity = {}, .unit = {}};
     const bool isNearTip = contact != nullptr && holds(contact->area(), position);
     const double pushed =
         isNearTip ? (rest - contact->moved(rest)).dot(contact->contact().normal) : 0.0;

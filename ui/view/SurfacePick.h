@@ -20,12 +20,14 @@ struct Scene;
 /// Values that a cross-hair reads at a position of the surface.
 struct SurfaceReading {
     Vector3 position = Vector3::Zero();  ///< of the surface at rest, world [m]
+    double pixel = 0.0;                  ///< of the scan; 0: positions are exact [m]
     QString quantity;                    ///< that the surface is colored by; empty: its height
     QString unit;                        ///< of the value
     double value = std::numeric_limits<double>::quiet_NaN();  ///< not a number: none there
 };
 
-/// "x 12.34 nm   y 40.12 nm   z 3.21 nm   slope 12 °"
+/// "x 12.3 nm   y 40.1 nm   z 3.21 nm   slope 12 °": positions to a tenth of a pixel of the scan,
+/// heights to 10 pm.
 [[nodiscard]] QString textOf(const SurfaceReading& reading);
 
 /// The line of sight through a pixel from the lower left corner, from the eye, world frame.

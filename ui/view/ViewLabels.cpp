@@ -121,6 +121,7 @@ constexpr double kBarShare = 0.25;  // of a small view: of its width and of its 
 constexpr double kHeightShare = 0.16;
 constexpr double kBarEnd = 4.0;
 constexpr double kNameGap = 8.0;
+constexpr double kPlateHeight = 1.5;  ///< of a label, as Painter::label() draws it, in text sizes
 
 /// Words with values for %1, %2.
 std::string filled(QString words, const std::vector<std::string>& values) {
@@ -181,44 +182,74 @@ PixelPoint ViewLabels::project(const Vector3& position) const {
     return {display[0] / pixelRatio_, display[1] / pixelRatio_};
 }
 
-void ViewLabels::paint(Painter& painter) const {
+void ViewLabels::paint(Painter& painter) {
     const int* size = renderer_->GetSize();
     const double width = size[0] / pixelRatio_;
     const double height = size[1] / pixelRatio_;
     if (content_.axes) {
         paintAxes(painter, *content_.axes, [this](const Vector3& at) { return project(at); });
     }
+    view_ = {0.0, 0.0, width, height};
+    bars_ = {};
     if (content_.scaleBars) {
-        paintScaleBars(painter, width, height);
+        const ScaleBars bars = scaleBars(painter, width, height);
+        bars_ = bars.area;
+        paintScaleBars(painter, bars);
     }
     paintNotes(painter, width, height);
-    paintMarkers(painter, width, height);
-    paintNames(painter, width, height);
-    paintForce(painter, width, height);
-    paintReading(painter, width, height);
+    paintMarkers(painter);
+    paintNames(painter);
+    paintForce(painter);
+    paintReading(painter);
 }
 
 /// One along the screen, one for heights, from one corner.
-void ViewLabels::paintScaleBars(Painter& painter, double viewWidth, double viewHeight) const {
+ViewLabels::ScaleBars ViewLabels::scaleBars(Painter& painter, double viewWidth,
+                                            double viewHeight) const {
+    const TextStyle text{.size = kLabelTextSize, .color = theme::palette().ink};
     const double longest = std::min(kMaxBarLength, kBarShare * viewWidth);
     const double highest = std::min(kMaxBarHeight, kHeightShare * viewHeight);
+    ScaleBars bars{.across = niceBelow(longest * content_.metersPerPixel)};
+    bars.acrossText = formatSi(bars.across, "m");
+    bars.right = kLabelMargin + bars.across / content_.metersPerPixel;
+    double width = painter.textWidth(bars.acrossText, text);
+    double height = kLabelTextSize;
+    if (std::isfinite(content_.heightPerPixel)) {  // seen from above, heights have no length
+        bars.upwards = niceBelow(highest * content_.heightPerPixel);
+        bars.upwardsText = "z " + formatSi(bars.upwards, "m");
+        bars.top = kLabelMargin + bars.upwards / content_.heightPerPixel;
+        width = std::max(width, painter.textWidth(bars.upwardsText, text));
+        height = std::max(bars.top - kLabelMargin, 2.0 * kLabelTextSize);
+    }
+    bars.area = {0.0, 0.0,
+                 std::max(bars.right + kBarEnd, kLabelMargin + 2.0 * kBarEnd + width) + kNameGap,
+                 kLabelMargin + height + kLabelTextSize};
+    return bars;
+}
+
+void ViewLabels::paintScaleBars(Painter& painter, const ScaleBars& bars) {
     const LineStyle style{theme::palette().ink, 2.0};
     const TextStyle text{.size = kLabelTextSize, .color = theme::palette().ink};
-    const double across = niceBelow(longest * content_.metersPerPixel);
-    const double right = kLabelMargin + across / content_.metersPerPixel;
-    painter.line({{kLabelMargin, kLabelMargin}, {right, kLabelMargin}}, style);
-    painter.line({{right, kLabelMargin - kBarEnd}, {right, kLabelMargin + kBarEnd}}, style);
+    painter.line({{kLabelMargin, kLabelMargin}, {bars.right, kLabelMargin}}, style);
+    painter.line({{bars.right, kLabelMargin - kBarEnd}, {bars.right, kLabelMargin + kBarEnd}},
+                 style);
     painter.text({kLabelMargin + 2.0 * kBarEnd, kLabelMargin + 0.8 * kLabelTextSize},
-                 formatSi(across, "m"), text);
-    if (!std::isfinite(content_.heightPerPixel)) {  // seen from above, heights have no length
+                 bars.acrossText, text);
+    if (bars.upwards == 0.0) {
         return;
     }
-    const double upwards = niceBelow(highest * content_.heightPerPixel);
-    const double top = kLabelMargin + upwards / content_.heightPerPixel;
-    painter.line({{kLabelMargin, top}, {kLabelMargin, kLabelMargin}}, style);
-    painter.line({{kLabelMargin - kBarEnd, top}, {kLabelMargin + kBarEnd, top}}, style);
-    painter.text({kLabelMargin + 2.0 * kBarEnd, std::max(top, kLabelMargin + 2.0 * kLabelTextSize)},
-                 "z " + formatSi(upwards, "m"), text);
+    painter.line({{kLabelMargin, bars.top}, {kLabelMargin, kLabelMargin}}, style);
+    painter.line({{kLabelMargin - kBarEnd, bars.top}, {kLabelMargin + kBarEnd, bars.top}}, style);
+    painter.text(
+        {kLabelMargin + 2.0 * kBarEnd, std::max(bars.top, kLabelMargin + 2.0 * kLabelTextSize)},
+        bars.upwardsText, text);
+}
+
+void ViewLabels::paintLabel(Painter& painter, const PixelPoint& at, const std::string& text,
+                            const TextStyle& style) const {
+    const PixelRect plate{at.x, at.y - 0.5 * kPlateHeight * style.size,
+                          painter.textWidth(text, style) + style.size, kPlateHeight * style.size};
+    painter.label(at, text, style, labelBounds(plate, view_, bars_), theme::palette().paper);
 }
 
 void ViewLabels::paintNotes(Painter& painter, double viewWidth, double viewHeight) const {
@@ -242,35 +273,32 @@ void ViewLabels::paintNotes(Painter& painter, double viewWidth, double viewHeigh
 }
 
 /// Each below the one before where they would lie on top of each other.
-void ViewLabels::paintNames(Painter& painter, double viewWidth, double viewHeight) const {
-    double lowest = viewHeight;
+void ViewLabels::paintNames(Painter& painter) const {
+    double lowest = view_.height;
     for (const LabelContent::Name& name : content_.names) {
         PixelPoint at = project(name.position);
-        at.y = std::min({at.y, lowest, viewHeight - kLabelMargin});
+        at.y = std::min({at.y, lowest, view_.height - kLabelMargin});
         lowest = at.y - kLineHeight * kLabelTextSize - kNameGap;
-        painter.label({at.x + kNameGap, at.y}, name.text,
-                      {.size = kLabelTextSize, .bold = true, .color = name.color},
-                      {0.0, 0.0, viewWidth, viewHeight}, theme::palette().paper);
+        paintLabel(painter, {at.x + kNameGap, at.y}, name.text,
+                   {.size = kLabelTextSize, .bold = true, .color = name.color});
     }
 }
 
-void ViewLabels::paintMarkers(Painter& painter, double viewWidth, double viewHeight) const {
+void ViewLabels::paintMarkers(Painter& painter) const {
     for (const LabelContent::Name& marker : content_.markers) {
         const PixelPoint at = project(marker.position);
-        painter.label({at.x + kNameGap, at.y}, marker.text,
-                      {.size = kLabelTextSize, .color = marker.color},
-                      {0.0, 0.0, viewWidth, viewHeight}, theme::palette().paper);
+        paintLabel(painter, {at.x + kNameGap, at.y}, marker.text,
+                   {.size = kLabelTextSize, .color = marker.color});
     }
 }
 
-void ViewLabels::paintReading(Painter& painter, double viewWidth, double viewHeight) const {
+void ViewLabels::paintReading(Painter& painter) const {
     if (content_.reading.empty()) {
         return;
     }
     const TextStyle style{.size = kLabelTextSize, .color = theme::palette().ink};
-    const double left = viewWidth - kLabelMargin - painter.textWidth(content_.reading, style);
-    painter.label({left, kLabelMargin}, content_.reading, style, {0.0, 0.0, viewWidth, viewHeight},
-                  theme::palette().paper);
+    const double left = view_.width - kLabelMargin - painter.textWidth(content_.reading, style);
+    paintLabel(painter, {left, kLabelMargin}, content_.reading, style);
 }
 
 /// In one line, however narrow the view.
@@ -283,14 +311,22 @@ void ViewLabels::paintCaption(Painter& painter, double y, double viewWidth,
                   {0.0, 0.0, viewWidth, viewHeight}, theme::palette().paper);
 }
 
-void ViewLabels::paintForce(Painter& painter, double viewWidth, double viewHeight) const {
+void ViewLabels::paintForce(Painter& painter) const {
     if (!content_.forceEnd) {
         return;
     }
     const PixelPoint end = project(*content_.forceEnd);
-    painter.label({end.x + 14.0, end.y}, "|F| " + content_.force,
-                  {.size = kForceTextSize, .bold = true, .color = theme::palette().force},
-                  {0.0, 0.0, viewWidth, viewHeight}, theme::palette().paper);
+    paintLabel(painter, {end.x + 14.0, end.y}, "|F| " + content_.force,
+               {.size = kForceTextSize, .bold = true, .color = theme::palette().force});
+}
+
+PixelRect labelBounds(const PixelRect& plate, const PixelRect& view, const PixelRect& bars) {
+    PixelRect inside = plate;
+    inside.left = std::max(view.left, std::min(plate.left, view.right() - plate.width));
+    inside.bottom = std::max(view.bottom, std::min(plate.bottom, view.top() - plate.height));
+    return inside.overlaps(bars)
+               ? PixelRect{view.left, bars.top(), view.width, view.top() - bars.top()}
+               : view;
 }
 
 std::vector<std::string> viewNotes(const ViewNoteFacts& facts) {

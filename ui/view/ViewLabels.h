@@ -67,13 +67,28 @@ public:
     void hide() { content_ = {}; }
 
 private:
-    void paint(Painter& painter) const;
-    void paintScaleBars(Painter& painter, double viewWidth, double viewHeight) const;
+    /// Lengths and positions of both bars.
+    struct ScaleBars {
+        double across = 0.0;  ///< [m]
+        std::string acrossText;
+        double right = 0.0;    ///< end of the bar across [px]
+        double upwards = 0.0;  ///< 0: there is none [m]
+        std::string upwardsText;
+        double top = 0.0;  ///< end of the bar upwards [px]
+        PixelRect area;    ///< of the bars with their numbers [px]
+    };
+
+    void paint(Painter& painter);
+    [[nodiscard]] ScaleBars scaleBars(Painter& painter, double viewWidth, double viewHeight) const;
+    static void paintScaleBars(Painter& painter, const ScaleBars& bars);
+    /// A label that keeps off the scale bars.
+    void paintLabel(Painter& painter, const PixelPoint& at, const std::string& text,
+                    const TextStyle& style) const;
     void paintNotes(Painter& painter, double viewWidth, double viewHeight) const;
-    void paintForce(Painter& painter, double viewWidth, double viewHeight) const;
-    void paintNames(Painter& painter, double viewWidth, double viewHeight) const;
-    void paintMarkers(Painter& painter, double viewWidth, double viewHeight) const;
-    void paintReading(Painter& painter, double viewWidth, double viewHeight) const;
+    void paintForce(Painter& painter) const;
+    void paintNames(Painter& painter) const;
+    void paintMarkers(Painter& painter) const;
+    void paintReading(Painter& painter) const;
     void paintCaption(Painter& painter, double y, double viewWidth, double viewHeight) const;
     [[nodiscard]] PixelPoint project(const Vector3& position) const;
 
@@ -81,7 +96,15 @@ private:
     vtkSmartPointer<PainterItem> item_;
     double pixelRatio_ = 1.0;
     LabelContent content_;
+    PixelRect view_;  ///< the whole picture [px]
+    PixelRect bars_;  ///< of the scale bars; empty: there are none [px]
 };
+
+/// Returns where a label may be: in the view, and where it would lie over the scale bars, above
+/// them.
+/// @param plate of the label, where it is wanted [px] @param bars empty: there are none [px]
+[[nodiscard]] PixelRect labelBounds(const PixelRect& plate, const PixelRect& view,
+                                    const PixelRect& bars);
 
 /// Facts that the notes of a view depend on.
 struct ViewNoteFacts {

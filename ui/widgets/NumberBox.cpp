@@ -120,7 +120,15 @@ QString NumberBox::withoutUnit(const QString& text) const {
     return number;
 }
 
+/// Words that stand for the smallest number.
+bool NumberBox::isSpecial(const QString& text) const {
+    return !specialValueText().isEmpty() && text == specialValueText();
+}
+
 double NumberBox::valueFromText(const QString& text) const {
+    if (isSpecial(text)) {
+        return minimum();
+    }
     return numberFromText(withoutUnit(text)).value_or(value());
 }
 
@@ -139,7 +147,8 @@ QString NumberBox::textFromValue(double value) const {
 }
 
 QValidator::State NumberBox::validate(QString& text, int& /*position*/) const {
-    const std::optional<double> number = numberFromText(withoutUnit(text));
+    const std::optional<double> number =
+        isSpecial(text) ? minimum() : numberFromText(withoutUnit(text));
     const bool isTaken = number && *number >= minimum() && *number <= maximum();
     return isTaken ? QValidator::Acceptable : QValidator::Intermediate;
 }

@@ -54,6 +54,7 @@ Q_SIGNALS:
 
 private:
     [[nodiscard]] QString withoutUnit(const QString& text) const;
+    [[nodiscard]] bool isSpecial(const QString& text) const;
     void mark(bool refused) const;
     void colorText();
 

@@ -24,7 +24,12 @@ std::optional<double> numberFromText(const QString& text, const QLocale& locale)
 }
 
 QString siText(double value, const char* unit) {
-    return QString::fromStdString(formatSi(value, unit));
+    constexpr double kSmallLength = 0.9995e-9;  // [m]
+    constexpr double kPicometer = 1e-12;        // [m]
+    const bool isSmallLength =
+        std::string_view(unit) == "m" && value != 0.0 && std::abs(value) < kSmallLength;
+    return isSmallLength ? QStringLiteral("%1 pm").arg(std::lround(value / kPicometer))
+                         : QString::fromStdString(formatSi(value, unit));
 }
 
 QString threeDigits(double value, const SiScale& scale) {

@@ -17,7 +17,8 @@ namespace asperity {
 [[nodiscard]] std::optional<double> numberFromText(const QString& text,
                                                    const QLocale& locale = QLocale());
 
-/// A value in the unit that suits its size: "12.3 nm". @param unit SI
+/// A value in the unit that suits its size: "12.3 nm". Lengths are no finer than a picometer: no
+/// instrument knows them better. @param unit SI
 [[nodiscard]] QString siText(double value, const char* unit);
 
 /// Three digits in a given unit, of constant width.

@@ -3,11 +3,11 @@
 #include "app/window/live/ForcePanel.h"
 #include "app/window/live/LivePanels.h"
 #include "core/io/curves/ForceCurveFile.h"
+#include "ui/shell/FileDialogs.h"
 #include "ui/shell/Menus.h"
 #include "ui/widgets/ShownText.h"
 
 #include <QAction>
-#include <QFileDialog>
 
 #include <algorithm>
 #include <cmath>
@@ -102,9 +102,11 @@ void MeasuredCurveControl::ask() {
     if (runs_.run() == nullptr) {
         return;
     }
-    const QString file = QFileDialog::getOpenFileName(
-        &host_.widget(), tr("Draw a measured force–distance curve"), {},
-        tr("Text tables: distance and force with units (*.csv *.txt *.tsv *.dat);;All files (*)"));
+    const QString file =
+        askWhatToOpen(&host_.widget(), {.kind = FileKind::Curve,
+                                        .title = tr("Draw a measured force–distance curve"),
+                                        .filters = tr("Text tables: distance and force with units "
+                                                      "(*.csv *.txt *.tsv *.dat);;All files (*)")});
     if (!file.isEmpty()) {
         load(file.toStdString());
     }

@@ -9,11 +9,11 @@
 #include "core/Error.h"
 #include "core/io/scene/DevicePathFile.h"
 #include "core/words/SceneWords.h"
+#include "ui/shell/FileDialogs.h"
 #include "ui/shell/Menus.h"
 #include "ui/widgets/ShownText.h"
 
 #include <QAction>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QPolygonF>
 #include <QStringList>
@@ -230,8 +230,10 @@ void PathControl::addEntries() {
                                           .tip = tr("Move the base as in a recorded run"),
                                           .refusal = refusal});
     const auto askForFile = [this] {
-        const QString chosen = QFileDialog::getOpenFileName(
-            &host_.widget(), tr("Follow a path"), {}, tr("Paths: time_s, x_m, y_m, z_m (*.csv)"));
+        const QString chosen =
+            askWhatToOpen(&host_.widget(), {.kind = FileKind::Path,
+                                            .title = tr("Follow a path"),
+                                            .filters = tr("Paths: time_s, x_m, y_m, z_m (*.csv)")});
         if (!chosen.isEmpty()) {
             chooseFile(chosen);
         }
@@ -241,10 +243,12 @@ void PathControl::addEntries() {
     connect(&live_.controls(), &ControlBar::pathFileRequested, this, askForFile);
     connect(page_, &PathPage::fileRequested, this, askForFile);
     connect(&recording, &QAction::triggered, this, [this] {
-        const QString chosen = QFileDialog::getOpenFileName(
-            &host_.widget(), tr("Replay a recording"), {},
-            tr("Force logs (%1 %2 *.csv)")
-                .arg(QLatin1String(run_files::kLog), QLatin1String(run_files::kTables)));
+        const QString chosen = askWhatToOpen(
+            &host_.widget(), {.kind = FileKind::Recording,
+                              .title = tr("Replay a recording"),
+                              .filters = tr("Force logs (%1 %2 *.csv)")
+                                             .arg(QLatin1String(run_files::kLog),
+                                                  QLatin1String(run_files::kTables))});
         if (!chosen.isEmpty()) {
             replayRecording(chosen.toStdString());
         }

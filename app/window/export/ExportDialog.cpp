@@ -1,13 +1,13 @@
 #include "app/window/export/ExportDialog.h"
 
 #include "ui/shell/Dialogs.h"
+#include "ui/shell/FileDialogs.h"
 #include "ui/widgets/PageParts.h"
 #include "ui/widgets/Theme.h"
 
 #include <QCheckBox>
 #include <QDialogButtonBox>
 #include <QDoubleSpinBox>
-#include <QFileDialog>
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -181,10 +181,13 @@ QString FilmFields::momentOf(const QComboBox& list) const {
 void FilmFields::browse(bool isBundle) {
     QWidget* const dialog = recordingRow_->window();
     const QString chosen =
-        isBundle
-            ? QFileDialog::getOpenFileName(dialog, tr("A bundle of a run"), recording_->text(),
-                                           tr("Bundles (*.zip);;All files (*)"))
-            : QFileDialog::getExistingDirectory(dialog, tr("Folder of a run"), recording_->text());
+        isBundle ? askWhatToOpen(dialog, {.kind = FileKind::Bundle,
+                                          .title = tr("A bundle of a run"),
+                                          .suggestion = recording_->text(),
+                                          .filters = tr("Bundles (*.zip);;All files (*)")})
+                 : askWhichFolder(dialog, {.kind = FileKind::Recording,
+                                           .title = tr("Folder of a run"),
+                                           .suggestion = recording_->text()});
     if (!chosen.isEmpty()) {
         recording_->setText(chosen);
     }
@@ -441,8 +444,9 @@ void ExportDialog::resizeEvent(QResizeEvent* event) {
 }
 
 void ExportDialog::browse() {
-    const QString folder =
-        QFileDialog::getExistingDirectory(this, tr("Folder of the file"), folder_->text());
+    const QString folder = askWhichFolder(this, {.kind = FileKind::ExportFolder,
+                                                 .title = tr("Folder of the file"),
+                                                 .suggestion = folder_->text()});
     if (!folder.isEmpty()) {
         folder_->setText(folder);
     }

@@ -56,7 +56,9 @@ QString termTimeText(const TermNeed& need) {
 }
 
 constexpr int kFidelityGap = 6;  ///< [px]
-constexpr int kKeyWidth = 300;   ///< [px]
+constexpr int kFidelityWidth = 1080;
+constexpr int kFidelityHeight = 760;  ///< with all details [px]
+constexpr int kKeyWidth = 300;        ///< [px]
 
 /// A card that is filled from outside.
 class OpenCard : public Card {
@@ -80,6 +82,26 @@ TradeOffPoints pointsOf(const TradeOff& study) {
                                 .onFront = result.onFront});
     }
     return shown;
+}
+
+/// What a newcomer wants to know, in one sentence.
+QString briefText(const RequiredTerms& needs, const ModelChoices& choices, double period) {
+    if (needs.pending) {
+        return FidelityPanel::tr("Finding out which terms this scene needs; until then the model "
+                                 "has all of them.");
+    }
+    const QString how = choices == allAutomatic(choices) ? FidelityPanel::tr("All automatic")
+                                                         : FidelityPanel::tr("Partly set by hand");
+    const double error = needs.statedError();
+    const QString worth =
+        !needs.measured ? FidelityPanel::tr("what the omitted terms change is not measured")
+        : error == 0.0  ? FidelityPanel::tr("no term that changes what you read is omitted")
+                        : FidelityPanel::tr("omitted terms change what you read by at most %1 %")
+                             .arg(percentText(error));
+    return FidelityPanel::tr("%1: %2; a tick takes %3 of %4 µs.")
+        .arg(how, worth)
+        .arg(1e6 * needs.modelTick, 0, 'g', 2)
+        .arg(1e6 * period, 0, 'f', 0);
 }
 
 /// @param error of the force [N] @param scale of the force [N]
@@ -221,6 +243,8 @@ void TermTable::fitHeight() {
 
 FidelityPanel::FidelityPanel(QWidget* parent)
     : QWidget(parent, Qt::Tool)
+    , brief_(new QLabel(this))
+    , details_(new QPushButton(tr("Details"), this))
     , terms_(new TermTable(this))
     , summary_(new QLabel(this))
     , tolerance_(new NumberBox(this))
@@ -243,13 +267,40 @@ FidelityPanel::FidelityPanel(QWidget* parent)
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(kFidelityGap, kFidelityGap, kFidelityGap, kFidelityGap);
     column->setSpacing(kFidelityGap);
-    column->addWidget(termCard());
-    column->addWidget(chartCard(), 1);
+    column->addWidget(briefLine());
+    QWidget* const terms = termCard();
+    QWidget* const chart = chartCard();
+    column->addWidget(terms);
+    column->addWidget(chart, 1);
+    const auto showDetails = [this, terms, chart](bool shown) {
+        terms->setVisible(shown);
+        chart->setVisible(shown);
+        resize(kFidelityWidth, shown ? kFidelityHeight : minimumSizeHint().height());
+    };
+    connect(details_, &QPushButton::toggled, this, showDetails);
     connectInputs();
     setMeasuring(std::nullopt);
     showTradeOff(std::nullopt);
     theme::follow(this, [this] { key_->setText(keyText()); });
-    resize(1080, 760);
+    showDetails(false);
+}
+
+QWidget* FidelityPanel::briefLine() {
+    brief_->setObjectName(QStringLiteral("fidelityBrief"));
+    brief_->setWordWrap(true);
+    brief_->setFont(theme::boldFont());
+    brief_->setToolTip(
+        tr("Whether the program chose the model, what it leaves out, and how much of "
+           "its time a tick takes"));
+    details_->setObjectName(QStringLiteral("fidelityDetails"));
+    details_->setCheckable(true);
+    details_->setToolTip(tr("Each term of the model, and the speed and accuracy of all options"));
+    auto* line = new QWidget(this);
+    auto* row = new QHBoxLayout(line);
+    row->setContentsMargins(kFidelityGap, 0, 0, 0);
+    row->addWidget(brief_, 1);
+    row->addWidget(details_);
+    return line;
 }
 
 QWidget* FidelityPanel::termCard() {
@@ -312,7 +363,9 @@ void FidelityPanel::connectInputs() {
     });
 }
 
-void FidelityPanel::showModel(const RequiredTerms& needs, const ModelChoices& choices) {
+void FidelityPanel::showModel(const RequiredTerms& needs, const ModelChoices& choices,
+                              double period) {
+    brief_->setText(briefText(needs, choices, period));
     terms_->show(needs, choices);
     const QSignalBlocker blocker(tolerance_);
     tolerance_->setValue(100.0 * needs.tolerance);

@@ -53,16 +53,17 @@ private:
     bool lawIsGiven_ = false;
 };
 
-/// Speed against accuracy, a window of its own: the terms of the model with what each is worth, and
-/// the measured ways for a tick. Setters show a state and emit nothing; signals tell what the
-/// user changed.
+/// Speed against accuracy, a window of its own: one sentence on the model in use, and on request
+/// its terms with what each is worth, and the measured ways for a tick. Setters show a state and
+/// emit nothing; signals tell what the user changed.
 class FidelityPanel : public QWidget {
     Q_OBJECT
 
 public:
     explicit FidelityPanel(QWidget* parent = nullptr);
 
-    void showModel(const RequiredTerms& needs, const ModelChoices& choices);
+    /// @param period from one tick to the next [s]
+    void showModel(const RequiredTerms& needs, const ModelChoices& choices, double period);
     /// None: the chart is empty.
     void showTradeOff(const std::optional<TradeOff>& study);
     [[nodiscard]] const std::optional<TradeOff>& tradeOff() const { return study_; }
@@ -81,12 +82,15 @@ Q_SIGNALS:
     void stopRequested();  ///< of the study under way
 
 private:
+    [[nodiscard]] QWidget* briefLine();
     [[nodiscard]] QWidget* termCard();
     [[nodiscard]] QWidget* chartCard();
     void connectInputs();
     void showCurrent();
     [[nodiscard]] QString keyText() const;
 
+    QLabel* brief_;         ///< one sentence
+    QPushButton* details_;  ///< shows all the rest
     TermTable* terms_;
     QLabel* summary_;
     NumberBox* tolerance_;

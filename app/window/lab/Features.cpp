@@ -21,6 +21,7 @@
 #include "app/window/measure/RoughnessControl.h"
 #include "app/window/recording/PlaybackControl.h"
 #include "app/window/recording/RecordingControl.h"
+#include "app/window/recording/ReportControl.h"
 #include "app/window/scene/ColorControl.h"
 #include "app/window/scene/LibraryControl.h"
 #include "app/window/scene/OpenControl.h"
@@ -29,10 +30,12 @@
 #include "app/window/session/SessionControl.h"
 #include "app/window/study/StudyControl.h"
 #include "ui/shell/AboutBox.h"
+#include "ui/shell/ManualWindow.h"
 #include "ui/view/ZoomView.h"
 
 #include <QAction>
 
+#include <filesystem>
 #include <memory>
 
 namespace asperity {
@@ -55,16 +58,40 @@ ProgramFacts factsOf(ZoomView& view) {
     return facts;
 }
 
+/// The pages of the manual: beside the data, in the sources as where the program is installed.
+std::filesystem::path manualFolder() { return dataFolder().parent_path() / "docs"; }
+
 class HelpControl : public Feature {
 public:
-    explicit HelpControl(Stage& stage) : Feature(stage) {
-        const QAction& entry = host_.menus().add(
-            {MenuName::Help, 0, 20}, "about",
-            {.text = tr("&About Asperity"),
-             .tip = tr("Versions and licenses of the program and its libraries")});
+    explicit HelpControl(Stage& stage)
+        : Feature(stage), manual_(new ManualWindow(manualFolder(), &host_.widget())) {
+        host_.addWindow(*manual_);
+        addPage(1, "firstSteps", "first_steps.md",
+                {.text = tr("&First steps"),
+                 .tip = tr("From a file to a picture and a force log, click by click")});
+        addPage(2, "manual", "README.md",
+                {.text = tr("&Manual"), .tip = tr("All pages of the documentation")});
+        connect(manual_, &ManualWindow::missing, this,
+                [this](const QString& why) { host_.complain(why); });
+        const QAction& entry =
+            host_.menus().add({MenuName::Help, 1, 10}, "about",
+                              {.text = tr("&About Asperity"),
+                               .tip = tr("What the program is, its version and its license")});
         connect(&entry, &QAction::triggered, this,
                 [this] { (new AboutBox(factsOf(live_.view()), &host_.widget()))->show(); });
     }
+
+private:
+    void addPage(int rank, const char* name, const char* page, const MenuEntry& words) {
+        const QAction& entry = host_.menus().add({MenuName::Help, 0, rank}, name, words);
+        connect(&entry, &QAction::triggered, this, [this, page] {
+            if (manual_->open(QString::fromUtf8(page)) && !manual_->isVisible()) {
+                host_.toggle(*manual_);
+            }
+        });
+    }
+
+    ManualWindow* manual_;  ///< the window's
 };
 
 template <class... Features>
@@ -100,6 +127,7 @@ void addFeatures(Stage& stage) {
            MeasuredCurveControl,  //
            PlaybackControl,       //
            ComparisonControl,     //
+           ReportControl,         //
            ColorControl,          //
            MessageControl,        //
            ClipboardControl,      //

@@ -88,8 +88,11 @@ void EngageBar::addGroup(std::initializer_list<QWidget*> widgets) {
 
 void EngageBar::addSetpoint() {
     box_->setObjectName(QStringLiteral("setpoint"));
-    box_->setToolTip(tr("Force along z above that of the free lever, as its bending shows it: an "
-                        "approach ends at it, and it is held then"));
+    box_->setToolTip(
+        tr("Deflection force: what the bending of the lever says of the force along z, "
+           "counted from the free lever. An approach ends at it, and it is held then. "
+           "Fz in the panel is another number: the estimate from both signals and the "
+           "model"));
     box_->setFixedSize(theme::scaled(kSetpointWidth), theme::scaled(kEngageHeight));
     guardFromWheel(*box_);
     unit_->setToolTip(tr("Unit of the setpoint: force, deflection of the lever, or volts of the "

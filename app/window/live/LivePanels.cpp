@@ -17,6 +17,7 @@
 #include "ui/view/SecondView.h"
 #include "ui/view/ViewOptionsMenu.h"
 #include "ui/view/ZoomView.h"
+#include "ui/widgets/Theme.h"
 
 #include <QAction>
 #include <QLabel>
@@ -30,6 +31,8 @@ namespace asperity {
 
 namespace {
 
+/// Of the large view, whatever else is open: it never vanishes [px, as theme::scaled() takes them].
+constexpr QSize kLeastView(190, 160);
 constexpr int kHalf = 1000;  // of the width, for each view once both are shown
 
 /// The keys that move the device work again once a knob is turned.
@@ -70,6 +73,38 @@ void showFrameOf(const ZoomView& view, OverviewPanel& overview) {
 
 }  // namespace
 
+/// Hints in one line: as many as fit, the first ones.
+class HintLine : public QLabel {
+public:
+    explicit HintLine(QWidget* parent) : QLabel(parent) {
+        setAlignment(Qt::AlignCenter);
+        setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    }
+
+    void setTexts(const QStringList& texts) {
+        texts_ = texts;
+        fit();
+    }
+
+protected:
+    void resizeEvent(QResizeEvent* event) override {
+        QLabel::resizeEvent(event);
+        fit();
+    }
+
+private:
+    void fit() {
+        QStringList shown = texts_;
+        const auto joined = [&shown] { return shown.join(QStringLiteral("   ·   ")); };
+        while (shown.size() > 1 && fontMetrics().horizontalAdvance(joined()) > width()) {
+            shown.removeLast();
+        }
+        setText(joined());
+    }
+
+    QStringList texts_;
+};
+
 /// The large view with what belongs to it: above it the banner and Engage, below it the color bars
 /// and a line with a hint, or with what is being loaded.
 class ViewSide : public QWidget {
@@ -92,6 +127,8 @@ public:
         column_->setSpacing(kPanelGap);
         column_->addWidget(parts.banner);
         column_->addWidget(parts.engage);
+        parts.view->setMinimumSize(theme::scaled(kLeastView.width()),
+                                   theme::scaled(kLeastView.height()));
         views_->addWidget(parts.view);
         views_->addWidget(parts.second);
         views_->setStretchFactor(0, 1);
@@ -105,23 +142,20 @@ public:
     [[nodiscard]] QSplitter& views() { return *views_; }
     [[nodiscard]] QVBoxLayout& column() { return *column_; }
     [[nodiscard]] ViewBars& bars() const { return *bars_; }
-    void setHint(const QString& hint) {
-        static_cast<QLabel*>(bottomLine_->widget(0))->setText(hint);
-    }
+    void setHints(const QStringList& hints) { hint_->setTexts(hints); }
     /// Sets whether the last line shows the loading instead of the hint.
     void setLoading(bool loading) { bottomLine_->setCurrentIndex(loading ? 1 : 0); }
 
 private:
     /// Hint and loading in one line, so that nothing moves when a file is loaded.
     void addBottomLine() {
-        auto* hint = new QLabel(this);
-        hint->setObjectName(QStringLiteral("hint"));
-        hint->setAlignment(Qt::AlignCenter);
-        hint->setToolTip(tr("Mouse actions in the large view; keys: Help > Keyboard and mouse"));
+        hint_ = new HintLine(this);
+        hint_->setObjectName(QStringLiteral("hint"));
+        hint_->setToolTip(tr("Mouse actions in the large view; keys: Help > Keyboard and mouse"));
         parts_.view->setAccessibleDescription(
             tr("The sample around the tip, the tip and the force on it, in three dimensions"));
         bottomLine_ = new QStackedLayout;
-        bottomLine_->addWidget(hint);
+        bottomLine_->addWidget(hint_);
         bottomLine_->addWidget(parts_.loading);
         column_->addLayout(bottomLine_);
     }
@@ -130,6 +164,7 @@ private:
     QVBoxLayout* column_;
     QSplitter* views_;
     ViewBars* bars_;
+    HintLine* hint_ = nullptr;
     QStackedLayout* bottomLine_ = nullptr;  ///< hint, loading
 };
 
@@ -221,6 +256,13 @@ void LivePanels::addEntries() {
                     .isCheckable = true});
     secondEntry_->setChecked(true);
     colors_ = new ColorsMenu(menus.addMenu({MenuName::View, 2, 10}, "colors", tr("&Colors")));
+    const QAction& timing = menus.add({MenuName::View, 4, 30}, "loopTiming",
+                                      {.text = tr("Loop timing in the &bottom line"),
+                                       .tip = tr("Time of a tick, lateness, missed ticks and frame "
+                                                 "rate in the bottom line"),
+                                       .isCheckable = true,
+                                       .keptAs = QStringLiteral("view/loopTiming")});
+    connect(&timing, &QAction::toggled, loopStatus_, &LoopStatusBar::setDetailed);
     auto* options = new QMenu(&host_.widget());
     viewOptions_ = new ViewOptionsMenu(*options);
     menus.addEntriesOf(*options, {MenuName::View, 2, 20});
@@ -315,15 +357,19 @@ void LivePanels::fix(const QString& why) {
 
 void LivePanels::showHint() {
     if (isDemonstration_) {
-        side_->setHint(tr("<b>Demonstration: the tip approaches the sample and withdraws by "
-                          "itself.</b> Click or press a key to take over."));
+        side_->setHints({tr("Demonstration: click or press a key to take over"),
+                         tr("The tip approaches the sample and withdraws by itself")});
         return;
     }
-    QString hint = tr("Right drag: turn   ·   Ctrl + wheel: zoom");
-    if (tipMoves_) {
-        hint = tr("Drag: move the tip   ·   Wheel: up and down   ·   %1").arg(hint);
+    QStringList hints;
+    if (hasEmergencyStop_) {
+        hints << tr("Esc: forces off");
     }
-    side_->setHint(hasEmergencyStop_ ? tr("%1   ·   Esc: forces off").arg(hint) : hint);
+    if (tipMoves_) {
+        hints << tr("Drag: move the tip") << tr("Wheel: up and down");
+    }
+    hints << tr("Right drag: turn") << tr("Ctrl + wheel: zoom");
+    side_->setHints(hints);
 }
 
 bool LivePanels::leaveTool() {

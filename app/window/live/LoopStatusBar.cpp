@@ -14,22 +14,39 @@ namespace {
 
 const QString kNotKnown = QStringLiteral("–");
 
+/// Share of the ticks that may be missed: a few mean nothing, with a system that is not real-time.
+constexpr double kMayBeMissed = 0.01;
+
+constexpr int kItemGap = 4;       // between a caption and its number [px]
+constexpr int kBetweenItems = 6;  // beyond that [px]
+constexpr int kLineMargin = 8;    // at both ends [px]
+
 QString countText(long count) { return QLocale(QLocale::English).toString(qlonglong{count}); }
 
-/// The loop's thread as the system treats it; the second says what would help.
+/// The loop's thread as the system treats it.
 QString schedulingText(SchedulingPolicy policy) {
+    return policy == SchedulingPolicy::Realtime ? LoopStatusBar::tr("real-time")
+                                                : LoopStatusBar::tr("ordinary");
+}
+
+/// The same with what would help.
+QString schedulingTip(SchedulingPolicy policy) {
     return policy == SchedulingPolicy::Realtime
-               ? LoopStatusBar::tr("real-time")
-               : LoopStatusBar::tr("ordinary: no permission for SCHED_FIFO");
+               ? LoopStatusBar::tr("The system runs the loop before other programs")
+               : LoopStatusBar::tr("The system runs the loop as any other program: there is no "
+                                   "permission for SCHED_FIFO");
 }
 
 }  // namespace
 
 LoopStatusBar::LoopStatusBar(QWidget* parent) : QWidget(parent) {
     auto* layout = new QHBoxLayout(this);
-    layout->setContentsMargins(8, 1, 8, 1);
-    layout->setSpacing(4);
-    rate_ = addItem("rate", tr("Ticks a second that the loop is asked for"), tr("loop"),
+    layout->setContentsMargins(kLineMargin, 1, kLineMargin, 1);
+    layout->setSpacing(kItemGap);
+    state_ = captionLabel(QString(), this);
+    state_->setObjectName(QStringLiteral("loopState"));
+    layout->addWidget(state_);
+    rate_ = addItem("rate", tr("Ticks a second that the loop is asked for"), tr("rate"),
                     QStringLiteral("10,000 Hz"));
     tickTime_ = addItem("tickTime", tr("Computing time of a tick: median and 99th percentile"),
                         tr("tick p50 / p99"), QStringLiteral("88.8 µs / 88.8 µs"));
@@ -37,18 +54,21 @@ LoopStatusBar::LoopStatusBar(QWidget* parent) : QWidget(parent) {
                         QStringLiteral("88.8 µs"));
     overruns_ = addItem("overruns", tr("Ticks that ended after the next one should have begun"),
                         tr("overruns"), QStringLiteral("88,888"));
+    frames_ = addItem("frames", tr("Pictures of the large view a second"), tr("frames/s"),
+                      QStringLiteral("88.8"));
+    scheduling_ = addItem("scheduling", tr("How the system schedules the loop's thread"),
+                          tr("scheduling"), QStringLiteral("real-time"));
     lost_ = addItem("lost", tr("Ticks that the window did not fetch in time: missing in curves"),
                     tr("lost"), QStringLiteral("88,888"));
     ticks_ = addItem("ticks", tr("Ticks since the run began"), tr("ticks"),
                      QStringLiteral("88,888,888"));
-    frames_ = addItem("frames", tr("Pictures of the large view a second"), tr("frames/s"),
-                      QStringLiteral("88.8"));
     layout->addStretch(1);
-    scheduling_ = captionLabel(QString(), this);
-    scheduling_->setObjectName(QStringLiteral("scheduling"));
-    scheduling_->setToolTip(tr("How the system schedules the loop's thread"));
-    layout->addWidget(scheduling_);
+    // As narrow as its first word: further numbers fit or are hidden.
+    setMinimumWidth(state_->fontMetrics().horizontalAdvance(tr("● loop on time")) +
+                    2 * kLineMargin);
+    setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     clear();
+    showItems();
 }
 
 QLabel* LoopStatusBar::addItem(const char* objectName, const QString& meaning,
@@ -58,12 +78,53 @@ QLabel* LoopStatusBar::addItem(const char* objectName, const QString& meaning,
     value->setAlignment(Qt::AlignLeft | Qt::AlignVCenter);
     auto* row = static_cast<QHBoxLayout*>(layout());
     auto* name = captionLabel(caption, this);
+    name->setContentsMargins(kBetweenItems, 0, 0, 0);
     name->setToolTip(meaning);
     value->setToolTip(meaning);
     row->addWidget(name);
     row->addWidget(value);
-    row->addSpacing(6);
+    items_.push_back({name, value});
     return value;
+}
+
+void LoopStatusBar::setDetailed(bool detailed) {
+    isDetailed_ = detailed;
+    showItems();
+}
+
+void LoopStatusBar::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    showItems();
+}
+
+/// Those that do not fit are left out, the last ones first.
+void LoopStatusBar::showItems() {
+    int left = width() - 2 * kLineMargin - state_->sizeHint().width();
+    for (const Item& item : items_) {
+        left -= item.caption->sizeHint().width() + item.value->width() + 2 * kItemGap;
+        const bool isShown = isDetailed_ && left >= 0;
+        item.caption->setVisible(isShown);
+        item.value->setVisible(isShown);
+    }
+}
+
+/// Judged once a second of the loop's own time, so that the word does not flicker.
+void LoopStatusBar::showState(const LoopStatistics& statistics) {
+    const auto ticks = static_cast<double>(statistics.ticks - ticksThen_);
+    if (ticks < 0.0 || ticks >= rateAsked_) {
+        const auto missed = static_cast<double>(statistics.overruns - overrunsThen_);
+        isLate_ = missed > kMayBeMissed * ticks;
+        ticksThen_ = statistics.ticks;
+        overrunsThen_ = statistics.overruns;
+    }
+    state_->setText(isLate_ ? tr("▲ loop late") : tr("● loop on time"));
+    state_->setToolTip(
+        tr("%1 ticks a second are asked for. A tick takes %2 (median) and %3 (99th percentile), "
+           "and begins %4 late (99th percentile); %5 were missed. All of it: View > Loop timing in "
+           "the bottom line")
+            .arg(rate_->text(), siText(statistics.tickTime.median, "s"),
+                 siText(statistics.tickTime.p99, "s"), siText(statistics.lateness.p99, "s"),
+                 countText(statistics.overruns)));
 }
 
 void LoopStatusBar::begin(const Scene& scene) { setRateAsked(scene.description.tickRate); }
@@ -87,6 +148,8 @@ void LoopStatusBar::show(const Snapshot& snapshot) {
     overruns_->setText(countText(statistics.overruns));
     lost_->setText(countText(statistics.lostSamples));
     scheduling_->setText(schedulingText(statistics.policy));
+    scheduling_->setToolTip(schedulingTip(statistics.policy));
+    showState(statistics);
 }
 
 ShownNumbers LoopStatusBar::numbers(const Snapshot& snapshot) const {
@@ -107,11 +170,15 @@ ShownNumbers LoopStatusBar::numbers(const Snapshot& snapshot) const {
 }
 
 void LoopStatusBar::clear() {
-    for (QLabel* label : {rate_, ticks_, tickTime_, lateness_, overruns_, lost_, frames_}) {
-        label->setText(kNotKnown);
+    for (const Item& item : items_) {
+        item.value->setText(kNotKnown);
     }
     framesPerSecond_.reset();
-    scheduling_->clear();
+    ticksThen_ = 0;
+    overrunsThen_ = 0;
+    isLate_ = false;
+    state_->setText(tr("○ no loop"));
+    state_->setToolTip(tr("No run was begun"));
 }
 
 }  // namespace asperity

@@ -19,6 +19,7 @@
 #include "core/scene/Scene.h"
 #include "core/scene/SceneDescription.h"
 #include "ui/shell/Dialogs.h"
+#include "ui/shell/FileDialogs.h"
 #include "ui/shell/Menus.h"
 #include "ui/view/OverviewMap.h"
 #include "ui/view/ZoomView.h"
@@ -26,7 +27,6 @@
 
 #include <QAction>
 #include <QFile>
-#include <QFileDialog>
 #include <QLocale>
 
 #include <algorithm>
@@ -131,9 +131,12 @@ ForceMapSaving::ForceMapSaving(Host& host)
                                  .failed = complaintIn(host_)}) {}
 
 void ForceMapSaving::ask(const std::shared_ptr<const HeldMap>& map) {
-    const QString file = QFileDialog::getSaveFileName(
-        &host_.widget(), QObject::tr("Save the force map"), suggestionFor(*map),
-        QObject::tr("Force maps: .gwy, with .vti, .exr and pictures beside it (*.gwy)"));
+    const QString file = askWhereToSave(
+        &host_.widget(), {.kind = FileKind::Map,
+                          .title = QObject::tr("Save the force map"),
+                          .suggestion = suggestionFor(*map),
+                          .filters = QObject::tr(
+                              "Force maps: .gwy, with .vti, .exr and pictures beside it (*.gwy)")});
     if (!file.isEmpty()) {
         saveTo(map, pathOf(file));
     }
@@ -208,6 +211,8 @@ ForceMapControl::ForceMapControl(Stage& stage)
     soon_.setInterval(kEstimateDelay);
     addEntry();
     connectParts();
+    host_.askBeforeClosing(
+        [this] { return making_ ? tr("A force map is being computed: it is lost.") : QString(); });
     follow();
 }
 

@@ -1,17 +1,19 @@
 #include "app/window/measure/TableExport.h"
 
 #include "core/Error.h"
+#include "ui/shell/FileDialogs.h"
 #include "ui/shell/Host.h"
 
 #include <QFile>
-#include <QFileDialog>
 #include <QFileInfo>
 
 namespace asperity {
 
 void askForTable(Host& host, const QString& title, const QString& name, const WriteTable& write) {
-    QString file =
-        QFileDialog::getSaveFileName(&host.widget(), title, name, QObject::tr("Tables (*.csv)"));
+    QString file = askWhereToSave(&host.widget(), {.kind = FileKind::Table,
+                                                   .title = title,
+                                                   .suggestion = name,
+                                                   .filters = QObject::tr("Tables (*.csv)")});
     if (!file.isEmpty()) {
         file += QFileInfo(file).suffix().isEmpty() ? QStringLiteral(".csv") : QString();
         writeTableTo(host, QFile::encodeName(file).toStdString(), write);

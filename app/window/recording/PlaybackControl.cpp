@@ -10,6 +10,7 @@
 #include "app/window/live/StateBanner.h"
 #include "core/Error.h"
 #include "ui/plot/CurveHistory.h"
+#include "ui/shell/FileDialogs.h"
 #include "ui/shell/Menus.h"
 #include "ui/shell/RunPanel.h"
 #include "ui/widgets/ReadingBudget.h"
@@ -17,7 +18,6 @@
 #include "ui/widgets/Steady.h"
 
 #include <QAction>
-#include <QFileDialog>
 
 #include <algorithm>
 #include <cmath>
@@ -33,16 +33,6 @@ constexpr std::size_t kAtOnce = 1'000;     ///< that the curves go on by; more a
 constexpr double kUnpacked = 0.1;          ///< share of the time that a bundle takes
 constexpr double kLoaded = 0.3;            ///< the same with reading the run
 constexpr int kPlottedStretches = 50'000;  ///< of a line: a zoom by ten still shows all
-
-/// Asks for a file of a recorded run's folder, or a bundle; empty: none.
-QString askForRun(QWidget& window) {
-    const QStringList files{run_files::kManifest, run_files::kSummary, run_files::kTables,
-                            run_files::kLog};
-    return QFileDialog::getOpenFileName(
-        &window, PlaybackControl::tr("Look at a recording"), {},
-        PlaybackControl::tr("Recorded runs (%1);;Bundles (*.zip);;All files (*)")
-            .arg(files.join(QLatin1Char(' '))));
-}
 
 /// Reads a run and replays it once, so that any tick is available. @return its scene
 LoadedScene read(LookedAtRun& run, Progress& progress) {
@@ -123,6 +113,17 @@ PlaybackPage::Comparison pageOf(const RunComparison& forces, double begin) {
 
 }  // namespace
 
+QString askForRun(QWidget& window, const QString& title) {
+    const QStringList files{run_files::kManifest, run_files::kSummary, run_files::kTables,
+                            run_files::kLog};
+    return askWhatToOpen(
+        &window,
+        {.kind = FileKind::Recording,
+         .title = title,
+         .filters = PlaybackControl::tr("Recorded runs (%1);;Bundles (*.zip);;All files (*)")
+                        .arg(files.join(QLatin1Char(' ')))});
+}
+
 PlaybackPage::Curves curvesOf(const ForceTrace& trace, const QString& name, double shift) {
     QVector<QPointF> force;
     QVector<QPointF> distance;
@@ -153,7 +154,8 @@ PlaybackControl::PlaybackControl(Stage& stage)
                                      "views"),
                            .refusal = [this] { return runs_.fixedBy(); }});
     connect(&entry, &QAction::triggered, this, [this] {
-        if (const QString file = askForRun(host_.widget()); !file.isEmpty()) {
+        const QString file = askForRun(host_.widget(), tr("Look at a recording"));
+        if (!file.isEmpty()) {
             look(file.toStdString());
         }
     });
@@ -315,7 +317,7 @@ ComparisonControl::ComparisonControl(Stage& stage)
 }
 
 void ComparisonControl::ask() {
-    const QString file = askForRun(host_.widget());
+    const QString file = askForRun(host_.widget(), tr("Compare with a recording"));
     if (!file.isEmpty() && playback_.shown() != nullptr) {
         compareWith(file.toStdString());
     }

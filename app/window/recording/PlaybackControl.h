@@ -24,6 +24,9 @@ struct LookedAtRun {
     std::optional<RunPlayback> playback;        ///< only one thread asks it for ticks
 };
 
+/// Asks for a file of a recorded run's folder, or a bundle. @return empty: the user canceled
+[[nodiscard]] QString askForRun(QWidget& window, const QString& title);
+
 /// Returns the curves of a run: thinned where it has more ticks than can be seen.
 [[nodiscard]] PlaybackPage::Curves curvesOf(const ForceTrace& trace, const QString& name,
                                             double shift = 0.0);

@@ -51,6 +51,9 @@ RecordingControl::RecordingControl(Stage& stage) : Feature(stage), folder_(userF
     addEntries();
     connect(&runs_, &RunControl::ending, this, &RecordingControl::saveAll);
     connect(&runs_, &RunControl::begun, this, &RecordingControl::tellOfCutRecording);
+    host_.askBeforeClosing([this] {
+        return recording_ ? tr("A recording is being written: it ends, and is kept.") : QString();
+    });
 }
 
 void RecordingControl::addEntries() {

@@ -130,7 +130,10 @@ void OpenDialog::setFolder(const QString& folder) { chooser_->setDirectory(folde
 
 void OpenDialog::setFolders(const QStringList& folders) { chooser_->setFolders(folders); }
 
-QString OpenDialog::folder() const { return chooser_->directory().absolutePath(); }
+/// A path may be typed whatever folder is listed.
+QString OpenDialog::folder() const {
+    return file_.isEmpty() ? chooser_->directory().absolutePath() : QFileInfo(file_).absolutePath();
+}
 
 void OpenDialog::setRecent(const std::vector<RecentFile>& files) {
     recent_->clear();

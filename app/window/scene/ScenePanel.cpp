@@ -31,6 +31,7 @@ namespace {
 constexpr int kFieldWidth = 96;  ///< of a number, at least [px]
 constexpr int kResetWidth = 22;  ///< [px]
 constexpr int kFieldDecimals = 12;
+constexpr int kShownSizeDigits = 4;  ///< of the size of a scan
 
 QString captionOf(const SceneField& field) {
     const QString caption = coreWords(field.words.caption);
@@ -254,6 +255,7 @@ QWidget* SceneFieldRow::newLeveling(QWidget* parent) {
 }
 
 void SceneFieldRow::setScanSize(const QSizeF& size) {
+    scanSize_ = size;
     if (auto* const editor = qobject_cast<LevelingEditor*>(control_)) {
         editor->setScanSize(size);
     }
@@ -288,12 +290,27 @@ void SceneFieldRow::setChoices(const std::vector<SceneChoice>& choices) { choice
 
 void SceneFieldRow::show(const SceneDescription& scene, const SceneDescription& defaults) {
     defaults_ = defaults;
+    showZero(scene);
     showValue_(scene);
     const bool isDefault = isSame(field_, scene, defaults);
     reset_->setVisible(!isDefault);
     muted_ = isDefault;
     setMuted(muted_);
     refuse(coreWords(whyIdle(field_, scene)));
+}
+
+/// A width of 0 stands for that of the file: it says which one that is.
+void SceneFieldRow::showZero(const SceneDescription& scene) {
+    const std::string_view key = field_.key;
+    const bool isWidth = key == "size_x_m";
+    if (!isWidth && key != "size_y_m") {
+        return;
+    }
+    const double size = isWidth ? scanSize_.width() : scanSize_.height();
+    const bool isKnown = size > 0.0 && !scene.sample.crop;  // of the whole scan
+    const QString number = QString::number(size / field_.words.scale, 'g', kShownSizeDigits);
+    static_cast<NumberBox*>(control_)->setSpecialValueText(isKnown ? tr("%1 (file)").arg(number)
+                                                                   : tr("as in the file"));
 }
 
 void SceneFieldRow::setMuted(bool muted) {

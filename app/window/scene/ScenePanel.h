@@ -79,6 +79,7 @@ private:
     [[nodiscard]] QWidget* newChoice(QWidget* parent);
     [[nodiscard]] QWidget* newText(QWidget* parent);
     [[nodiscard]] QWidget* newLeveling(QWidget* parent);
+    void showZero(const SceneDescription& scene);
     void reset();
     void enterText(QLineEdit& line);
     void setMuted(bool muted);
@@ -89,6 +90,7 @@ private:
     QLabel* caption_;
     QWidget* control_;
     QToolButton* reset_;
+    QSizeF scanSize_;    ///< [m]
     QString shownText_;  ///< of a text, as it was shown last
     SceneDescription defaults_;
     bool muted_ = false;

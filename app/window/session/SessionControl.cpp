@@ -8,12 +8,12 @@
 #include "core/io/scene/SceneFile.h"
 #include "core/scene/SceneDescription.h"
 #include "core/scene/SettingFields.h"
+#include "ui/shell/FileDialogs.h"
 #include "ui/shell/Menus.h"
 #include "ui/widgets/ShownText.h"
 
 #include <QAction>
 #include <QFile>
-#include <QFileDialog>
 #include <QStandardPaths>
 
 #include <fcntl.h>
@@ -158,8 +158,10 @@ void SessionControl::addEntries() {
     startWithLast_->setChecked(true);
     connect(&save, &QAction::triggered, this, &SessionControl::save);
     connect(saveAs_, &QAction::triggered, this, [this] {
-        const QString file = QFileDialog::getSaveFileName(&host_.widget(), tr("Save the session"),
-                                                          suggestedFile(), tr("Sessions (*.toml)"));
+        const QString file = askWhereToSave(&host_.widget(), {.kind = FileKind::Session,
+                                                              .title = tr("Save the session"),
+                                                              .suggestion = suggestedFile(),
+                                                              .filters = tr("Sessions (*.toml)")});
         if (!file.isEmpty()) {
             saveAs(pathOf(file));
         }
@@ -219,7 +221,7 @@ void SessionControl::saveAs(const std::filesystem::path& file) {
     try {
         saveScene(scene(), target, windowSection(window()));
         files_[edits_.origin()] = std::filesystem::absolute(target);
-        saved_ = QFile::decodeName(target.parent_path().c_str());
+        rememberFolderOf(FileKind::Session, QFile::decodeName(target.c_str()));
         host_.tell(tr("Saved as %1").arg(shownPath(target)));
     } catch (const Error& error) {
         host_.complain(QString::fromUtf8(error.what()));
@@ -241,9 +243,9 @@ QString SessionControl::suggestedFile() const {
         name = std::filesystem::path(sample.file).stem().string();
     }
     name = (name.empty() ? "session" : name) + ".toml";
-    const QString folder = saved_.isEmpty()
-                               ? QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation)
-                               : saved_;
+    const QString last = lastFolder(FileKind::Session);
+    const QString folder =
+        last.isEmpty() ? QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation) : last;
     return folder + QLatin1Char('/') + QFile::decodeName(name.c_str());
 }
 

@@ -99,7 +99,6 @@ private:
     SceneOpener& scenes_;
     std::map<int, std::filesystem::path> files_;  ///< of sessions, by the origin of their scene
     std::map<int, std::string> names_;            ///< of what was opened, too
-    QString saved_;                               ///< folder of the last one; empty: none yet
     SceneDescription opened_;                     ///< the scene as it was opened
     bool isEdited_ = false;
     bool rests_ = false;  ///< a recording is looked at: what is kept is of before

@@ -4,6 +4,7 @@
 #include "app/window/live/LivePanels.h"
 #include "app/window/live/ViewMemory.h"
 #include "core/Error.h"
+#include "ui/shell/FileDialogs.h"
 #include "ui/shell/MainWindow.h"
 #include "ui/shell/Menus.h"
 #include "ui/shell/WindowLayout.h"
@@ -92,6 +93,7 @@ WindowMemory::WindowMemory(MainWindow& window, LivePanels& live,
     restoreViews(live_, kept);  // first: which of them share the room
     window_.restore(kept);
     restoreTheme(*settings);
+    restoreFolders(kept);
     for (const auto& [key, entry] : window_.menus().kept()) {
         entry->setChecked(settings->value(key, entry->isChecked()).toBool());
     }
@@ -110,6 +112,7 @@ QVariantMap WindowMemory::present() const {
     window_.keep(kept);
     keepViews(live_, kept);
     keepTheme(kept);
+    keepFolders(kept);
     for (const auto& [key, entry] : window_.menus().kept()) {
         kept.insert(key, entry->isChecked());
     }

@@ -5,12 +5,12 @@
 #include "core/Error.h"
 #include "core/experiment/Study.h"
 #include "core/io/experiment/StudyFile.h"
+#include "ui/shell/FileDialogs.h"
 #include "ui/shell/Host.h"
 #include "ui/widgets/Card.h"
 #include "ui/widgets/PageParts.h"
 #include "ui/widgets/ShownText.h"
 
-#include <QFileDialog>
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -141,16 +141,20 @@ void StudyForm::refuse(const QString& why) {
 }
 
 void StudyForm::askForStudy() {
-    const QString file = QFileDialog::getOpenFileName(window(), tr("Choose a study"), QString(),
-                                                      tr("Studies (*.toml);;All files (*)"));
+    const QString file =
+        askWhatToOpen(window(), {.kind = FileKind::Study,
+                                 .title = tr("Choose a study"),
+                                 .filters = tr("Studies (*.toml);;All files (*)")});
     if (!file.isEmpty()) {
         Q_EMIT studyChosen(file);
     }
 }
 
 void StudyForm::askForFolder() {
-    const QString folder = QFileDialog::getExistingDirectory(
-        window(), tr("Choose the folder of the results"), folder_->text());
+    const QString folder =
+        askWhichFolder(window(), {.kind = FileKind::StudyFolder,
+                                  .title = tr("Choose the folder of the results"),
+                                  .suggestion = folder_->text()});
     if (!folder.isEmpty()) {
         Q_EMIT folderChosen(folder);
     }

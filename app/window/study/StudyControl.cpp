@@ -68,6 +68,13 @@ StudyControl::StudyControl(Stage& stage)
     connect(panel_, &TrialPanel::resultsChosen, this,
             [this] { results_.show([study = study_](const auto& read) { read(study->folder); }); });
     connect(&runs_, &RunControl::ending, this, &StudyControl::drop);
+    host_.askBeforeClosing([this] {
+        return study_ == nullptr || phase_ == StudyPhase::Finished
+                   ? QString()
+                   : tr("A study is under way: all trials that have ended are kept; one in "
+                        "progress "
+                        "is repeated when the study is continued.");
+    });
     show();
 }
 
@@ -413,7 +420,9 @@ void StudyControl::showTime() {
 }
 
 void StudyControl::showResult(const TrialRecord& record) {
-    panel_->showResult(resultWords(record));
+    const Snapshot& now = runs_.run()->loop().snapshot();
+    const double noise = std::sqrt(now.sample.output.estimate.covariance.norm());
+    panel_->showResult(resultWords(record, noise));
 }
 
 namespace {

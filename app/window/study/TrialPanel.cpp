@@ -306,14 +306,27 @@ TrialStage stageWords(const OpenStudy& study, const StudyMoment& moment) {
     return stage;
 }
 
-TrialResult resultWords(const TrialRecord& record) {
+namespace {
+
+/// Noise alone seldom exceeds so many of its deviations in the ten thousand ticks of a trial.
+constexpr double kAboveNoise = 5.0;
+
+QString largestForceText(double force, double noise) {
+    return force > kAboveNoise * noise
+               ? siText(force, "N")
+               : TrialPanel::tr("none above noise (%1)").arg(siText(noise, "N"));
+}
+
+}  // namespace
+
+TrialResult resultWords(const TrialRecord& record, double noise) {
     return {.name = TrialPanel::tr("last trial: %1")
                         .arg(record.counts() ? TrialPanel::tr("it counts")
                                              : TrialPanel::tr("it is repeated")),
             .error = siText(record.error, "m"),
             .share = QStringLiteral("%1 %").arg(record.errorPercent, 0, 'f', 1),
             .time = QStringLiteral("%1 s").arg(record.time, 0, 'f', 1),
-            .force = siText(record.largestForce, "N"),
+            .force = largestForceText(record.largestForce, noise),
             .note = noteOf(record)};
 }
 

@@ -103,6 +103,7 @@ struct StudyMoment {
 /// Returns what the participant reads and can do.
 [[nodiscard]] TrialStage stageWords(const OpenStudy& study, const StudyMoment& moment);
 /// Returns the outcome of a trial, in words.
-[[nodiscard]] TrialResult resultWords(const TrialRecord& record);
+/// @param noise standard deviation of the estimated force; a largest force within it is none [N]
+[[nodiscard]] TrialResult resultWords(const TrialRecord& record, double noise);
 
 }  // namespace asperity

@@ -1,19 +1,27 @@
 #include "app/window/fidelity/FidelityPanel.h"
+#include "app/window/live/OverviewPanel.h"
 #include "app/window/recording/RecordingControl.h"
+#include "app/window/scene/OpenControl.h"
 #include "app/window/scene/SceneControl.h"
 #include "tests/app/window/WindowFixture.h"
 #include "ui/shell/Menus.h"
 #include "ui/shell/WindowLayout.h"
+#include "ui/view/OverviewMap.h"
 #include "ui/view/ZoomView.h"
 #include "ui/widgets/Card.h"
 
+#include <QAbstractItemView>
 #include <QAbstractSpinBox>
 #include <QAction>
 #include <QApplication>
+#include <QComboBox>
+#include <QLineEdit>
+#include <QListWidget>
 #include <QMenu>
 #include <QMenuBar>
 #include <QMessageBox>
 #include <QPushButton>
+#include <QWindow>
 #include <QtTest>
 
 #include <filesystem>
@@ -193,6 +201,67 @@ TEST_F(Escape, ADeviceThatIsNotThereTakesNoForcesFromTheNextScene) {
     openFlatScene();
     EXPECT_TRUE(forcesOn());
     EXPECT_FALSE(std::filesystem::exists(folder.path() / "recordings"));
+}
+
+/// An open list has Esc for itself: no dialog closes, no tool ends, no page is restored.
+TEST_F(Escape, ClosesAnOpenListAndNothingElse) {
+    openFlatScene();
+    window.menus().entry("profile").trigger();
+    ASSERT_NE(panels.overview().map().activeTool(), nullptr);
+    window.menus().entry("open").trigger();
+    ASSERT_NE(stage.get<OpenControl>().dialog(), nullptr);
+    QDialog& dialog = *stage.get<OpenControl>().dialog();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(&dialog));
+    std::vector<QComboBox*> lists;
+    for (QComboBox* list : dialog.findChildren<QComboBox*>()) {
+        if (list->isVisible() && list->isEnabled() && list->count() > 1) {
+            lists.push_back(list);
+        }
+    }
+    ASSERT_FALSE(lists.empty());
+    for (QComboBox* list : lists) {
+        list->showPopup();
+        ASSERT_TRUE(QTest::qWaitForWindowExposed(list->view()->window()));
+        QTest::keyClick(dialog.windowHandle(), Qt::Key_Escape);  // as the desktop sends it
+        EXPECT_FALSE(list->view()->isVisible()) << list->objectName().toStdString();
+        EXPECT_TRUE(dialog.isVisible()) << list->objectName().toStdString();
+    }
+    dialog.reject();
+    auto* material = child<QComboBox>("material");
+    const auto closeMaterials = [&] {
+        material->showPopup();
+        EXPECT_TRUE(QTest::qWaitForWindowExposed(material->view()->window()));
+        QTest::keyClick(window.windowHandle(), Qt::Key_Escape);
+        EXPECT_FALSE(material->view()->isVisible());
+    };
+    closeMaterials();
+    EXPECT_NE(panels.overview().map().activeTool(), nullptr) << "the tool goes on";
+    window.layout().maximizer().toggle(*window.cards().front());
+    closeMaterials();
+    EXPECT_TRUE(window.isPanelEnlarged());
+    QTest::keyClick(window.windowHandle(), Qt::Key_Escape);
+    EXPECT_FALSE(window.isPanelEnlarged()) << "no list is open";
+}
+
+TEST_F(Escape, EndsTheTypingInAListAndNoTool) {
+    openFlatScene();
+    auto* list = new QListWidget;
+    list->addItem(QStringLiteral("a name"));
+    list->item(0)->setFlags(list->item(0)->flags() | Qt::ItemIsEditable);
+    window.addTool(list, QStringLiteral("List"));
+    window.menus().entry("profile").trigger();
+    window.showTool(list);
+    QApplication::setActiveWindow(&window);
+    list->setFocus();
+    list->editItem(list->item(0));
+    auto* line = list->findChild<QLineEdit*>();
+    ASSERT_NE(line, nullptr);
+    ASSERT_TRUE(line->hasFocus());
+    QTest::keyClick(line, Qt::Key_Escape);
+    EXPECT_NE(panels.overview().map().activeTool(), nullptr);
+    EXPECT_TRUE(eventually([list] { return list->findChild<QLineEdit*>() == nullptr; }));
+    QTest::keyClick(list, Qt::Key_Escape);
+    EXPECT_EQ(panels.overview().map().activeTool(), nullptr) << "nothing else is open";
 }
 
 }  // namespace

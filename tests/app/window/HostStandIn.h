@@ -60,6 +60,7 @@ public:
         messages_->add(MessageKind::Error, message);
     }
     void setTitle(const QString& title) override { setWindowTitle(title); }
+    void askBeforeClosing(std::function<QString()> /*reason*/) override {}
     void onDrop(std::function<void(const QString& file)> open) override { drop = std::move(open); }
     void allowChanges(bool /*allowed*/) override {}
     void keepEscape(bool /*isKept*/) override {}

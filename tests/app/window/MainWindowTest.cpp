@@ -6,6 +6,8 @@
 #include "tests/support/TestScenes.h"
 #include "tests/support/Waits.h"
 #include "ui/shell/Dialogs.h"
+#include "ui/shell/Menus.h"
+#include "ui/shell/WindowLayout.h"
 #include "ui/view/ZoomView.h"
 #include "ui/widgets/Card.h"
 #include "ui/widgets/NumberBox.h"
@@ -17,9 +19,11 @@
 #include <QComboBox>
 #include <QLabel>
 #include <QLineEdit>
+#include <QMessageBox>
 #include <QScreen>
 #include <QScrollArea>
 #include <QScrollBar>
+#include <QSplitter>
 #include <QStatusBar>
 #include <QStyleOptionComboBox>
 #include <QtTest>
@@ -89,14 +93,14 @@ TEST_F(MainWindowTest, AMessageFromBeforeTheWindowOpenedHasTheBottomLineAlone) {
     window.tell(QStringLiteral("scan.gsf"));
     window.show();
     ASSERT_TRUE(QTest::qWaitForWindowExposed(&window));
-    const auto* loop = window.findChild<QLabel*>(QStringLiteral("rate"));
+    const auto* loop = window.findChild<QLabel*>(QStringLiteral("loopState"));
     EXPECT_FALSE(loop->isVisible());
     window.tell(QString());
     EXPECT_TRUE(loop->isVisible());
 }
 
 TEST_F(MainWindowTest, CutsNothingFromASmallScreenToALargeOne) {
-    for (const QSize& size : {QSize(1012, 658), QSize(1280, 800), QSize(1920, 1080)}) {
+    for (const QSize& size : {QSize(900, 658), QSize(1280, 800), QSize(1920, 1080)}) {
         showAt(size);
         EXPECT_TRUE(eventually([this] { return cutIn(window).empty(); }))
             << size.width() << " x " << size.height() << ": " << cutIn(window);
@@ -104,8 +108,64 @@ TEST_F(MainWindowTest, CutsNothingFromASmallScreenToALargeOne) {
     }
 }
 
+TEST_F(MainWindowTest, FitsASmallScreenWithAllOfTheTimingAndASecondView) {
+    window.menus().entry("loopTiming").setChecked(true);
+    window.menus().entry("secondView").setChecked(true);
+    panels.setEmergencyStop(true);
+    showAt({900, 658});
+    EXPECT_TRUE(eventually([this] { return cutIn(window).empty(); })) << cutIn(window);
+    EXPECT_TRUE(window.findChild<QLabel*>(QStringLiteral("tickTime"))->isVisible());
+    EXPECT_TRUE(window.findChild<QLabel*>(QStringLiteral("hint"))
+                    ->text()
+                    .startsWith(QStringLiteral("Esc: forces off")));
+}
+
+TEST_F(MainWindowTest, TheLargeViewNeverVanishes) {
+    auto* page = new QLabel(QStringLiteral("a tool"));
+    page->setMinimumSize(400, 2000);
+    window.addTool(page, QStringLiteral("Tool"));
+    window.showTool(page);
+    showAt({900, 658});
+    for (QSplitter* splitter : window.layout().splitters()) {
+        splitter->setSizes({1, 5000, 5000});
+    }
+    handleEvents();
+    EXPECT_GE(panels.view().width(), 180);
+    EXPECT_GE(panels.view().height(), 150);
+}
+
+TEST_F(MainWindowTest, AsksBeforeItClosesWhileSomethingWouldEnd) {
+    QString reason = QStringLiteral("A study is under way.");
+    window.askBeforeClosing([&reason] { return reason; });
+    showAt({1280, 800});
+    const auto questions = [this] {
+        return window.findChildren<QMessageBox*>(QString::fromUtf8(kAskWhether));
+    };
+    EXPECT_FALSE(window.close());
+    EXPECT_FALSE(window.close()) << "Alt+F4 once more";
+    ASSERT_EQ(questions().size(), 1);
+    EXPECT_EQ(questions().front()->text(), reason);
+    questions().front()->reject();
+    EXPECT_TRUE(window.isVisible());
+    EXPECT_TRUE(eventually([&] { return questions().empty(); }));
+    EXPECT_FALSE(window.close());
+    for (QAbstractButton* button : questions().front()->buttons()) {
+        if (questions().front()->buttonRole(button) == QMessageBox::AcceptRole) {
+            button->click();
+            break;
+        }
+    }
+    EXPECT_FALSE(window.isVisible());
+}
+
+TEST_F(MainWindowTest, ClosesWithoutAQuestionWhereNothingWouldEnd) {
+    window.askBeforeClosing([] { return QString(); });
+    showAt({1280, 800});
+    EXPECT_TRUE(window.close());
+}
+
 TEST_F(MainWindowTest, PanelsThatDoNotFitAreScrolledTo) {
-    showAt({1012, 658});
+    showAt({900, 658});
     QScrollBar& bar = *scroller().verticalScrollBar();
     ASSERT_GT(bar.maximum(), 0);
     scroller().ensureWidgetVisible(window.cards().back());
@@ -188,7 +248,7 @@ TEST_F(MainWindowTest, ListsOfTheTopRowShowTheirPresentTextOnASmallScreen) {
             controls.setMaterials({material});
             controls.setDevices({device});
             controls.setPaths({QStringLiteral("Approach")});
-            for (const QSize& size : {QSize(1012, 658), QSize(1024, 700), QSize(1280, 800)}) {
+            for (const QSize& size : {QSize(900, 658), QSize(1024, 700), QSize(1280, 800)}) {
                 showAt(size);
                 for (const ChoiceBox* list : controls.findChildren<ChoiceBox*>()) {
                     EXPECT_LE(list->fontMetrics().horizontalAdvance(list->currentText()),

@@ -134,7 +134,7 @@ TEST_F(WindowMemoryTest, SplittersOfALargerScreenLeaveEveryPanelItsRoom) {
     MainWindow window;
     LivePanels panels{window};
     const WindowMemory memory(window, panels, settings());
-    window.resize(1012, 658);
+    window.resize(900, 658);
     window.show();
     ASSERT_TRUE(QTest::qWaitForWindowExposed(&window));
     handleEvents();
@@ -142,7 +142,7 @@ TEST_F(WindowMemoryTest, SplittersOfALargerScreenLeaveEveryPanelItsRoom) {
     EXPECT_GE(sizes.at(0), panels.view().minimumSizeHint().width());
     EXPECT_GT(sizes.at(0), 200);
     EXPECT_GE(sizes.at(1), 372);
-    EXPECT_EQ(window.width(), 1012);
+    EXPECT_EQ(window.width(), 900);
 }
 
 TEST_F(WindowMemoryTest, WritesAChoiceWhileTheProgramGoesOn) {

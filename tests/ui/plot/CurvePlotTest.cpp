@@ -3,6 +3,8 @@
 #include "tests/ui/widgets/MouseEvents.h"
 #include "tests/ui/widgets/PanelSamples.h"
 
+#include <QCoreApplication>
+#include <QLabel>
 #include <QToolButton>
 
 #include <gtest/gtest.h>
@@ -208,6 +210,27 @@ TEST(CurvePlot, TakesTheColorsOfAnotherThemeWhileItIsShown) {
     EXPECT_TRUE(titleOf(plot).contains(theme::colors().blue.name()));
     theme::choose(ThemeChoice::Desktop);
     EXPECT_EQ(picture(plot), light);
+}
+
+TEST(CurvePlot, ItsCanvasDoesNotJumpWithItsNumbers) {
+    CurvePlot plot(setupOf(ZeroLine::None));
+    const auto canvasAt = [&plot](double value) {
+        plot.clear();
+        for (int i = 0; i < 100; ++i) {
+            plot.take(0.1 * i, {value + 1e-12 * i, value, 0.0});
+        }
+        picture(plot);
+        QCoreApplication::sendPostedEvents();
+        return plot.canvas().geometry();
+    };
+    const QRect wide = canvasAt(-999.123e-9);  // many digits
+    EXPECT_EQ(canvasAt(1e-9), wide);
+    EXPECT_EQ(canvasAt(-999.123e-9), wide);
+}
+
+TEST(CurvePlot, ItsTitleSaysHowThePanelIsEnlarged) {
+    CurvePlot plot(setupOf(ZeroLine::None));
+    EXPECT_TRUE(plot.findChild<QLabel*>()->toolTip().contains(QStringLiteral("ouble click")));
 }
 
 }  // namespace

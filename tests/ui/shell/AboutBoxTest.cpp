@@ -2,6 +2,7 @@
 
 #include <QApplication>
 #include <QClipboard>
+#include <QLabel>
 #include <QListWidget>
 #include <QPlainTextEdit>
 #include <QPushButton>
@@ -34,6 +35,18 @@ protected:
     QTemporaryFile text;
     AboutBox* box = nullptr;
 };
+
+TEST_F(AboutBoxTest, SaysFirstWhatTheProgramIsForAndTheRestOnRequest) {
+    const auto* about = box->findChild<QLabel*>(QStringLiteral("aboutText"));
+    for (const char* part : {"1.2 (abc)", "atomic force microscope", "BSD-3-Clause"}) {
+        EXPECT_TRUE(about->text().contains(QString::fromUtf8(part))) << part;
+    }
+    box->show();
+    auto* details = box->findChild<QWidget*>(QStringLiteral("aboutDetails"));
+    EXPECT_FALSE(details->isVisible());
+    box->findChild<QPushButton*>(QStringLiteral("aboutMore"))->click();
+    EXPECT_TRUE(details->isVisible());
+}
 
 TEST_F(AboutBoxTest, ShowsVersionsAndTheSystem) {
     for (const char* part : {"Asperity 1.2 (abc)", "g++ 12", "Qwt 6.1 (Qwt License)", "llvmpipe"}) {

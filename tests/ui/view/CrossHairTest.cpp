@@ -1,6 +1,7 @@
 #include "core/Units.h"
 #include "tests/support/TestScenes.h"
 #include "tests/ui/view/ZoomViewFixture.h"
+#include "ui/view/SurfacePick.h"
 #include "vtkplugins/pictures/Palette.h"
 
 #include <QSignalSpy>
@@ -54,10 +55,22 @@ TEST_F(ZoomViewTest, FindsThePlaceInTheDentWhereItHasGone) {
     EXPECT_LT((*found - rest).norm(), 0.02_nm);
 }
 
+TEST(SurfaceReading, SaysNoDigitThatTheScanDoesNotHold) {
+    SurfaceReading reading{.position = {1.23456e-6, 12.3456e-9, 3.2149e-9}, .pixel = 20.0_nm};
+    EXPECT_EQ(textOf(reading), QStringLiteral("x 1.235 µm   y 12 nm   z 3.21 nm"));
+    reading.pixel = 1.0_nm;
+    EXPECT_EQ(textOf(reading), QStringLiteral("x 1.2346 µm   y 12.3 nm   z 3.21 nm"));
+    reading.quantity = QStringLiteral("displacement");
+    reading.unit = QStringLiteral("m");
+    reading.value = 30e-15;
+    EXPECT_TRUE(textOf(reading).endsWith(QStringLiteral("displacement 0 pm")))
+        << textOf(reading).toStdString();
+}
+
 TEST_F(ZoomViewTest, ReadsPlaceHeightAndTheQuantityOfTheColors) {
     pictureOf(moments.deep);
     const SurfaceReading aside = *view->reading(kAside);
-    EXPECT_TRUE(textOf(aside).startsWith(QStringLiteral("x 80.00 nm   y 50.00 nm   z 0.00")));
+    EXPECT_TRUE(textOf(aside).startsWith(QStringLiteral("x 80.0 nm   y 50.0 nm   z 0.00")));
     SurfaceLook look;
     look.quantity = SurfaceQuantity::Pressure;
     view->setLook(look, SurfaceField(SurfaceQuantity::Pressure));

@@ -64,6 +64,16 @@ TEST_F(OverviewMapTest, KeepsTheAspectRatioAndStaysInside) {
     }
 }
 
+TEST_F(OverviewMapTest, AReadingOutOfThePointersWayDoesNotCoverTheScaleBar) {
+    const QRect drawn = map.mapRect().toRect();
+    const QRect bar(drawn.left() + 5, drawn.bottom() - 24, 80, 20);
+    const QImage before = map.grab().toImage().copy(bar);
+    map.showCrossHair(map.toPosition(drawn.topLeft() + QPointF(100.0, 10.0)),
+                      QStringLiteral("x 1.0 nm   y 2.0 nm   z 3.00 nm"));
+    QImage with = map.grab().toImage().copy(bar);
+    EXPECT_EQ(with, before);
+}
+
 TEST_F(OverviewMapTest, PlacesAndPixelsAreInverse) {
     map.resize(300, 200);
     const QPointF position(37.0_nm, 101.0_nm);

@@ -37,5 +37,19 @@ TEST(ViewNotes, SayWhatThePictureDoesNotShowAsItIs) {
     EXPECT_EQ(tipAboveNote(12e-9), "tip 12 nm above the surface");
 }
 
+TEST(LabelBounds, KeepLabelsOffTheScaleBars) {
+    const PixelRect view{0.0, 0.0, 220.0, 160.0};
+    const PixelRect bars{0.0, 0.0, 90.0, 60.0};
+    const PixelRect wide{-40.0, 8.0, 240.0, 21.0};  // of a reading at the bottom
+    const PixelRect above = labelBounds(wide, view, bars);
+    EXPECT_EQ(above.bottom, bars.top());
+    EXPECT_EQ(above.top(), view.top());
+    const PixelRect short_{140.0, 8.0, 70.0, 21.0};
+    EXPECT_EQ(labelBounds(short_, view, bars).bottom, 0.0) << "beside them";
+    EXPECT_EQ(labelBounds(wide, view, {}).bottom, 0.0) << "there are none";
+    const PixelRect outside{20.0, -50.0, 40.0, 21.0};  // it would be moved over them
+    EXPECT_EQ(labelBounds(outside, view, bars).bottom, bars.top());
+}
+
 }  // namespace
 }  // namespace asperity

@@ -34,5 +34,13 @@ TEST(NumberText, RefusesTheRest) {
     }
 }
 
+TEST(NumberText, LengthsAreNoFinerThanAPicometer) {
+    EXPECT_EQ(siText(12.34e-9, "m"), QStringLiteral("12.3 nm"));
+    EXPECT_EQ(siText(-0.4942e-9, "m"), QStringLiteral("-494 pm"));
+    EXPECT_EQ(siText(12.34e-12, "m"), QStringLiteral("12 pm"));
+    EXPECT_EQ(siText(30e-15, "m"), QStringLiteral("0 pm"));
+    EXPECT_EQ(siText(30e-15, "J"), QStringLiteral("30 fJ"));
+}
+
 }  // namespace
 }  // namespace asperity

@@ -54,8 +54,9 @@ RequiredTerms needsUnder(ContactLaw law) {
 class FidelityPanelTest : public ::testing::Test {
 protected:
     void SetUp() override {
-        panel.showModel(needsUnder(ContactLaw::Maugis), {});
+        panel.showModel(needsUnder(ContactLaw::Maugis), {}, 1e-3);
         panel.show();
+        panel.findChild<QPushButton*>(QStringLiteral("fidelityDetails"))->click();
         ASSERT_TRUE(QTest::qWaitForWindowExposed(&panel));
     }
 
@@ -82,12 +83,30 @@ TEST_F(FidelityPanelTest, ShowsWhatEachTermIsWorth) {
     EXPECT_EQ(cell(0, 3), QStringLiteral("–")) << "not measured";
 }
 
+TEST_F(FidelityPanelTest, BeginsWithOneSentenceAndShowsTheRestOnRequest) {
+    RequiredTerms measured = needs();
+    measured.measured = true;
+    measured.wholeErrors[JudgedQuantity::PullOffForce] = 0.047;
+    measured.modelTick = 8.0_us;
+    panel.showModel(measured, {}, 1e-3);
+    EXPECT_EQ(
+        textOf(panel, "fidelityBrief").toStdString(),
+        "All automatic: omitted terms change what you read by at most 4.7 %; a tick takes 8 of "
+        "1000 µs.");
+    panel.showModel(measured, {.law = ContactLaw::Jkr}, 1e-3);
+    EXPECT_TRUE(textOf(panel, "fidelityBrief").startsWith(QStringLiteral("Partly set by hand: ")));
+    EXPECT_TRUE(panel.findChild<TermTable*>()->isVisible());
+    panel.findChild<QPushButton*>(QStringLiteral("fidelityDetails"))->click();
+    EXPECT_FALSE(panel.findChild<TermTable*>()->isVisible());
+    EXPECT_FALSE(chart().isVisible());
+}
+
 TEST_F(FidelityPanelTest, NamesTheErrorOfTheLaw) {
     RequiredTerms measured = needs();
     measured.measured = true;
     measured.lawErrors[JudgedQuantity::SnapInPosition] = 0.052;
     measured.lawMisses = {ModelTerm::SphereCorrection};
-    panel.showModel(measured, {});
+    panel.showModel(measured, {}, 1e-3);
     EXPECT_TRUE(textOf(panel, "fidelitySummary")
                     .contains(QStringLiteral("within 5.2 % (snap-in position)")));
     EXPECT_TRUE(textOf(panel, "fidelitySummary").contains(QStringLiteral("sphere correction")));
@@ -137,7 +156,7 @@ TEST_F(FidelityPanelTest, WhatAProgramSetsIsShownAndNotTold) {
     choices.friction = false;
     RequiredTerms changed = needs();
     changed.tolerance = 0.1;
-    panel.showModel(changed, choices);
+    panel.showModel(changed, choices, 1e-3);
     EXPECT_EQ(choiceOf(ModelTerm::Adhesion).currentText(), QStringLiteral("on"));
     EXPECT_EQ(choiceOf(ModelTerm::Friction).currentText(), QStringLiteral("off"));
     EXPECT_EQ(choiceOf(ModelTerm::Torsion).currentText(), QStringLiteral("auto"));
@@ -151,7 +170,7 @@ TEST_F(FidelityPanelTest, AGivenLawSaysItsTermsUntilAPersonDoes) {
     QObject::connect(&panel, &FidelityPanel::termChosen, &panel, [&told] { ++told; });
     ModelChoices choices;
     choices.law = ContactLaw::Jkr;
-    panel.showModel(needs(), choices);
+    panel.showModel(needs(), choices, 1e-3);
     for (const ModelTerm term : {ModelTerm::Adhesion, ModelTerm::VanDerWaalsTail,
                                  ModelTerm::SphereCorrection, ModelTerm::FilmBase}) {
         EXPECT_EQ(choiceOf(term).currentText(), QStringLiteral("set by the law"));
@@ -161,7 +180,7 @@ TEST_F(FidelityPanelTest, AGivenLawSaysItsTermsUntilAPersonDoes) {
     EXPECT_EQ(told, 0) << "that is what the law says already";
     QTest::keyClick(&choiceOf(ModelTerm::Adhesion), Qt::Key_Down);
     EXPECT_EQ(told, 1);
-    panel.showModel(needs(), {});
+    panel.showModel(needs(), {}, 1e-3);
     EXPECT_EQ(choiceOf(ModelTerm::Adhesion).currentText(), QStringLiteral("auto"));
 }
 
@@ -169,7 +188,7 @@ TEST_F(FidelityPanelTest, AGivenLawSaysItsTermsUntilAPersonDoes) {
 TEST_F(FidelityPanelTest, ATermThatCannotBeInCannotBeTurnedOnAndSaysWhy) {
     RequiredTerms noFilm = needs();
     noFilm.terms[static_cast<std::size_t>(ModelTerm::FilmBase)].possible = false;
-    panel.showModel(noFilm, {});
+    panel.showModel(noFilm, {}, 1e-3);
     const int on = choiceOf(ModelTerm::FilmBase).findText(QStringLiteral("on"));
     const auto isEnabled = [on](const QComboBox& combo) {
         return combo.model()->index(on, 0).flags().testFlag(Qt::ItemIsEnabled);
@@ -178,7 +197,7 @@ TEST_F(FidelityPanelTest, ATermThatCannotBeInCannotBeTurnedOnAndSaysWhy) {
     EXPECT_EQ(choiceOf(ModelTerm::FilmBase).itemData(on, Qt::ToolTipRole).toString(),
               QStringLiteral("the sample is no film"));
     EXPECT_TRUE(isEnabled(choiceOf(ModelTerm::Friction)));
-    panel.showModel(needs(), {});
+    panel.showModel(needs(), {}, 1e-3);
     EXPECT_TRUE(isEnabled(choiceOf(ModelTerm::FilmBase)));
 }
 
@@ -223,9 +242,9 @@ TEST_F(FidelityPanelTest, TheFrontIsNumberedAndThePresentTickRinged) {
     EXPECT_TRUE(key().contains(QStringLiteral("2.00 µs, 1 nN (10 % of the force)")));
     EXPECT_TRUE(key().contains(QStringLiteral("3.50 µs, below 0.001 % of the force")));
     EXPECT_FALSE(key().contains(QStringLiteral("JKR"))) << "another is cheaper and nearer";
-    panel.showModel(needsUnder(ContactLaw::Jkr), {});
+    panel.showModel(needsUnder(ContactLaw::Jkr), {}, 1e-3);
     EXPECT_EQ(chart().current(), 1);
-    panel.showModel(needsUnder(ContactLaw::Sneddon), {});
+    panel.showModel(needsUnder(ContactLaw::Sneddon), {}, 1e-3);
     EXPECT_EQ(chart().current(), -1) << "it was not measured";
 }
 

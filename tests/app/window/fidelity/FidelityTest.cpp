@@ -46,6 +46,7 @@ protected:
         openFlatScene();
         window.menus().entry("fidelity").trigger();
         ASSERT_TRUE(QTest::qWaitForWindowExposed(&panel()));
+        child<QPushButton>("fidelityDetails")->click();
     }
 
     FidelityPanel& panel() { return *window.findChild<FidelityPanel*>(); }
@@ -203,7 +204,7 @@ TEST_F(Fidelity, AScanTooLargeToBeCopiedIsNotMeasured) {
 }
 
 TEST_F(Window, FidelityOpensBesideItAndStaysWhereItIsPut) {
-    window.resize(1012, 658);
+    window.resize(900, 658);
     FidelityPanel& fidelity = *window.findChild<FidelityPanel*>();
     window.menus().entry("fidelity").trigger();
     ASSERT_TRUE(QTest::qWaitForWindowExposed(&fidelity));
@@ -219,6 +220,7 @@ TEST_F(Window, FidelityOpensBesideItAndStaysWhereItIsPut) {
 
 TEST_F(Window, FidelityFitsASmallScreen) {
     FidelityPanel& fidelity = *window.findChild<FidelityPanel*>();
+    child<QPushButton>("fidelityDetails")->click();
     EXPECT_LE(fidelity.minimumSizeHint().width(), 1012);
     EXPECT_LE(fidelity.minimumSizeHint().height(), 658);
 }
@@ -227,6 +229,7 @@ TEST_F(Window, WindowsOfTheirOwnSayARefusalThemselves) {
     window.resize(1280, 800);
     QWidget* tool = window.findChild<FidelityPanel*>();
     tool->show();
+    child<QPushButton>("fidelityDetails")->click();
     ASSERT_TRUE(QTest::qWaitForWindowExposed(tool));
     QApplication::setActiveWindow(tool);
     auto& box = *tool->findChild<QAbstractSpinBox*>();

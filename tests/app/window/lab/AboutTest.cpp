@@ -1,5 +1,6 @@
 #include "app/program/ProgramParts.h"
 #include "tests/app/window/WindowFixture.h"
+#include "ui/shell/ManualWindow.h"
 #include "ui/shell/Menus.h"
 
 #include <QAction>
@@ -39,6 +40,16 @@ TEST_F(Window, TheAboutBoxNamesLibrariesAndTheGraphicsDriver) {
     }
     EXPECT_TRUE(text.contains(QRegularExpression(QStringLiteral("OpenGL: \\w+.*, version \\d"))))
         << text.toStdString();
+}
+
+TEST_F(Window, HelpShowsTheFirstStepsAndTheManual) {
+    auto* manual = window.findChild<ManualWindow*>();
+    window.menus().entry("firstSteps").trigger();
+    EXPECT_TRUE(manual->isVisible());
+    EXPECT_TRUE(manual->text().startsWith(QStringLiteral("First steps")));
+    window.menus().entry("manual").trigger();
+    EXPECT_TRUE(manual->isVisible());
+    EXPECT_TRUE(manual->text().startsWith(QStringLiteral("Documentation")));
 }
 
 }  // namespace

@@ -30,6 +30,11 @@ TEST_F(EngageBarTest, ShowsTheSetpointInNanonewtonsAndTakesAnother) {
     EXPECT_DOUBLE_EQ(bar.setpoint(), 12.5e-9);
 }
 
+TEST_F(EngageBarTest, TheSetpointSaysThatItIsOfTheBendingAndNotFzOfThePanel) {
+    EXPECT_TRUE(box().toolTip().startsWith(QStringLiteral("Deflection force")));
+    EXPECT_TRUE(box().toolTip().contains(QStringLiteral("Fz in the panel is another number")));
+}
+
 TEST_F(EngageBarTest, ButtonsSayWhatWasChosen) {
     QSignalSpy engage(&bar, &EngageBar::engageChosen);
     QSignalSpy withdraw(&bar, &EngageBar::withdrawChosen);

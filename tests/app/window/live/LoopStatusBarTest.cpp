@@ -2,6 +2,8 @@
 
 #include "tests/ui/widgets/PanelSamples.h"
 
+#include <QLabel>
+
 #include <gtest/gtest.h>
 
 namespace asperity {
@@ -34,10 +36,12 @@ TEST(LoopStatusBar, ShowsHowTheLoopKeepsItsTime) {
 TEST(LoopStatusBar, SaysWhenTheLoopMayNotBeRealTime) {
     LoopStatusBar bar;
     bar.show({.statistics = statistics(SchedulingPolicy::Ordinary)});
-    EXPECT_EQ(test::textOf(bar, "scheduling"),
-              QStringLiteral("ordinary: no permission for SCHED_FIFO"));
+    EXPECT_EQ(test::textOf(bar, "scheduling"), QStringLiteral("ordinary"));
+    EXPECT_TRUE(bar.findChild<QLabel*>(QStringLiteral("scheduling"))
+                    ->toolTip()
+                    .contains(QStringLiteral("no permission for SCHED_FIFO")));
     bar.clear();
-    EXPECT_EQ(test::textOf(bar, "scheduling"), QString());
+    EXPECT_EQ(test::textOf(bar, "scheduling"), QStringLiteral("–"));
     EXPECT_EQ(test::textOf(bar, "ticks"), QStringLiteral("–"));
 }
 
@@ -50,10 +54,47 @@ TEST(LoopStatusBar, ARateThatIsNotKnownYetIsNoZero) {
     EXPECT_EQ(bar.numbers({}).size(), unknown + 1);
 }
 
-TEST(LoopStatusBar, FitsASmallWindow) {
+bool isShown(const LoopStatusBar& bar, const char* name) {
+    return !bar.findChild<QLabel*>(QString::fromUtf8(name))->isHidden();
+}
+
+TEST(LoopStatusBar, SaysInOneWordWhetherTheLoopKeepsItsRateAndTheRestOnRequest) {
     LoopStatusBar bar;
+    bar.resize(1240, 20);
+    bar.setRateAsked(1000.0);
+    LoopStatistics now = statistics(SchedulingPolicy::Ordinary);
+    bar.show({.statistics = now});
+    now.ticks += 1000;
+    now.overruns += 5;
+    bar.show({.statistics = now});
+    EXPECT_EQ(test::textOf(bar, "loopState"), QStringLiteral("● loop on time"));
+    now.ticks += 1000;
+    now.overruns += 50;
+    bar.show({.statistics = now});
+    EXPECT_EQ(test::textOf(bar, "loopState"), QStringLiteral("▲ loop late"));
+    for (const char* const name : {"tickTime", "lateness", "overruns"}) {
+        EXPECT_FALSE(isShown(bar, name)) << name;
+    }
+    EXPECT_TRUE(bar.findChild<QLabel*>(QStringLiteral("loopState"))
+                    ->toolTip()
+                    .contains(QStringLiteral("25.1 µs")));
+    bar.setDetailed(true);
+    for (const char* const name : {"tickTime", "lateness", "overruns"}) {
+        EXPECT_TRUE(isShown(bar, name)) << name;
+    }
+    now.ticks += 1000;
+    bar.show({.statistics = now});
+    EXPECT_EQ(test::textOf(bar, "loopState"), QStringLiteral("● loop on time"));
+}
+
+TEST(LoopStatusBar, LeavesOutWhatDoesNotFit) {
+    LoopStatusBar bar;
+    bar.resize(700, 20);
+    bar.setDetailed(true);
     bar.show({.statistics = statistics(SchedulingPolicy::Ordinary)});
-    EXPECT_LE(bar.minimumSizeHint().width(), 1240);
+    EXPECT_LE(bar.minimumSizeHint().width(), 700);
+    EXPECT_TRUE(isShown(bar, "tickTime"));
+    EXPECT_FALSE(isShown(bar, "ticks"));
 }
 
 }  // namespace

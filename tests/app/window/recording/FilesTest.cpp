@@ -10,6 +10,7 @@
 #include "tests/support/FileSizeLimit.h"
 #include "tests/support/Places.h"
 #include "tests/support/TestScenes.h"
+#include "ui/shell/Dialogs.h"
 #include "ui/shell/Menus.h"
 
 #include <QAction>
@@ -110,6 +111,21 @@ TEST_F(Window, ARecordingReplaysToTheSameBits) {
         runProgram("replay '" + recording + "' --out '" + (folder.path() / "again").string() + "'");
     EXPECT_EQ(replay.exitCode, 0) << replay.output;
     EXPECT_NE(replay.output.find("bit-identical"), std::string::npos) << replay.output;
+}
+
+TEST_F(Window, ClosingAsksWhileARecordingIsWritten) {
+    openFlatScene();
+    stage.get<RecordingControl>().setFolder(folder.file("runs"));
+    window.menus().entry("record").trigger();
+    ASSERT_TRUE(runsFor(0.1));
+    EXPECT_FALSE(window.close());
+    auto* question = window.findChild<QMessageBox*>(QString::fromUtf8(kAskWhether));
+    ASSERT_NE(question, nullptr);
+    EXPECT_TRUE(question->text().contains(QStringLiteral("recording is being written")));
+    question->reject();
+    EXPECT_TRUE(stage.get<RecordingControl>().isWriting());
+    window.menus().entry("record").trigger();
+    EXPECT_TRUE(window.close());
 }
 
 TEST_F(Window, ARecordingEndsWhereTicksAreLostAndStillReplays) {

@@ -342,5 +342,18 @@ TEST_F(OpenDialogTest, EscOpensNothing) {
     EXPECT_TRUE(opened.isEmpty());
 }
 
+TEST_F(OpenDialogTest, IsInTheFolderOfAFileWhosePathWasTyped) {
+    ScratchFolder elsewhere;
+    const std::filesystem::path typed = elsewhere.write("c.gwy", "three");
+    auto& name = child<QLineEdit>("fileNameEdit");
+    name.clear();
+    QTest::keyClicks(&name, QString::fromStdString(typed.string()));
+    ASSERT_TRUE(eventually([&] {
+        return selected.value(selected.count() - 1).value(0).toString() ==
+               QString::fromStdString(typed.string());
+    }));
+    EXPECT_EQ(dialog.folder(), QString::fromStdString(elsewhere.path().string()));
+}
+
 }  // namespace
 }  // namespace asperity::test

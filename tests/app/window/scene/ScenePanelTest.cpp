@@ -232,5 +232,24 @@ TEST_F(ScenePanelTest, LeadsToTheCostsOfTheTerms) {
     EXPECT_EQ(wanted.count(), 1);
 }
 
+/// It showed 0 µm for a scan of 10 µm.
+TEST_F(ScenePanelTest, AWidthThatIsTheFilesSaysWhichOneThatIs) {
+    panel.setScanSize({10e-6, 5e-6});
+    SceneDescription scene = defaultScene();
+    show(scene);
+    EXPECT_EQ(number("sample.size_x_m"), "10 (file)");
+    EXPECT_EQ(number("sample.size_y_m"), "5 (file)");
+    type("sample.size_x_m", "20");
+    ASSERT_EQ(entered.size(), 1U);
+    EXPECT_DOUBLE_EQ(std::get<double>(entered[0].value), 20e-6);
+    scene.sample.scale.sizeX = 20e-6;
+    show(scene);
+    EXPECT_EQ(number("sample.size_x_m"), "20");
+    scene.sample.scale.sizeX = 0.0;
+    scene.sample.crop = PixelRectangle{0, 0, 8, 8};
+    show(scene);
+    EXPECT_EQ(number("sample.size_x_m"), "as in the file") << "the part is smaller";
+}
+
 }  // namespace
 }  // namespace asperity

@@ -7,6 +7,7 @@
 #include "tests/app/window/ControlFixture.h"
 #include "tests/app/window/WindowFixture.h"
 #include "tests/support/ShippedScene.h"
+#include "ui/shell/FileDialogs.h"
 #include "ui/shell/Menus.h"
 #include "ui/shell/WindowLayout.h"
 #include "ui/view/ZoomView.h"
@@ -50,6 +51,10 @@ private:
 
 class SavedSession : public Window {
 protected:
+    void SetUp() override {
+        Window::SetUp();
+        restoreFolders({});
+    }
     void open(const fs::path& file) {
         QSignalSpy opened(&stage.get<SceneControl>(), &SceneControl::opened);
         stage.get<SceneControl>().open(file);

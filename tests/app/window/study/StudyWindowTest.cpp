@@ -3,6 +3,7 @@
 #include "tests/app/ProgramRun.h"
 #include "tests/app/window/study/StudyFixture.h"
 #include "tests/support/Places.h"
+#include "ui/shell/Dialogs.h"
 #include "ui/shell/Menus.h"
 #include "ui/view/SecondView.h"
 #include "ui/view/ViewOptionsMenu.h"
@@ -10,6 +11,7 @@
 
 #include <QAction>
 #include <QComboBox>
+#include <QMessageBox>
 #include <QPlainTextEdit>
 #include <QPushButton>
 #include <QTabWidget>
@@ -44,6 +46,17 @@ TEST_F(WindowWithStudy, ItsKnobsAreLockedAndTheTipRestsUntilATrialBegins) {
     stage.edits().change("Tip radius", other);
     ASSERT_TRUE(runsFor(0.6));
     EXPECT_NE(stage.run()->scene().description.tip.radius, other.tip.radius);
+}
+
+TEST_F(WindowWithStudy, ClosingTheWindowAsksAndLosesNoTrial) {
+    start(shortStudy());
+    EXPECT_FALSE(window.close());
+    auto* question = window.findChild<QMessageBox*>(QString::fromUtf8(kAskWhether));
+    ASSERT_NE(question, nullptr);
+    EXPECT_TRUE(question->text().contains(QStringLiteral("A study is under way")));
+    question->reject();
+    EXPECT_TRUE(window.isVisible());
+    EXPECT_TRUE(isReady()) << "the study goes on";
 }
 
 TEST_F(WindowWithStudy, ItsFormThatALayoutBringsBackOffersTheShippedStudy) {
