@@ -89,12 +89,6 @@ public:
     /// @param scene outlives this object @param box holds ticks
     RunPlayback(const Scene& scene, const BlackBox& box);
 
-    /// Keeps what was computed so far. @param scene the same one at another address; outlives this
-    void moveTo(const Scene& scene) noexcept {
-        scene_ = &scene;
-        tracker_ = {};
-    }
-
     [[nodiscard]] std::size_t size() const noexcept { return inputs_.size(); }
     /// Since its first tick [s].
     [[nodiscard]] double time(std::size_t tick) const { return inputs_.time(tick); }

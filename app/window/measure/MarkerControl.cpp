@@ -181,9 +181,8 @@ void MarkerControl::show() {
     const std::vector<Marker> all = markers();
     std::vector<double> heights;
     for (const Marker& marker : all) {
-        heights.push_back(runs_.run() != nullptr
-                              ? runs_.run()->scene().surface.at(marker.x, marker.y).height
-                              : 0.0);
+        heights.push_back(
+            runs_.run() != nullptr ? runs_.scene().surface.at(marker.x, marker.y).height : 0.0);
     }
     page_->setMarkers(all, heights);
     tool_.setMarkers(all);

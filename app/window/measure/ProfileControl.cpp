@@ -183,8 +183,16 @@ ProfileControl::ProfileControl(Stage& stage)
     connect(&entry, &QAction::triggered, this, [this] { page_->setDrawing(true); });
     bindTool(live_.overview().map(), line_, *page_, &ProfilePage::drawingChosen,
              &ProfilePage::setDrawing);
-    connect(&runs_, &RunControl::begun, this,
-            [this] { runs_.isOnOtherScan() ? forget() : refresh(); });
+    for (const auto shown :
+         {&RunControl::begun, &RunControl::recordingShown, &RunControl::liveShown}) {
+        connect(&runs_, shown, this, [this] { runs_.isOnOtherScan() ? forget() : refresh(); });
+    }
+    runs_.beforeRecording([this]() -> std::function<void()> {
+        return [this, line = line_.line()] {
+            line_.setLine(line);
+            refresh();
+        };
+    });
     connect(&line_, &LineTool::drawn, this, &ProfileControl::refresh);
     connect(page_, &ProfilePage::widthChosen, this, &ProfileControl::refresh);
     connect(page_, &ProfilePage::removeChosen, this, &ProfileControl::forget);
@@ -202,7 +210,7 @@ void ProfileControl::refresh() {
         page_->setProfile(std::nullopt);
         return;
     }
-    const Scene& scene = runs_.run()->scene();
+    const Scene& scene = runs_.scene();
     const Uncertainty& given = scene.description.uncertainty;
     page_->setProfile(meanProfile(scene.surface, line_.line(), page_->width()),
                       given.enabled ? given.heightCalibration : 0.0,

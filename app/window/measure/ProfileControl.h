@@ -31,6 +31,8 @@ public:
 
     /// World [m]; of no length: nothing is drawn.
     [[nodiscard]] const QLineF& line() const { return points(); }
+    /// One that was not drawn here.
+    void setLine(const QLineF& line) { setPoints(line); }
     /// Marks a position on the line, such as a cursor's. @param shares of its length, 0..1
     void setStops(const QVector<double>& shares);
 

@@ -214,8 +214,16 @@ RoughnessControl::RoughnessControl(Stage& stage)
                  .shortcuts = {tr("Ctrl+U")}});
     bindTool(live_.overview().map(), rectangle_, *page_, &RoughnessPage::drawingChosen,
              &RoughnessPage::setDrawing);
-    connect(&runs_, &RunControl::begun, this,
-            [this] { runs_.isOnOtherScan() ? forget() : refresh(); });
+    for (const auto shown :
+         {&RunControl::begun, &RunControl::recordingShown, &RunControl::liveShown}) {
+        connect(&runs_, shown, this, [this] { runs_.isOnOtherScan() ? forget() : refresh(); });
+    }
+    runs_.beforeRecording([this]() -> std::function<void()> {
+        return [this, rectangle = rectangle_.rectangle()] {
+            rectangle_.setRectangle(rectangle);
+            refresh();
+        };
+    });
     connect(&rectangle_, &RectangleTool::drawn, this, &RoughnessControl::refresh);
     connect(page_, &RoughnessPage::wholeChosen, this, &RoughnessControl::forget);
     connect(page_, &RoughnessPage::smoothedChosen, this, &RoughnessControl::refresh);
@@ -277,7 +285,7 @@ void RoughnessControl::refresh() {
         page_->clear({});
     } else if (!due_) {
         page_->setProgress(0.0);
-        work_.start([loaded = runs_.run()->shared(), rectangle = rectangle_.rectangle(),
+        work_.start([loaded = runs_.shared(), rectangle = rectangle_.rectangle(),
                      smoothed = page_->isSmoothed()](Progress& progress) {
             return compute(loaded->scene, rectangle, smoothed, progress);
         });

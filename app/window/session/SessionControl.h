@@ -102,7 +102,6 @@ private:
     QString saved_;                               ///< folder of the last one; empty: none yet
     SceneDescription opened_;                     ///< the scene as it was opened
     bool isEdited_ = false;
-    bool rests_ = false;  ///< a recording is looked at: what is kept is of before
     std::optional<SessionFolder> folder_;
     std::unique_ptr<LatestWriter<std::string>> writer_;  ///< null: nothing is kept
     std::string kept_;                                   ///< that the writer has
