@@ -287,7 +287,7 @@ void addRenderCommand(CLI::App& program) {
         ->check(notEmpty());
     command
         ->add_option("--at", options->at,
-                     "moment of a run: seconds, or " + keyList<NamedMoment>() +
+                     "moment of a run: seconds since its first tick, or " + keyList<NamedMoment>() +
                          "; default: deepest")
         ->check(acceptedBy(runMoment));
     addPictureOptions(*command, options->picture);
@@ -311,7 +311,7 @@ void addFilmCommand(CLI::App& program) {
         ->check(notEmpty());
     command
         ->add_option("--from", options->from,
-                     "first moment: seconds of the run, or " + keyList<NamedMoment>())
+                     "first moment: seconds since its first tick, or " + keyList<NamedMoment>())
         ->capture_default_str()
         ->check(acceptedBy(runMoment));
     command->add_option("--to", options->to, "last moment, in the same form")

@@ -291,11 +291,12 @@ void addBundleCommand(CLI::App& program) {
     command->add_option("OUT", options->out, "file to write, a zip archive")
         ->required()
         ->check(notEmpty());
-    CLI::Option* const from =
-        command->add_option("--from", options->span.from, "first moment of a part [s]")
-            ->check(finiteNumber());
+    CLI::Option* const from = command
+                                  ->add_option("--from", options->span.from,
+                                               "first moment of a part, since the first tick [s]")
+                                  ->check(finiteNumber());
     CLI::Option* const to =
-        command->add_option("--to", options->span.to, "last moment of a part [s]")
+        command->add_option("--to", options->span.to, "last moment of a part, in the same form [s]")
             ->check(finiteNumber());
     command->add_flag("--force", options->force, "replace a file of that name");
     command->callback([options, from, to] {

@@ -92,23 +92,28 @@ std::filesystem::path energiesOf(const std::filesystem::path& folder,
     return scratch / run_files::kEnergy;
 }
 
-void requireTicks(const RecordedRun& run, const RunSpan& span) {
-    const auto isIn = [&span](const TickSample& sample) {
-        return sample.time >= span.from && sample.time <= span.to;
+/// Returns a part in the time of the loop. @throw Error where no tick is in it
+RunSpan loopSpan(const RecordedRun& run, const RunSpan& span) {
+    if (run.samples.empty()) {
+        throw Error("the run has no tick");
+    }
+    const double begin = run.samples.front().time;
+    const RunSpan loop{.from = begin + span.from, .to = begin + span.to};
+    const auto isIn = [&loop](const TickSample& sample) {
+        return sample.time >= loop.from && sample.time <= loop.to;
     };
     if (std::ranges::none_of(run.samples, isIn)) {
-        throw Error(run.samples.empty()
-                        ? std::string("the run has no tick")
-                        : formatted("no tick of the run is in this part: it goes from %g s to %g s",
-                                    run.samples.front().time, run.samples.back().time));
+        throw Error(formatted("no tick of the run is in this part: it goes from 0 s to %g s",
+                              run.samples.back().time - begin));
     }
+    return loop;
 }
 
 }  // namespace
 
 void writeSlice(const std::filesystem::path& folder, const LoadedScene& loaded,
-                const RecordedRun& run, const RunSpan& span, const std::filesystem::path& target) {
-    requireTicks(run, span);
+                const RecordedRun& run, const RunSpan& part, const std::filesystem::path& target) {
+    const RunSpan span = loopSpan(run, part);
     std::optional<Recording> slice;
     TickMemory memory = run.memory;
     ClosestPointTracker tracker;

@@ -24,7 +24,7 @@ void packRun(const std::filesystem::path& folder);
 void unpackRun(const std::filesystem::path& folder, const Scene& scene, const RecordedRun& run,
                const std::filesystem::path& out);
 
-/// A part of a run, from one time of it to another, both included [s].
+/// A part of a run, from one time since its first tick to another, both included [s].
 struct RunSpan {
     double from = 0.0;
     double to = 0.0;
@@ -35,6 +35,6 @@ struct RunSpan {
 /// @param target a folder without a run
 /// @throw Error where no tick is in it, or a file cannot be written; as replayTicks()
 void writeSlice(const std::filesystem::path& folder, const LoadedScene& loaded,
-                const RecordedRun& run, const RunSpan& span, const std::filesystem::path& target);
+                const RecordedRun& run, const RunSpan& part, const std::filesystem::path& target);
 
 }  // namespace asperity

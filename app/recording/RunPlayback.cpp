@@ -59,8 +59,9 @@ void RunInputs::add(const TickSample& sample) {
     if (settings_.empty() || settings_.back() != input.settings) {
         settings_.push_back(input.settings);
     }
+    begin_ = inputs_.empty() ? sample.time : begin_;
     shortestStep_ = inputs_.empty() ? input.timeStep : std::min(shortestStep_, input.timeStep);
-    inputs_.push_back({.time = sample.time,
+    inputs_.push_back({.time = sample.time - begin_,
                        .device = input.device,
                        .measurement = input.measurement,
                        .timeStep = input.timeStep,
@@ -82,6 +83,26 @@ TickInput RunInputs::input(std::size_t tick) const {
 std::size_t RunInputs::firstAfter(double time) const {
     return static_cast<std::size_t>(std::ranges::upper_bound(inputs_, time, {}, &Input::time) -
                                     inputs_.begin());
+}
+
+RunInputs inputsOf(const BlackBox& box) {
+    RunInputs inputs(box.memory());
+    for (const TickSample& sample : box.samples()) {
+        inputs.add(sample);
+    }
+    return inputs;
+}
+
+std::optional<std::size_t> lastJump(const BlackBox& box) {
+    const auto branch = [&box](std::size_t tick) {
+        return box.samples()[tick].output.model.contact.branch;
+    };
+    for (std::size_t tick = box.samples().size(); tick-- > 1;) {
+        if (branch(tick) != branch(tick - 1)) {
+            return tick;
+        }
+    }
+    return std::nullopt;
 }
 
 namespace {
@@ -124,11 +145,17 @@ RunOnDisk readRunInputs(const std::filesystem::path& folder) {
     return run;
 }
 
-RunPlayback::RunPlayback(const Scene& scene, RunInputs inputs)
+RunPlayback::RunPlayback(Unchecked /*tag*/, const Scene& scene, RunInputs inputs)
     : scene_(&scene)
     , inputs_(std::move(inputs))
     , checkpoints_({inputs_.memory()})
-    , memory_(inputs_.memory()) {
+    , memory_(inputs_.memory()) {}
+
+RunPlayback::RunPlayback(const Scene& scene, const BlackBox& box)
+    : RunPlayback(Unchecked(), scene, inputsOf(box)) {}
+
+RunPlayback::RunPlayback(const Scene& scene, RunInputs inputs)
+    : RunPlayback(Unchecked(), scene, std::move(inputs)) {
     if (inputs_.size() == 0) {
         throw Error("the run was cut off before its first tick: there is nothing to show");
     }

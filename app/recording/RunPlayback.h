@@ -2,18 +2,21 @@
 
 #include "app/recording/RecordedRun.h"
 #include "core/Progress.h"
+#include "core/haptics/blackbox/BlackBox.h"
 
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 namespace asperity {
 
-/// The inputs of a recorded run, closely packed: an hour at 1 kHz takes about 0.5 GB.
+/// The inputs of a recorded run, closely packed: an hour at 1 kHz takes about 0.5 GB. Times count
+/// from its first tick, whenever the loop had begun.
 class RunInputs {
 public:
     /// @param memory at the start of the first tick
@@ -45,8 +48,16 @@ private:
     TickMemory memory_;
     std::vector<Input> inputs_;
     std::vector<Settings> settings_;
+    double begin_ = 0.0;  ///< of the first tick, in the time of the loop [s]
     double shortestStep_ = 0.0;
 };
+
+/// Returns the last seconds of a live run as a recording. The box holds ticks.
+[[nodiscard]] RunInputs inputsOf(const BlackBox& box);
+
+/// Returns which of the last ticks of a live run is the last one with a snap-in or a pull-off: the
+/// contact model's branch is another one than in the tick before; none: there was neither.
+[[nodiscard]] std::optional<std::size_t> lastJump(const BlackBox& box);
 
 /// The folder of a run without what it did: that can be computed again.
 struct RunOnDisk {
@@ -74,22 +85,19 @@ public:
     /// @throw Error where the run holds no tick, or the scene's settings are not those that it
     /// began with
     RunPlayback(const Scene& scene, RunInputs inputs);
-
-    /// Keeps what was computed so far. @param scene the same one at another address; outlives this
-    void moveTo(const Scene& scene) noexcept {
-        scene_ = &scene;
-        tracker_ = {};
-    }
+    /// Plays the last seconds of a run on its own scene, whose knobs may have been turned before.
+    /// @param scene outlives this object @param box holds ticks
+    RunPlayback(const Scene& scene, const BlackBox& box);
 
     [[nodiscard]] std::size_t size() const noexcept { return inputs_.size(); }
-    /// Since the run began [s].
+    /// Since its first tick [s].
     [[nodiscard]] double time(std::size_t tick) const { return inputs_.time(tick); }
     [[nodiscard]] double firstTime() const { return inputs_.time(0); }
     [[nodiscard]] double lastTime() const { return inputs_.time(size() - 1); }
     /// The latest tick that had begun at this time [s]; the first or the last one beyond the run.
     [[nodiscard]] std::size_t tickAt(double time) const;
 
-    /// The sample holds until the next call. tick < size()
+    /// The sample, with this time, holds until the next call. tick < size()
     [[nodiscard]] const TickSample& at(std::size_t tick);
     /// Passes ticks from `first` on to `sink`, in order, until it returns false.
     /// @throw Canceled
@@ -97,6 +105,9 @@ public:
               Progress* progress = nullptr);
 
 private:
+    struct Unchecked {};
+    RunPlayback(Unchecked, const Scene& scene, RunInputs inputs);
+
     void seek(std::size_t tick);
     void step();
 

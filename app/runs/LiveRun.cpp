@@ -44,7 +44,7 @@ LiveRun::LiveRun(LoadedScene loaded, const Vector3& start, const MakeInstrument&
     , settings_(loaded_->scene.settings)
     , instrument_(makeInstrument(loaded_->scene))
     , device_(std::make_unique<PointerDevice>(start / settings_.positionGain))
-    , halfSpace_(newHalfSpace())
+    , halfSpace_(newHalfSpace(loaded_->scene))
     , loop_(loaded_->scene, *device_, *instrument_)
     , blackBox_(loaded_->scene.timeStep())
     , energy_(newEnergyWatch()) {}
@@ -53,9 +53,9 @@ EnergyWatch LiveRun::newEnergyWatch() const {
     return {loaded_->scene.timeStep(), device_->delay()};
 }
 
-std::unique_ptr<HalfSpaceWorker> LiveRun::newHalfSpace() const {
-    return loaded_->scene.model.deformation == DeformationModel::HalfSpace
-               ? std::make_unique<HalfSpaceWorker>(loaded_->scene)
+std::unique_ptr<HalfSpaceWorker> newHalfSpace(const Scene& scene) {
+    return scene.model.deformation == DeformationModel::HalfSpace
+               ? std::make_unique<HalfSpaceWorker>(scene)
                : nullptr;
 }
 
@@ -179,7 +179,7 @@ void LiveRun::adoptModel(const LoadedScene& fitted) {
     loaded_->scene.model = fitted.scene.model;
     loaded_->scene.leftOut = fitted.scene.leftOut;
     loaded_->scene.belief = fitted.scene.belief;
-    halfSpace_ = newHalfSpace();
+    halfSpace_ = newHalfSpace(loaded_->scene);
     if (isAnother) {
         blackBox_.restart();               // its ticks replay under one model
         blackBox_.mark(loop_.snapshot());  // a fault may come before the next frame

@@ -91,7 +91,6 @@ private:
     void seat(std::unique_ptr<HapticDevice> device);
     void keep(const TickSample& sample);
     [[nodiscard]] EnergyWatch newEnergyWatch() const;
-    [[nodiscard]] std::unique_ptr<HalfSpaceWorker> newHalfSpace() const;
 
     std::shared_ptr<LoadedScene> loaded_;
     CouplingKeeper coupling_;
@@ -107,6 +106,10 @@ private:
     FetchCost fetchCost_;
     EnergyWatch energy_;
 };
+
+/// Returns a solver of the half-space beside the loop; null: the scene does not ask for it.
+/// @param scene outlives it
+[[nodiscard]] std::unique_ptr<HalfSpaceWorker> newHalfSpace(const Scene& scene);
 
 /// Above the sample, where it holds data, as near to the middle of the scan as can be [m].
 [[nodiscard]] Vector3 startPosition(const Scene& scene);

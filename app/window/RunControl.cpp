@@ -40,32 +40,6 @@ std::string scanKey(const Scene& scene) {
 
 }  // namespace
 
-void SteadyForce::take(const TickSample& sample) noexcept {
-    const ForceEstimate& estimate = sample.output.estimate;
-    const double step = sample.time - time_;
-    const bool begins = isEmpty_ || !(step > 0.0) || sample.output.region() != region_;
-    time_ = sample.time;
-    region_ = sample.output.region();
-    isEmpty_ = !estimate.force.allFinite();
-    if (begins) {
-        span_ = sample.input.timeStep;
-        force_ = estimate.force;
-        covariance_ = estimate.covariance;
-        return;
-    }
-    span_ = std::min(span_ + step, kPeriod);
-    const double share = std::min(step / span_, 1.0);
-    force_ += share * (estimate.force - force_);
-    covariance_ += share * (estimate.covariance - covariance_);
-}
-
-void SteadyForce::apply(TickOutput& output) const noexcept {
-    if (!isEmpty_ && output.region() == region_ && output.estimate.force.allFinite()) {
-        output.estimate.force = force_;
-        output.estimate.covariance = covariance_;
-    }
-}
-
 RunControl::RunControl(Host& host, LivePanels& live) : host_(host), live_(live) {
     ControlBar& controls = live_.controls();
     connect(&controls, &ControlBar::runningChosen, this,
@@ -226,6 +200,7 @@ bool RunControl::adoptModel(const LoadedScene& fitted) {
 
 void RunControl::leave() {
     if (run_) {
+        leaveRecording();
         run_->loop().stop();
         fetch();
         Q_EMIT ending();
@@ -240,6 +215,7 @@ void RunControl::end() {
 
 void RunControl::start() {
     if (run_) {
+        leaveRecording();
         run_->loop().start();
         live_.controls().setRunning(true);
         live_.banner().setPaused(false);
@@ -297,8 +273,8 @@ void RunControl::fetch() {
 }
 
 const Snapshot& RunControl::shown() {
-    if (recorded_) {
-        return *recorded_;
+    if (recording_) {
+        return recording_->snapshot(run_->loop().snapshot().statistics);
     }
     latest_ = run_->loop().snapshot();
     steady_.apply(latest_.sample.output);
@@ -306,36 +282,64 @@ const Snapshot& RunControl::shown() {
 }
 
 std::vector<TickSample> RunControl::shownTicks() {
-    if (recorded_) {
-        return {recordedTicks_.begin(), recordedTicks_.end()};
+    if (recording_) {
+        return recording_->ticks();
     }
     const auto& last = run_->blackBox().samples();
     return {last.begin(), last.end()};
 }
 
+void RunControl::showRecording(std::shared_ptr<const LoadedScene> loaded,
+                               const std::filesystem::path& input, const TickSample& first) {
+    const bool wasRunning = recording_ ? wasRunning_ : run_->loop().running();
+    leaveRecording();
+    wasRunning_ = wasRunning;
+    pause();
+    fetch();
+    isOnOtherScan_ = scanKey(loaded->scene) != scan_;
+    for (auto setAside = setAsides_.rbegin(); setAside != setAsides_.rend(); ++setAside) {
+        putBacks_.insert(putBacks_.begin(), (*setAside)());
+    }
+    Q_EMIT sceneLeaving();
+    recording_.emplace(std::move(loaded), input, first);
+    if (recording_->loaded() != run_->shared()) {
+        live_.showScene(&scene(), titleOf(scene().description.sample));
+    }
+    refuseTip(tr("A recording is shown: go back to the live tip first"));
+    Q_EMIT recordingShown();
+}
+
 void RunControl::showRecorded(std::span<const TickSample> ticks, bool goesOn) {
-    constexpr std::size_t kMax = 10'000;
-    if (!goesOn) {
-        recordedTicks_.clear();
+    recording_->take(ticks, goesOn);
+}
+
+void RunControl::leaveRecording() {
+    if (!recording_) {
+        return;
     }
-    recordedTicks_.insert(recordedTicks_.end(), ticks.begin(), ticks.end());
-    if (recordedTicks_.size() > kMax) {
-        const auto old = static_cast<std::ptrdiff_t>(recordedTicks_.size() - kMax);
-        recordedTicks_.erase(recordedTicks_.begin(), recordedTicks_.begin() + old);
+    Q_EMIT sceneLeaving();
+    // The panels have its scene until they have another one.
+    const std::optional<ShownRecording> left = std::exchange(recording_, std::nullopt);
+    const QString title = titleOf(run_->scene().description.sample);
+    if (left->loaded() == run_->shared()) {
+        host_.setTitle(title);
+    } else {
+        live_.showScene(&run_->scene(), title);
     }
-    const bool wasLive = !recorded_.has_value();
-    recorded_ = Snapshot{.sample = ticks.back(),
-                         .memory = {},
-                         .statistics = run_->loop().snapshot().statistics,
-                         .trueTip = std::nullopt};
-    if (wasLive) {
-        Q_EMIT recordingShown();
+    refuseTip({});
+    Q_EMIT liveShown();
+    for (const auto& putBack : std::exchange(putBacks_, {})) {
+        putBack();
     }
 }
 
 void RunControl::showLive() {
-    recorded_.reset();
-    recordedTicks_.clear();
+    if (recording_) {
+        leaveRecording();
+        if (wasRunning_) {
+            start();
+        }
+    }
 }
 
 void RunControl::refuseTip(const QString& why) {

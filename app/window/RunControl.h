@@ -1,11 +1,12 @@
 #pragma once
 
 #include "app/runs/LiveRun.h"
+#include "app/window/ShownRecording.h"
+#include "app/window/SteadyForce.h"
 
 #include <QObject>
 #include <QString>
 
-#include <deque>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -22,26 +23,6 @@ namespace asperity {
 struct DeviceDriver;
 class Host;
 class LivePanels;
-
-/// The force as people read it: the mean of a tenth of a second, so that arrow and numbers stand
-/// still while the tip does. A jump into contact or out of it begins another mean.
-class SteadyForce {
-public:
-    static constexpr double kPeriod = 0.1;  ///< time constant of the mean [s]
-
-    /// Takes the next tick.
-    void take(const TickSample& sample) noexcept;
-    /// Gives a tick the mean up to it. Of a single tick it is the tick's own.
-    void apply(TickOutput& output) const noexcept;
-
-private:
-    Vector3 force_ = Vector3::Zero();       ///< [N]
-    Matrix3 covariance_ = Matrix3::Zero();  ///< mean of the ticks': that of one of them [N^2]
-    TipRegion region_ = TipRegion::Far;
-    double time_ = 0.0;  ///< of the last tick [s]
-    double span_ = 0.0;  ///< that the mean covers, at most kPeriod [s]
-    bool isEmpty_ = true;
-};
 
 /// The run behind the window: begins and ends it, lets it pause and go on, turns its knobs.
 class RunControl : public QObject {
@@ -82,16 +63,48 @@ public:
     /// Shows how the knobs are. There is a run.
     void showKnobs();
 
-    /// The tick that the window shows: of a recording that is looked at, else the latest one of the
+    /// The scene that the window shows: of the recording that is open, else of the run. There is a
+    /// run.
+    [[nodiscard]] const Scene& scene() const { return loaded().scene; }
+    [[nodiscard]] const LoadedScene& loaded() const {
+        return recording_ ? *recording_->loaded() : run_->loaded();
+    }
+    /// The same, for who works with it beside the window.
+    [[nodiscard]] std::shared_ptr<const LoadedScene> shared() const {
+        return recording_ ? recording_->loaded() : run_->shared();
+    }
+    /// Returns the solver of the half-space of that scene; null: it does not ask for one.
+    [[nodiscard]] HalfSpaceWorker* halfSpace() const {
+        return recording_ ? recording_->halfSpace() : run_->halfSpace();
+    }
+    /// The tick that the window shows: of the recording that is open, else the latest one of the
     /// loop, with the steady force (SteadyForce). There is a run.
     [[nodiscard]] const Snapshot& shown();
     /// The last seconds up to that tick, in order. There is a run.
     [[nodiscard]] std::vector<TickSample> shownTicks();
-    [[nodiscard]] bool showsRecording() const { return recorded_.has_value(); }
-    /// Shows the last one of these ticks of a recording. @param goesOn they follow those before
+
+    [[nodiscard]] bool showsRecording() const { return recording_.has_value(); }
+    /// Returns the folder or bundle of the recording that is open; empty: none is, or it is on no
+    /// disk.
+    [[nodiscard]] std::filesystem::path openRecording() const {
+        return recording_ ? recording_->input() : std::filesystem::path();
+    }
+    /// Shows a recording, at one of its ticks, instead of the run, which pauses: its scene, device,
+    /// loop and black box stay as they are. There is a run.
+    /// @param input its folder or bundle; empty: it is on no disk
+    void showRecording(std::shared_ptr<const LoadedScene> loaded,
+                       const std::filesystem::path& input, const TickSample& first);
+    /// Shows the last one of these ticks of the recording. @param goesOn they follow those before
     void showRecorded(std::span<const TickSample> ticks, bool goesOn);
-    /// Shows the ticks of the loop again.
+    /// Sets how fast the recording plays, see ShownRecording. There is one.
+    void setPlaying(double speed) { recording_->setPlaying(speed); }
+    /// Shows the run again as it was, paused where it was.
     void showLive();
+    /// Sets aside what a feature shows of the scene. @return puts it back
+    using SetAside = std::function<std::function<void()>()>;
+    /// Calls a function before a recording is shown, of several the last one first, and what it
+    /// returns once the run is shown again, the first one first.
+    void beforeRecording(SetAside setAside) { setAsides_.push_back(std::move(setAside)); }
 
     /// Sets whether ticks of the run are being written to files.
     void setRecorded(bool recorded) { isRecorded_ = recorded; }
@@ -99,11 +112,11 @@ public:
     /// Sets which driver has the tip. @param driver null: a path has it
     void setDriver(const DeviceDriver* driver) { driver_ = driver; }
     [[nodiscard]] const DeviceDriver* driver() const { return driver_; }
-    /// Returns whether the run that has begun is on another scan, or on another part of one.
+    /// Returns whether the scene that is shown is on another scan, or on another part of one, than
+    /// that before.
     [[nodiscard]] bool isOnOtherScan() const { return isOnOtherScan_; }
 
-    /// Locks the tip of the run. @param why for tool tips; empty: it can be moved
-    void refuseTip(const QString& why);
+    /// Returns why the tip cannot be moved for what is shown: a recording; empty: it can.
     [[nodiscard]] const QString& tipRefusal() const { return tipRefusal_; }
 
     /// Locks scene and knobs for all but the caller. @param why for tool tips;
@@ -119,6 +132,10 @@ public:
     [[nodiscard]] QString changeRefusal() const;
     /// Returns why a user cannot move the tip now; empty: it can be moved.
     [[nodiscard]] QString moveRefusal() const;
+    /// Returns why the scene that is shown stays as it is; empty: it can be changed.
+    [[nodiscard]] const QString& editRefusal() const {
+        return fixedBy_.isEmpty() ? tipRefusal_ : fixedBy_;
+    }
     /// Has Esc switch the forces off, whatever has the focus, or not.
     void setEmergencyStop(bool active);
 
@@ -131,8 +148,12 @@ Q_SIGNALS:
     void rebuilt();
     /// The loop begins, or goes on.
     void started();
+    /// The scene that is shown gives way to that of a recording, or to the run's again.
+    void sceneLeaving();
     /// A recording is shown instead of the run.
     void recordingShown();
+    /// The run is shown again.
+    void liveShown();
     /// A user can change scene and knobs, or no longer.
     void changesAllowed(bool allowed);
     /// Knobs are shown as they are now; they may be others.
@@ -148,6 +169,8 @@ private:
     [[nodiscard]] bool forcesMayAct();
     /// All that must be done before the run, or its scene, goes.
     void leave();
+    void leaveRecording();
+    void refuseTip(const QString& why);
 
     Host& host_;
     LivePanels& live_;
@@ -157,9 +180,11 @@ private:
     TickSink sink_ = [](const TickSample&) {};
     std::unique_ptr<LiveRun> run_;
     SteadyForce steady_;
-    Snapshot latest_;                       ///< as it is shown
-    std::optional<Snapshot> recorded_;      ///< none: the loop's ticks are shown
-    std::deque<TickSample> recordedTicks_;  ///< the last seconds up to it
+    Snapshot latest_;                          ///< as it is shown
+    std::optional<ShownRecording> recording_;  ///< none: the run is shown
+    bool wasRunning_ = false;                  ///< the run, before the recording
+    std::vector<SetAside> setAsides_;
+    std::vector<std::function<void()>> putBacks_;  ///< of the recording
     QString tipRefusal_;
     QString fixedBy_;
     bool forcesStayOff_ = false;

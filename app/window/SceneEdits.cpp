@@ -101,6 +101,8 @@ SceneEdits::SceneEdits(Host& host, LivePanels& live, RunControl& runs)
              .failed = [this](const std::exception_ptr& reason) { fail(reason); },
              .cancel = [this] { cancel(); }}) {
     connect(&runs, &RunControl::begun, this, &SceneEdits::begun);
+    connect(&runs, &RunControl::recordingShown, this, &SceneEdits::changed);
+    connect(&runs, &RunControl::liveShown, this, &SceneEdits::changed);
 }
 
 /// A scene that did not come from here has no history.
@@ -113,7 +115,7 @@ void SceneEdits::begun() {
     }
 }
 
-const SceneDescription& SceneEdits::present() const { return runs_.run()->scene().description; }
+const SceneDescription& SceneEdits::present() const { return runs_.scene().description; }
 
 const SceneDescription* SceneEdits::wanted() const {
     if (runs_.run() == nullptr) {
@@ -134,10 +136,10 @@ const SceneDescription& SceneEdits::goalOf(const Target& target) const {
 }
 
 bool SceneEdits::isFixed() {
-    if (!runs_.fixedBy().isEmpty()) {
-        host_.tell(runs_.fixedBy());
+    if (!runs_.editRefusal().isEmpty()) {
+        host_.tell(runs_.editRefusal());
     }
-    return !runs_.fixedBy().isEmpty();
+    return !runs_.editRefusal().isEmpty();
 }
 
 bool SceneEdits::isOpening() {
@@ -270,7 +272,8 @@ void SceneEdits::keep(const Target& target, const SceneDescription& before,
 }
 
 void SceneEdits::open(Opening opening) {
-    if (isFixed()) {
+    if (!runs_.fixedBy().isEmpty()) {
+        host_.tell(runs_.fixedBy());
         return;
     }
     target_.reset();
@@ -282,6 +285,7 @@ void SceneEdits::open(Opening opening) {
 void SceneEdits::useOpened(LoadedScene& scene) {
     const Opening opening = *opening_;
     giveUp();
+    runs_.showLive();
     const SceneDescription after = scene.scene.description;
     std::optional<PastScene> before;
     if (runs_.run() != nullptr) {
@@ -372,7 +376,7 @@ void SceneEdits::redo() {
 }
 
 QString SceneEdits::undoName() const {
-    if (!runs_.fixedBy().isEmpty()) {
+    if (!runs_.editRefusal().isEmpty()) {
         return {};
     }
     if (opening_) {
@@ -387,7 +391,7 @@ QString SceneEdits::undoName() const {
 
 QString SceneEdits::redoName() const {
     const Target now = target();
-    return now.steps.empty() && !opening_ && runs_.fixedBy().isEmpty() &&
+    return now.steps.empty() && !opening_ && runs_.editRefusal().isEmpty() &&
                    now.index < history_.count()
                ? history_.nameOf(now.index)
                : QString();

@@ -85,6 +85,14 @@ ViewControl::ViewControl(Stage& stage) : Feature(stage) {
             live_.forces().forgetCycles();
         }
     });
+    runs_.beforeRecording([this]() -> std::function<void()> {
+        QVariantMap kept;
+        keepViewpoint(live_, kept);
+        return [this, kept, curves = live_.forces().keptCurves()] {
+            restoreViewpoint(live_, kept);
+            curves();
+        };
+    });
 }
 
 void ViewControl::addEntries() {
@@ -120,7 +128,7 @@ void ViewControl::take(const TickSample& sample) {
 
 /// The frame shows the newest solution there is; the one it asks for is for a frame to come.
 void ViewControl::solveHalfSpace(const Snapshot& latest) {
-    HalfSpaceWorker* const worker = runs_.run()->halfSpace();
+    HalfSpaceWorker* const worker = runs_.halfSpace();
     if (worker != nullptr && latest.statistics.ticks > 0 &&
         isDrawable(latest.sample.output.model)) {
         worker->ask(latest.sample.output.model);

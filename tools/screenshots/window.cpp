@@ -1,7 +1,7 @@
 /// Opens the live window on a scan, brings it into one of the states of docs/window.md as a user
 /// does, saves what the screen shows then, and prints the frames a second of each view.
 /// Usage: asperity_window_picture start|profile|profiles|roughness|spectrum|touches|map|path|
-///        section|scene|haptics SCENE_OR_SCAN WIDTH HEIGHT OUT.png [dark]
+///        section|replay|scene|haptics SCENE_OR_SCAN WIDTH HEIGHT OUT.png [dark]
 
 #include "app/commands/VirtualDisplay.h"
 #include "app/loading/SceneLoader.h"
@@ -172,6 +172,15 @@ void showPath(User& user) {
 
 void showSection(User& user) { user.engage(); }
 
+/// The last pull-off again, in slow motion.
+void showReplay(User& user) {
+    user.window().menus().entry("secondView").setChecked(true);
+    user.touch();
+    user.window().menus().entry("replayLastJump").trigger();
+    waitFor("the replay", [&] { return user.stage().runs().showsRecording(); });
+    live(kMoment);
+}
+
 int run(char** argv) {
     const VirtualDisplay display;
     LiveWindow live_;
@@ -187,6 +196,7 @@ int run(char** argv) {
         {"map", [&] { showMap(user); }},
         {"path", [&] { showPath(user); }},
         {"section", [&] { showSection(user); }},
+        {"replay", [&] { showReplay(user); }},
         {"scene", [&] { user.showPage(1); }},
         {"haptics", [&] { user.showPage(2); }}};
     const auto show = states.find(state);
@@ -221,6 +231,6 @@ int main(int argc, char** argv) {
     return asperity::runPictureTool(
         {argv, static_cast<std::size_t>(argc)}, argc == 7 ? 6 : 5,
         "asperity_window_picture start|profile|profiles|roughness|spectrum|touches|map|path|"
-        "section|scene|haptics SCENE_OR_SCAN WIDTH HEIGHT OUT.png [dark]",
+        "section|replay|scene|haptics SCENE_OR_SCAN WIDTH HEIGHT OUT.png [dark]",
         asperity::run);
 }

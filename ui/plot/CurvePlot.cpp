@@ -290,6 +290,14 @@ void CurvePlot::clear() {
     refresh();
 }
 
+std::function<void()> CurvePlot::keptCurves() {
+    return [this, histories = histories_, paused = paused_] {
+        histories_ = histories;
+        paused_ = paused;
+        refresh();
+    };
+}
+
 void CurvePlot::setPaused(bool paused) {
     if (paused != isPaused()) {
         paused_ = paused ? std::optional(histories_) : std::nullopt;

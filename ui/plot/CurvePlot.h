@@ -10,6 +10,7 @@
 #include <QWidget>
 
 #include <array>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -55,6 +56,8 @@ public:
     /// Draws the curves up to the newest time.
     void refresh();
     void clear();
+    /// Returns what brings back the curves as they are now.
+    [[nodiscard]] std::function<void()> keptCurves();
     /// Freezes what is drawn; values are kept on, so that it goes on with those of now.
     void setPaused(bool paused);
     [[nodiscard]] bool isPaused() const { return paused_.has_value(); }

@@ -12,10 +12,11 @@
 
 namespace asperity {
 
-void RunHistory::take(const TickSample& sample) {
+void RunHistory::take(TickSample sample) {
     if (events().ticks == 0) {
         first_ = sample.time;
     }
+    sample.time -= first_;
     last_ = sample.time;
     events_.take(sample);
     path_.push_back(sample.output.tip);

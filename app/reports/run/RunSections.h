@@ -26,12 +26,12 @@ struct ForceCycleCurve {
 };
 
 /// All that a report shows of a run, taken tick by tick. Events and curves are found as in
-/// summary.json and the window.
+/// summary.json and the window; times count from the first tick.
 class RunHistory {
 public:
     static constexpr std::size_t kDrawnCycles = 6;  ///< the first of them are drawn
 
-    void take(const TickSample& sample);
+    void take(TickSample sample);
 
     [[nodiscard]] const RunEvents& events() const noexcept { return events_.events(); }
     /// Returns the curves of the first cycles.
@@ -45,7 +45,7 @@ public:
     [[nodiscard]] const std::array<long, 4>& ticksBySeverity() const noexcept { return worst_; }
     /// Ticks with the force off, by what switched it off.
     [[nodiscard]] const std::map<Fault, long>& faults() const noexcept { return faults_; }
-    [[nodiscard]] double duration() const noexcept { return last_ - first_; }  ///< [s]
+    [[nodiscard]] double duration() const noexcept { return last_; }  ///< [s]
 
 private:
     void takeCurve(const TickSample& sample);
@@ -59,7 +59,7 @@ private:
     std::vector<Vector3> path_;
     std::array<long, 4> worst_{};
     std::map<Fault, long> faults_;
-    double first_ = 0.0;  ///< [s]
+    double first_ = 0.0;  ///< in the time of the loop [s]
     double last_ = 0.0;   ///< [s]
 };
 

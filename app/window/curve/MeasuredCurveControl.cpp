@@ -113,7 +113,7 @@ void MeasuredCurveControl::ask() {
 }
 
 void MeasuredCurveControl::load(const std::filesystem::path& file) {
-    const double stiffness = 1.0 / runs_.run()->scene().belief.cantilever.compliance()(2, 2);
+    const double stiffness = 1.0 / runs_.scene().belief.cantilever.compliance()(2, 2);
     const QString name = shownPath(file.filename());
     work_.start([file, name, stiffness](Progress& /*progress*/) {
         return drawnCurve(alignedCurve(readForceCurve(file), stiffness), name);

@@ -470,8 +470,7 @@ void DeviceControl::travelTo(const Vector2& position) {
     if (runs_.run() == nullptr) {
         return;
     }
-    const QString& why = runs_.fixedBy().isEmpty() ? runs_.tipRefusal() : runs_.fixedBy();
-    if (!why.isEmpty()) {
+    if (const QString& why = runs_.editRefusal(); !why.isEmpty()) {
         host_.tell(why);
         return;
     }

@@ -82,6 +82,9 @@ void EngageControl::setSetpoint(double force) {
 }
 
 void EngageControl::showSetpoint() {
+    if (runs_.showsRecording()) {  // its setpoint is not that of the run
+        return;
+    }
     if (const SceneDescription* const scene = edits_.wanted()) {
         live_.engage().setSetpoint(scene->setpoint);
         holdSetpoint();

@@ -161,11 +161,22 @@ void ExportControl::ask() {
     if (choices_.folder.isEmpty()) {
         choices_.folder = standardFolder();
     }
+    chooseOpenRecording();
     dialog_ = new ExportDialog(offer(), choices_, &host_.widget());
     dialog_->setAttribute(Qt::WA_DeleteOnClose);
     connectDialog();
     dialog_->open();
     follow();
+}
+
+/// A film of another recording is of all of it, at first.
+void ExportControl::chooseOpenRecording() {
+    const QString open = QFile::decodeName(runs_.openRecording().c_str());
+    if (!open.isEmpty() && open != choices_.film.recording) {
+        choices_.film.recording = open;
+        choices_.film.from = FilmChoices().from;
+        choices_.film.to = FilmChoices().to;
+    }
 }
 
 void ExportControl::connectDialog() {

@@ -37,6 +37,7 @@ public:
     [[nodiscard]] ExportDialog* dialog() { return dialog_; }
 
 private:
+    void chooseOpenRecording();
     void connectDialog();
     void follow();
     void showFile();

@@ -82,8 +82,9 @@ void FilmFields::addRecording(QFormLayout& form) {
 }
 
 void FilmFields::addPart(QFormLayout& form) {
-    from_ = newMoments("exportFrom", tr("First moment: choose one, or type seconds of the run"));
-    to_ = newMoments("exportTo", tr("Last moment: choose one, or type seconds of the run"));
+    from_ =
+        newMoments("exportFrom", tr("First moment: choose one, or type seconds from the start"));
+    to_ = newMoments("exportTo", tr("Last moment: choose one, or type seconds from the start"));
     partRow_ = newRow({from_, to_});
     form.addRow(tr("From, to"), partRow_);
 }
@@ -265,8 +266,8 @@ void ExportDialog::addLocation(QFormLayout& form) {
     auto* browse = newButton(tr("…"), "exportBrowse", tr("Choose a folder"));
     browse->setAccessibleName(tr("Choose a folder"));
     name_ = named(new QLineEdit, "exportName",
-                  tr("Name without its extension; {file}: name of the scan, {view}: what is "
-                     "written, {n}: first number that is free"));
+                  tr("Name without its extension; {file}: name of the scan or of the "
+                     "recording, {view}: what is written, {n}: first number that is free"));
     file_ = named(new QLabel, "exportFile", tr("The file that will be written"));
     file_->setTextFormat(Qt::PlainText);
     file_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);

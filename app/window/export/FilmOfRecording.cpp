@@ -220,13 +220,13 @@ void writePlot(const ExportOrder& order, const ExportMoment& moment) {
 ExportMoment presentMoment(LivePanels& live, RunControl& runs) {
     auto& panel = live.forces().cycles();
     panel.refresh();
-    const LiveRun& run = *runs.run();
+    const std::filesystem::path open = runs.openRecording();
     const TickSample& sample = runs.shown().sample;
-    return {.loaded = run.shared(),
-            .name = nameOf(run.scene().description.sample),
+    return {.loaded = runs.shared(),
+            .name = open.empty() ? nameOf(runs.scene().description.sample) : exportName(open),
             .sample = sample,
-            .patch = zoomGrid(run.scene(), sample),
-            .section = live.second().section().sectionOf(run.scene(), sample.output.model),
+            .patch = zoomGrid(runs.scene(), sample),
+            .section = live.second().section().sectionOf(runs.scene(), sample.output.model),
             .view = *live.view().shown(),
             .ticks = runs.shownTicks(),
             .cycles = cycleChart(panel),

@@ -91,7 +91,7 @@ class LivePanels;
 /// holds the scene: the run may end before.
 struct ExportMoment {
     std::shared_ptr<const LoadedScene> loaded;  ///< whose description may change during export
-    std::string name;                           ///< of the scan's file, or of the shape
+    std::string name;                           ///< of the recording that is open, else of the scan's file, or the shape
     TickSample sample;                          ///< that it showed
     PatchGrid patch;                            ///< of the surface around the tip
     std::optional<ContactSection> section;      ///< through the contact; none: no tip

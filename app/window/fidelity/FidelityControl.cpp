@@ -138,7 +138,7 @@ void FidelityControl::showScene() {
 /// The choices as they are to be; what they are worth as it is.
 void FidelityControl::showModel() {
     if (const SceneDescription* const scene = edits_.wanted()) {
-        panel_->showModel(runs_.run()->loaded().needs, scene->choices, 1.0 / scene->tickRate);
+        panel_->showModel(runs_.loaded().needs, scene->choices, 1.0 / scene->tickRate);
     }
 }
 

@@ -114,6 +114,19 @@ void CyclePanel::restart() {
     refresh();
 }
 
+std::function<void()> CyclePanel::keptCycles() {
+    return [this, runs = runs_, detector = detector_, number = number_, cycles = cycles_,
+            paused = paused_] {
+        runs_ = runs;
+        detector_ = detector;
+        number_ = number;
+        cycles_ = cycles;
+        paused_ = paused;
+        plot_->forgetRange();
+        refresh();
+    };
+}
+
 void CyclePanel::take(const TickSample& sample) noexcept {
     detector_.take(sample.time, sample.input, sample.output);
     if (detector_.number() != number_) {

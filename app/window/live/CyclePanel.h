@@ -8,6 +8,7 @@
 #include <QString>
 #include <QWidget>
 
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -57,6 +58,8 @@ public:
     void clear();
     /// Forgets all cycles; the run, which goes on, begins again.
     void restart();
+    /// Returns what brings back all cycles as they are now; the run is the same then.
+    [[nodiscard]] std::function<void()> keptCycles();
     /// Freezes what is drawn; cycles are kept on.
     void setPaused(bool paused);
     /// Draws it over the cycles, with no offset; none: takes it away.

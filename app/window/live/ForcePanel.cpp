@@ -387,6 +387,15 @@ void ForcePanel::clear() {
 
 void ForcePanel::forgetCycles() { cycles_->clear(); }
 
+std::function<void()> ForcePanel::keptCurves() {
+    return [forces = forcePlot_->keptCurves(), heights = heightPlot_->keptCurves(),
+            cycles = cycles_->keptCycles()] {
+        forces();
+        heights();
+        cycles();
+    };
+}
+
 void ForcePanel::rewind() {
     clearNumbers();
     cycles_->restart();

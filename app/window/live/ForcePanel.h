@@ -29,6 +29,8 @@ public:
 
     /// Forgets the curves of former cycles: they are of another scan.
     void forgetCycles();
+    /// Returns what brings back all curves as they are now; the run is the same then.
+    [[nodiscard]] std::function<void()> keptCurves();
     void clear() override;
     void rewind() override;
     void begin(const Scene& scene) override;

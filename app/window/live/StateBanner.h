@@ -62,7 +62,7 @@ public:
     void setEnergyGiven(bool given) { energyGiven_ = given; }
     /// The run is paused, or continues.
     void setPaused(bool paused);
-    /// Sets the moment of a recording that is shown, in the time of its run [s]; none: it is live.
+    /// Sets the moment of a recording that is shown, since its first tick [s]; none: it is live.
     void setRecorded(const std::optional<double>& time);
 
 Q_SIGNALS:

@@ -227,6 +227,8 @@ void ForceMapControl::addEntry() {
     connect(&entry, &QAction::triggered, this, [this] { showScanTool(host_, page_); });
     connect(&runs_, &RunControl::begun, this,
             [this] { runs_.isOnOtherScan() ? forget() : refresh(); });
+    connect(&runs_, &RunControl::recordingShown, this, [this] { isHidden() ? hide() : refresh(); });
+    connect(&runs_, &RunControl::liveShown, this, &ForceMapControl::refresh);
 }
 
 void ForceMapControl::connectParts() {
@@ -251,8 +253,10 @@ void ForceMapControl::connectParts() {
     connect(page_, &ForceMapPage::saveChosen, this, [this] { saving_.ask(map_); });
     connect(page_, &ForceMapPage::quantityChosen, this, [this](MapQuantity quantity) {
         shown_ = quantity;
-        showLayer();
-        Q_EMIT stage_.fieldWanted();
+        if (!isHidden()) {
+            showLayer();
+            Q_EMIT stage_.fieldWanted();
+        }
     });
     connect(&pixels_, &PixelTool::pixelChosen, this, &ForceMapControl::showPixel);
 }
@@ -262,8 +266,8 @@ std::optional<MapPlan> ForceMapControl::plan(QString& refusal) const {
         refusal = tr("Open a scan or a scene first");
         return std::nullopt;
     }
-    if (!runs_.fixedBy().isEmpty()) {
-        refusal = runs_.fixedBy();
+    if (!runs_.editRefusal().isEmpty()) {
+        refusal = runs_.editRefusal();
         return std::nullopt;
     }
     try {
@@ -393,6 +397,10 @@ void ForceMapControl::take(bool isWhole) {
     pixels_.setPart(std::nullopt);  // its pixel was of the map before
     page_->setQuantities(amounts, shown_);
     page_->pixel().clear(tr("Click a pixel on the whole scan"));
+    if (isHidden()) {
+        hide();
+        return;
+    }
     showLayer();
     Q_EMIT stage_.fieldWanted();
     if (page_->isVisible()) {
@@ -467,6 +475,19 @@ void ForceMapControl::forgetMap() {
     if (std::exchange(layer_, std::nullopt)) {
         Q_EMIT stage_.fieldOffered(layer());
     }
+}
+
+bool ForceMapControl::isHidden() const { return runs_.showsRecording() && runs_.isOnOtherScan(); }
+
+void ForceMapControl::hide() {
+    pixels_.setPart(std::nullopt);
+    page_->setPicking(false);
+    page_->setState(map_ ? tr("The map is of the live scan: it comes back with the live tip")
+                         : QString());
+    if (std::exchange(layer_, std::nullopt)) {
+        Q_EMIT stage_.fieldOffered(layer());
+    }
+    follow();
 }
 
 void ForceMapControl::forget() {

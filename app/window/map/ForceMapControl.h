@@ -50,7 +50,7 @@ public:
     [[nodiscard]] ForceMapPage& page() { return *page_; }
     /// Another scan is shown: the map was of the last one.
     void forget();
-    /// The scene is another one, of the same scan.
+    /// The scene is another one, of the same scan, or the live one is shown again.
     void refresh();
     /// Once a frame. There is a run.
     void show();
@@ -83,6 +83,9 @@ private:
     void showPixel(const QPoint& pixel);
     void showState();
     void forgetMap();
+    /// Returns whether a recording of another scan is shown, which the map says nothing of.
+    [[nodiscard]] bool isHidden() const;
+    void hide();
     [[nodiscard]] std::optional<MapPlan> plan(QString& refusal) const;
     /// Returns whether a map of this scene is outdated: the present scene differs.
     [[nodiscard]] bool isEarlier(const SceneDescription& scene) const;

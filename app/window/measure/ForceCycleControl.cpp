@@ -318,11 +318,14 @@ ForceCycleControl::ForceCycleControl(Stage& stage)
     connect(page_, &ForceCyclePage::exportChosen, this, &ForceCycleControl::askForFile);
     connect(page_, &ForceCyclePage::clearChosen, this, &ForceCycleControl::clear);
     connect(&runs_, &RunControl::ending, this, &ForceCycleControl::end);
-    connect(&runs_, &RunControl::begun, this, &ForceCycleControl::begin);
+    for (const auto shown :
+         {&RunControl::begun, &RunControl::recordingShown, &RunControl::liveShown}) {
+        connect(&runs_, shown, this, &ForceCycleControl::begin);
+    }
 }
 
 void ForceCycleControl::begin() {
-    const SampleDescription& sample = runs_.run()->scene().description.sample;
+    const SampleDescription& sample = runs_.scene().description.sample;
     material_ = QString::fromStdString(sample.material.name).replace('_', ' ');
     scan_ = QString::fromStdString(sampleName(sample));
     markAll();

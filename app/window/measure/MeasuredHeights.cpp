@@ -105,12 +105,15 @@ MeasuredHeights::MeasuredHeights(Stage& stage)
                    Q_EMIT changed();
                },
            .failed = [this](const std::exception_ptr& reason) { setState(reasonOf(reason)); }}) {
-    connect(&runs_, &RunControl::begun, this, &MeasuredHeights::begin);
+    for (const auto shown :
+         {&RunControl::begun, &RunControl::recordingShown, &RunControl::liveShown}) {
+        connect(&runs_, shown, this, &MeasuredHeights::begin);
+    }
 }
 
 /// Another material or tip leaves the heights as they are.
 void MeasuredHeights::begin() {
-    const auto loaded = runs_.run()->shared();
+    const auto loaded = runs_.shared();
     if (leveled_ == nullptr || hash_ != loaded->sha256 ||
         source_ != sourceOf(loaded->scene.description.sample)) {
         reading_.cancel();
@@ -124,7 +127,7 @@ std::shared_ptr<const MeasuredScan> MeasuredHeights::scan() {
         state_ = tr("No scan is open");
         return nullptr;
     }
-    const auto loaded = runs_.run()->shared();
+    const auto loaded = runs_.shared();
     const SampleDescription& sample = loaded->scene.description.sample;
     if (isSmoothed_ || !hasOtherHeights(sample)) {
         return std::make_shared<const MeasuredScan>(loaded, nullptr, isSmoothed_);

@@ -242,8 +242,16 @@ ProfileControl::ProfileControl(Stage& stage)
     bindTool(live_.overview().map(), line_, *page_, &ProfilePage::drawingChosen,
              &ProfilePage::setDrawing);
     heights_.follow(page_->smoothed());
-    connect(&runs_, &RunControl::begun, this,
-            [this] { runs_.isOnOtherScan() ? forget() : refresh(); });
+    for (const auto shown :
+         {&RunControl::begun, &RunControl::recordingShown, &RunControl::liveShown}) {
+        connect(&runs_, shown, this, [this] { runs_.isOnOtherScan() ? forget() : refresh(); });
+    }
+    runs_.beforeRecording([this]() -> std::function<void()> {
+        return [this, lines = lines_, selected = selected_] {
+            lines_ = lines;
+            select(selected);
+        };
+    });
     connect(&heights_, &MeasuredHeights::changed, this, &ProfileControl::refresh);
     connect(&line_, &LineTool::drawn, this, &ProfileControl::take);
     // The others are all lines but the selected one.
@@ -322,7 +330,7 @@ void ProfileControl::refresh() {
     double zCalibration = 0.0;
     const std::shared_ptr<const MeasuredScan> scan = lines_.isEmpty() ? nullptr : heights_.scan();
     if (scan != nullptr) {
-        const Uncertainty& given = runs_.run()->scene().description.uncertainty;
+        const Uncertainty& given = runs_.scene().description.uncertainty;
         zCalibration = given.enabled ? given.heightCalibration : 0.0;
         words = tr("Smoothing: %1").arg(scan->smoothing());
         for (const MarkedLine& line : lines_) {

@@ -276,13 +276,22 @@ RoughnessControl::RoughnessControl(Stage& stage)
     bindTool(live_.overview().map(), rectangle_, *page_, &RoughnessPage::drawingChosen,
              &RoughnessPage::setDrawing);
     heights_.follow(page_->smoothed());
-    connect(&runs_, &RunControl::begun, this, [this] {
-        if (runs_.isOnOtherScan()) {
-            clear({});
-            forget();
-        } else {
+    for (const auto shown :
+         {&RunControl::begun, &RunControl::recordingShown, &RunControl::liveShown}) {
+        connect(&runs_, shown, this, [this] {
+            if (runs_.isOnOtherScan()) {
+                clear({});
+                forget();
+            } else {
+                refresh();
+            }
+        });
+    }
+    runs_.beforeRecording([this]() -> std::function<void()> {
+        return [this, rectangle = rectangle_.rectangle()] {
+            rectangle_.setRectangle(rectangle);
             refresh();
-        }
+        };
     });
     connect(&heights_, &MeasuredHeights::changed, this, &RoughnessControl::refresh);
     connect(&rectangle_, &RectangleTool::drawn, this, &RoughnessControl::refresh);

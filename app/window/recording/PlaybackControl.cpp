@@ -34,8 +34,8 @@ constexpr double kUnpacked = 0.1;          ///< share of the time that a bundle 
 constexpr double kLoaded = 0.3;            ///< the same with reading the run
 constexpr int kPlottedStretches = 50'000;  ///< of a line: a zoom by ten still shows all
 
-/// Reads a run and replays it once, so that any tick is available. @return its scene
-LoadedScene read(LookedAtRun& run, Progress& progress) {
+/// Reads a run and replays it once, so that any tick is available.
+void read(LookedAtRun& run, Progress& progress) {
     ProgressPart unpacking(&progress, 0.0, kUnpacked);
     ProgressPart loading(&progress, kUnpacked, kLoaded);
     ProgressPart running(&progress, kLoaded, 1.0);
@@ -43,10 +43,29 @@ LoadedScene read(LookedAtRun& run, Progress& progress) {
     RunWithScene read =
         readStaying(run.input, folder, [&] { return readRunWithScene(folder, &loading); });
     run.note = std::move(read.note);
-    run.conditions = conditionsOf(read.loaded);
-    run.playback.emplace(read.loaded.scene, std::move(read.run.inputs));
+    run.loaded = std::make_shared<const LoadedScene>(std::move(read.loaded));
+    run.playback.emplace(run.loaded->scene, std::move(read.run.inputs));
+    run.conditions = conditionsOf(*run.loaded);
     run.survey = surveyOf(*run.playback, &running);
-    return std::move(read.loaded);
+}
+
+constexpr double kLead = 0.2;  ///< before a jump that is played again [s]
+
+/// The name of a run for people.
+QString nameOf(const LookedAtRun& run) {
+    return run.input.empty() ? PlaybackControl::tr("last 10 s")
+                             : QString::fromStdString(runName(run.input));
+}
+
+/// What there is to say of a run that is opened.
+QString wordsOn(const LookedAtRun& run) {
+    if (run.input.empty()) {
+        return PlaybackControl::tr("The last 10 s in slow motion; the live run is paused");
+    }
+    const QString name = nameOf(run);
+    return run.note.empty() ? PlaybackControl::tr("Recording %1: the live run is paused").arg(name)
+                            : PlaybackControl::tr("Recording %1: %2")
+                                  .arg(name, QString::fromStdString(run.note));
 }
 
 PlaybackBar::Steps stepsOf(const LookedAtRun& run) {
@@ -140,13 +159,29 @@ PlaybackPage::Curves curvesOf(const ForceTrace& trace, const QString& name, doub
 
 PlaybackControl::PlaybackControl(Stage& stage)
     : Feature(stage)
-    , scenes_(stage.scenes())
     , page_(new PlaybackPage(&host_.widget()))
+    , reading_(loadingLine(host_),
+               {.finished = [this](Run& run) { show(run); }, .failed = complaintIn(host_)})
     , work_({.progressed = [](double /*fraction*/) {},
              .finished = [this](Stretch& stretch) { take(stretch); },
              .failed = complaintIn(host_)}) {
     stage.onFrame(FrameStep::Act, [this](double elapsed) { advance(elapsed); });
     host_.addTool(page_, tr("Recording"));
+    addEntries();
+    const PlaybackBar& bar = page_->bar();
+    connect(&bar, &PlaybackBar::tickChosen, this, [this](int tick) {
+        if (shown_) {
+            playsSoon_ = false;
+            time_ = shown_->playback->time(static_cast<std::size_t>(tick));
+            want(static_cast<std::size_t>(tick));
+        }
+    });
+    connect(&bar, &PlaybackBar::playingChosen, this, &PlaybackControl::play);
+    connect(&bar, &PlaybackBar::backRequested, &runs_, &RunControl::showLive);
+    connect(&runs_, &RunControl::liveShown, this, &PlaybackControl::end);
+}
+
+void PlaybackControl::addEntries() {
     const QAction& entry =
         host_.menus().add({MenuName::Run, 1, 30}, "lookAtRecording",
                           {.text = tr("Look at a rec&ording…"),
@@ -159,52 +194,73 @@ PlaybackControl::PlaybackControl(Stage& stage)
             look(file.toStdString());
         }
     });
-    const PlaybackBar& bar = page_->bar();
-    connect(&bar, &PlaybackBar::tickChosen, this, [this](int tick) {
-        if (shown_) {
-            time_ = shown_->playback->time(static_cast<std::size_t>(tick));
-            want(static_cast<std::size_t>(tick));
-        }
-    });
-    connect(&bar, &PlaybackBar::playingChosen, this, &PlaybackControl::play);
-    connect(&bar, &PlaybackBar::backRequested, this, &PlaybackControl::leave);
-    connect(&runs_, &RunControl::ending, this, &PlaybackControl::end);
-    connect(&runs_, &RunControl::started, this, &PlaybackControl::end);
+    QAction& replay =
+        host_.menus().add({MenuName::Run, 1, 40}, "replayLastJump",
+                          {.text = tr("Replay the last sna&p-in or pull-off"),
+                           .tip = tr("Play the last 10 s of the run ten times slower, from just "
+                                     "before its last snap-in or pull-off"),
+                           .shortcuts = {tr("Ctrl+Shift+R")},
+                           .refusal = [this] { return runs_.moveRefusal(); }});
+    replay.setIconText(tr("Last snap-in or pull-off"));
+    connect(&replay, &QAction::triggered, this, &PlaybackControl::replayLastJump);
+    page_->bar().addReplay(replay);
 }
 
 void PlaybackControl::look(const std::filesystem::path& file) {
+    if (!runs_.fixedBy().isEmpty()) {
+        host_.tell(runs_.fixedBy());
+        return;
+    }
     const auto run = std::make_shared<LookedAtRun>();
     run->input = runOf(file);
-    scenes_.open(
-        run->input, [run](Progress& progress) { return read(*run, progress); },
-        [this, run] { show(run); });
+    reading_.start(tr("Reading %1 …").arg(nameOf(*run)), [run](Progress& progress) {
+        read(*run, progress);
+        return run;
+    });
 }
 
-void PlaybackControl::show(const std::shared_ptr<LookedAtRun>& run) {
-    runs_.pause();
+/// The live run goes on while its ticks are replayed once.
+void PlaybackControl::replayLastJump() {
     runs_.fetch();
+    const BlackBox& box = runs_.run()->blackBox();
+    const std::optional<std::size_t> jump = lastJump(box);
+    if (!jump) {
+        host_.tell(tr("There was no snap-in or pull-off in the last 10 s"));
+        return;
+    }
+    const auto run = std::make_shared<LookedAtRun>();
     run->loaded = runs_.run()->shared();
-    run->playback->moveTo(run->loaded->scene);
+    run->conditions = conditionsOf(*run->loaded);
+    run->playback.emplace(run->loaded->scene, box);
+    run->first = run->playback->tickAt(run->playback->time(*jump) - kLead);
+    reading_.start(tr("Reading the last 10 s …"), [run](Progress& progress) {
+        run->survey = surveyOf(*run->playback, &progress);
+        return run;
+    });
+}
+
+void PlaybackControl::show(const Run& run) {
+    edits_.cancel();
+    if (runs_.run() == nullptr) {
+        runs_.use(LoadedScene(*run->loaded));
+    }
+    runs_.showRecording(run->loaded, run->input, run->playback->at(run->first));
     shown_ = run;
-    runs_.refuseTip(tr("A recording is shown: go back to the live tip first"));
     title_ = host_.widget().windowTitle();
-    tick_.reset();
+    tick_ = wanted_ = run->first;
     hasHistory_ = false;
-    time_ = run->playback->firstTime();
-    const QString name = QString::fromStdString(runName(run->input));
+    playsSoon_ = run->input.empty();
+    time_ = run->playback->time(run->first);
     page_->setRun(static_cast<int>(run->playback->size()), stepsOf(*run),
-                  curvesOf(run->survey.trace, name));
+                  curvesOf(run->survey.trace, nameOf(*run)));
+    page_->bar().setSlow(run->input.empty());
     host_.showTool(page_);
-    host_.tell(run->note.empty()
-                   ? tr("Recording %1: the live run is paused").arg(name)
-                   : tr("Recording %1: %2").arg(name, QString::fromStdString(run->note)));
-    wanted_ = 0;
+    host_.tell(wordsOn(*run));
+    rewindPanels();
+    showMoment(runs_.shown().sample);
     compute();
     Q_EMIT begun();
 }
-
-/// Starting the loop ends what is looked at.
-void PlaybackControl::leave() { runs_.start(); }
 
 void PlaybackControl::end() {
     if (!shown_) {
@@ -212,12 +268,9 @@ void PlaybackControl::end() {
     }
     work_.cancel();
     shown_.reset();
-    runs_.refuseTip({});
     tick_.reset();
     play(false);
-    runs_.showLive();
     live_.banner().setRecorded(std::nullopt);
-    host_.widget().setWindowTitle(title_);
     rewindPanels();
     page_->setRun(0, {}, {});
     Q_EMIT ended();
@@ -230,17 +283,22 @@ void PlaybackControl::rewindPanels() {
 }
 
 void PlaybackControl::play(bool playing) {
+    playsSoon_ = false;
     playing_ = playing && shown_ != nullptr;
     if (playing_ && wanted_ + 1 >= shown_->playback->size()) {
         time_ = shown_->playback->firstTime();  // once more
     }
     page_->bar().setPlaying(playing_);
+    if (shown_) {
+        runs_.setPlaying(playing_ ? page_->bar().speed() : 0.0);
+    }
 }
 
 void PlaybackControl::advance(double elapsed) {
     if (!playing_) {
         return;
     }
+    runs_.setPlaying(page_->bar().speed());
     time_ += elapsed * page_->bar().speed();
     if (time_ >= shown_->playback->lastTime()) {
         time_ = shown_->playback->lastTime();
@@ -293,15 +351,17 @@ void PlaybackControl::take(const Stretch& stretch) {
     runs_.showRecorded(stretch.ticks, stretch.goesOn);
     showMoment(stretch.ticks.back());
     compute();
+    if (stretch.isHistory && playsSoon_) {
+        play(true);
+    }
 }
 
 void PlaybackControl::showMoment(const TickSample& sample) {
     live_.banner().setRecorded(sample.time);
     host_.widget().setWindowTitle(
         tr("Recording, t = %1 s – %2").arg(sample.time, 0, 'f', 3).arg(title_));
-    page_->showMoment(static_cast<int>(*tick_), readingsOf(runs_.run()->scene(), sample),
-                      sample.time, sample.output.model.contact.indentation,
-                      normalForce(sample.output));
+    page_->showMoment(static_cast<int>(*tick_), readingsOf(runs_.scene(), sample), sample.time,
+                      sample.output.model.contact.indentation, normalForce(sample.output));
 }
 
 ComparisonControl::ComparisonControl(Stage& stage)
@@ -335,7 +395,10 @@ void ComparisonControl::show(const ComparedRun& second) {
     const ForceTrace& trace = first.survey.trace;
     try {
         const RunComparison forces = compareRuns(trace, second.trace);
-        const auto names = runNames(first.input, second_);
+        auto names = runNames(first.input, second_);
+        if (first.input.empty()) {
+            names.first = nameOf(first).toStdString();
+        }
         PlaybackPage::Comparison page = pageOf(forces, trace.begin());
         page.name = QString::fromStdString(names.first);
         page.other = curvesOf(second.trace, QString::fromStdString(names.second),

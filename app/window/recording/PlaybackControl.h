@@ -16,12 +16,13 @@ namespace asperity {
 
 /// A recorded run that is looked at.
 struct LookedAtRun {
-    std::filesystem::path input;  ///< its folder, or a bundle
+    std::filesystem::path input;  ///< its folder, or a bundle; empty: the last seconds of the run
     std::string note;             ///< on a run that is not complete; empty: it is
     RunConditions conditions;
     RunSurvey survey;
     std::shared_ptr<const LoadedScene> loaded;  ///< lives as long as the playback needs it
     std::optional<RunPlayback> playback;        ///< only one thread asks it for ticks
+    std::size_t first = 0;                      ///< the tick that is shown first
 };
 
 /// Asks for a file of a recorded run's folder, or a bundle. @return empty: the user canceled
@@ -31,7 +32,8 @@ struct LookedAtRun {
 [[nodiscard]] PlaybackPage::Curves curvesOf(const ForceTrace& trace, const QString& name,
                                             double shift = 0.0);
 
-/// Shows recorded runs in the window, any moment of them, while the live loop rests.
+/// Shows recorded runs in the window, any moment of them, while the live loop rests: from a disk,
+/// or the last seconds of the live run in slow motion.
 class PlaybackControl : public Feature {
     Q_OBJECT
 
@@ -42,6 +44,9 @@ public:
     /// Reads a run in the background, then shows its scene and its first tick; says in the window
     /// why that fails. @param file its folder, a file in it, or a bundle
     void look(const std::filesystem::path& file);
+    /// Plays the last seconds of the live run in slow motion, from just before its last snap-in or
+    /// pull-off; the window says where there was neither. There is a run.
+    void replayLastJump();
     /// The run that is shown; null: the live one is.
     [[nodiscard]] const LookedAtRun* shown() const { return shown_.get(); }
     /// The tick that the views show; none: the first one is to come.
@@ -56,6 +61,8 @@ Q_SIGNALS:
     void ended();
 
 private:
+    using Run = std::shared_ptr<LookedAtRun>;
+
     /// Ticks up to the one that is shown next.
     struct Stretch {
         std::vector<TickSample> ticks;
@@ -63,8 +70,8 @@ private:
         bool isHistory = false;  ///< with those before the tick that is shown already
     };
 
-    void show(const std::shared_ptr<LookedAtRun>& run);
-    void leave();
+    void addEntries();
+    void show(const Run& run);
     void end();
     /// Has a tick shown, as soon as it is computed; of many, the last one.
     void want(std::size_t tick);
@@ -74,16 +81,17 @@ private:
     void play(bool playing);
     void rewindPanels();
 
-    SceneOpener& scenes_;
     PlaybackPage* page_;  ///< the window's
-    std::shared_ptr<LookedAtRun> shown_;
+    Run shown_;
     QString title_;  ///< of the window without a recording
     std::optional<std::size_t> tick_;
     std::size_t wanted_ = 0;
     std::size_t awaited_ = 0;  ///< that is being computed
     bool hasHistory_ = false;  ///< the panels have what was before the tick
+    bool playsSoon_ = false;   ///< once the panels have it
     bool playing_ = false;
     double time_ = 0.0;  ///< of what plays [s]
+    LongWork<Run> reading_;
     BackgroundWork<Stretch> work_;
 };
 

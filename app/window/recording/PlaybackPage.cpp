@@ -19,7 +19,8 @@ namespace asperity {
 namespace {
 
 constexpr std::array<double, 3> kSpeeds{0.1, 1.0, 10.0};  ///< recorded seconds a second
-constexpr int kUsualSpeed = 1;                            ///< of kSpeeds
+constexpr int kSlowSpeed = 0;                             ///< of kSpeeds
+constexpr int kUsualSpeed = 1;                            ///< same
 constexpr int kPages = 50;  ///< of a run: how far Page Up and a click beside the handle go
 
 struct StepWords {
@@ -96,6 +97,7 @@ PlaybackBar::PlaybackBar(QWidget* parent)
     , play_(pageButton({}, "playRecording", {}, this))
     , time_(new QSlider(Qt::Horizontal, this))
     , speed_(new ChoiceBox(this))
+    , replay_(pageButton({}, "replayLast", {}, this))
     , compare_(pageButton(tr("Compare with…"), "compareRuns", {}, this))
     , alone_(pageButton(tr("Stop comparing"), "stopComparing",
                         tr("Shows the recording alone again"), this))
@@ -153,7 +155,7 @@ QWidget* PlaybackBar::stepRow() {
         row->addWidget(button);
     }
     row->addStretch();
-    for (QToolButton* const button : {compare_, alone_, back_}) {
+    for (QToolButton* const button : {replay_, compare_, alone_, back_}) {
         row->addWidget(button);
     }
     return bar;
@@ -193,6 +195,10 @@ void PlaybackBar::setPlaying(bool playing) {
 double PlaybackBar::speed() const {
     return kSpeeds.at(static_cast<std::size_t>(std::max(speed_->currentIndex(), 0)));
 }
+
+void PlaybackBar::setSlow(bool slow) { speed_->setCurrentIndex(slow ? kSlowSpeed : kUsualSpeed); }
+
+void PlaybackBar::addReplay(QAction& entry) { replay_->setDefaultAction(&entry); }
 
 void PlaybackBar::setComparing(bool comparing) { alone_->setVisible(comparing); }
 

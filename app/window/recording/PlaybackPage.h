@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <optional>
 
+class QAction;
 class QLabel;
 class QSlider;
 class QToolButton;
@@ -38,6 +39,10 @@ public:
     void setTick(int tick);
     void setPlaying(bool playing);
     void setComparing(bool comparing);
+    /// Chooses a tenth of the speed of the run, or its own.
+    void setSlow(bool slow);
+    /// Adds a button for an entry of the menus that plays the last seconds of the run again.
+    void addReplay(QAction& entry);
     /// Recorded seconds a second.
     [[nodiscard]] double speed() const;
 
@@ -59,6 +64,7 @@ private:
     ChoiceBox* speed_;
     std::array<QToolButton*, kPlaybackSteps> buttons_{};
     Steps steps_{};
+    QToolButton* replay_;
     QToolButton* compare_;
     QToolButton* alone_;
     QToolButton* back_;

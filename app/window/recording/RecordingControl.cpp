@@ -1,5 +1,6 @@
 #include "app/window/recording/RecordingControl.h"
 
+#include "app/loading/ComparedRun.h"
 #include "app/recording/Bundle.h"
 #include "app/recording/RunPacking.h"
 #include "app/runs/RunFolder.h"
@@ -274,6 +275,11 @@ void RecordingControl::show() {
 
 namespace {
 
+QString nameOfRun(const QString& folder) {
+    return BundleControl::tr("Recording %1")
+        .arg(QString::fromStdString(runName(folder.toStdString())));
+}
+
 /// Beside the run's folder; no other file goes.
 std::filesystem::path freeFile(const std::filesystem::path& run) {
     std::filesystem::path file = run.string() + ".zip";
@@ -301,9 +307,10 @@ BundleControl::BundleControl(Stage& stage)
     , views_(stage.get<ViewControl>())
     , work_(loadingLine(host_),
             {.finished =
-                 [this](const std::filesystem::path& file) {
-                     const QString name = shownPath(file);
-                     host_.tell(tr("Bundled in %1: it opens and replays on any machine").arg(name));
+                 [this](const Bundled& made) {
+                     const QString name = shownPath(made.file);
+                     host_.tell(tr("%1: bundled in %2, which opens and replays on any machine")
+                                    .arg(made.subject, name));
                      Q_EMIT bundled(name);
                  },
              .failed =
@@ -312,23 +319,23 @@ BundleControl::BundleControl(Stage& stage)
                  }}) {
     const QAction& entry =
         host_.menus().add({MenuName::File, 1, 60}, "bundle",
-                          {.text = tr("B&undle the last recording"),
-                           .tip = tr("Put the last recording, or the last 10 s, with scan and "
-                                     "picture into one file (.zip), which opens and replays on "
-                                     "any machine"),
+                          {.text = tr("B&undle a recording"),
+                           .tip = tr("Put the recording that is open, else the last one, or the "
+                                     "last 10 s, with scan and picture into one file (.zip), "
+                                     "which opens and replays on any machine"),
                            .shortcuts = {tr("Ctrl+B")},
                            .refusal = [this] { return runs_.showRefusal(); }});
     connect(&entry, &QAction::triggered, this, qOverload<>(&BundleControl::bundle));
     connect(&recordings_, &RecordingControl::finished, this, [this](const QString& folder) {
         last_ = folder;
         if (std::exchange(isAwaited_, false)) {
-            bundle(folder);
+            bundle(folder, nameOfRun(folder));
         }
     });
     connect(&recordings_, &RecordingControl::lastSecondsLost, this, [this] { isAwaited_ = false; });
     connect(&recordings_, &RecordingControl::lastSecondsSaved, this, [this](const QString& folder) {
         if (std::exchange(isAwaited_, false)) {
-            bundle(folder);
+            bundle(folder, tr("The last 10 s"));
         }
     });
     connect(&runs_, &RunControl::begun, this, [this] { last_.clear(); });
@@ -338,27 +345,49 @@ void BundleControl::bundle() {
     if (runs_.run() == nullptr || work_.isAwaited()) {
         return;
     }
+    if (runs_.showsRecording()) {
+        bundleOpen();
+        return;
+    }
     recordings_.finish();  // where one goes on, that is what the user has in mind
     isAwaited_ = recordings_.isPacking();
     if (isAwaited_) {
         return;
     }
-    if (!last_.isEmpty()) {
-        bundle(last_);
-        return;
+    if (last_.isEmpty()) {
+        bundleLastSeconds();
+    } else {
+        bundle(last_, nameOfRun(last_));
     }
+}
+
+/// The last seconds that are played again are still in the black box: the run rests.
+void BundleControl::bundleOpen() {
+    const std::filesystem::path open = runs_.openRecording();
+    if (open.empty()) {
+        bundleLastSeconds();
+    } else if (isBundle(open)) {
+        host_.tell(tr("%1 is a bundle already").arg(shownPath(open)));
+    } else {
+        const QString folder = QString::fromStdString(open.string());
+        bundle(folder, nameOfRun(folder));
+    }
+}
+
+void BundleControl::bundleLastSeconds() {
     isAwaited_ = true;
     recordings_.freezeLastSeconds();
 }
 
-void BundleControl::bundle(const QString& folder) {
+void BundleControl::bundle(const QString& folder, const QString& subject) {
     const std::filesystem::path run = folder.toStdString();
     const std::filesystem::path file = freeFile(run);
     const QImage picture = views_.picture().toImage();
-    work_.start(tr("Bundling %1 …").arg(shownPath(file)), [run, file, picture](Progress& progress) {
-        write(run, picture, file, progress);
-        return file;
-    });
+    work_.start(tr("%1: bundling in %2 …").arg(subject, shownPath(file)),
+                [run, file, picture, subject](Progress& progress) {
+                    write(run, picture, file, progress);
+                    return Bundled{.subject = subject, .file = file};
+                });
 }
 
 }  // namespace asperity

@@ -85,8 +85,8 @@ private:
     std::future<std::vector<RecoveredRecording>> recovered_;  ///< not valid: nothing to tell of
 };
 
-/// One click puts the last recording, or the last 10 s where there is none, with its scan and a
-/// picture of the window into one file beside it.
+/// One click puts the recording that is open, else the last one, or the last 10 s where there is
+/// none, with its scan and a picture of the window into one file beside it.
 class BundleControl : public Feature {
     Q_OBJECT
 
@@ -97,14 +97,22 @@ Q_SIGNALS:
     void bundled(QString file);
 
 private:
+    /// A bundle, and what is in it for people.
+    struct Bundled {
+        QString subject;
+        std::filesystem::path file;
+    };
+
     void bundle();
-    void bundle(const QString& folder);
+    void bundleOpen();
+    void bundleLastSeconds();
+    void bundle(const QString& folder, const QString& subject);
 
     RecordingControl& recordings_;
     ViewControl& views_;
     QString last_;            ///< folder of the last recording of this run; empty: there is none
     bool isAwaited_ = false;  ///< what is to be bundled is being written
-    LongWork<std::filesystem::path> work_;
+    LongWork<Bundled> work_;
 };
 
 }  // namespace asperity

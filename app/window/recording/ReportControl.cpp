@@ -66,7 +66,6 @@ std::filesystem::path writeReport(const std::filesystem::path& run,
 
 ReportControl::ReportControl(Stage& stage)
     : Feature(stage)
-    , playback_(stage.get<PlaybackControl>())
     , work_(loadingLine(host_), {.finished =
                                      [this](std::filesystem::path& page) {
                                          const QString file = QFile::decodeName(page.c_str());
@@ -85,10 +84,9 @@ ReportControl::ReportControl(Stage& stage)
 
 void ReportControl::ask() {
     QWidget& window = host_.widget();
-    const LookedAtRun* shown = playback_.shown();
+    const std::filesystem::path open = runs_.openRecording();
     const std::filesystem::path run =
-        shown != nullptr ? shown->input
-                         : runOf(pathOf(askForRun(window, tr("Report on a recording"))));
+        open.empty() ? runOf(pathOf(askForRun(window, tr("Report on a recording")))) : open;
     if (run.empty()) {
         return;
     }

@@ -9,8 +9,6 @@
 
 namespace asperity {
 
-class PlaybackControl;
-
 /// Writes the page of `asperity report` on a recording: the one that is looked at, else one that
 /// the user chooses.
 class ReportControl : public Feature {
@@ -30,7 +28,6 @@ Q_SIGNALS:
 private:
     void ask();
 
-    PlaybackControl& playback_;
     LongWork<std::filesystem::path> work_;
 };
 

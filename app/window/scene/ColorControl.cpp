@@ -68,6 +68,11 @@ ColorControl::ColorControl(Stage& stage)
     connect(&live_.colors(), &ColorsMenu::lookChosen, this, &ColorControl::choose);
     connect(&runs_, &RunControl::ending, this, &ColorControl::leaveScene);
     connect(&runs_, &RunControl::begun, this, &ColorControl::beginScene);
+    connect(&runs_, &RunControl::sceneLeaving, this, &ColorControl::leaveScene);
+    connect(&runs_, &RunControl::recordingShown, this, &ColorControl::beginScene);
+    connect(&runs_, &RunControl::liveShown, this, &ColorControl::beginScene);
+    runs_.beforeRecording(
+        [this]() -> std::function<void()> { return [this, look = look_] { choose(look); }; });
     offer();
 }
 
@@ -104,13 +109,13 @@ bool ColorControl::isOfFile() const {
 
 /// What an image depends on: while it is the same, the image need not be read again.
 std::string ColorControl::imageKey() const {
-    const Scene& scene = runs_.run()->scene();
+    const Scene& scene = runs_.scene();
     const SampleDescription& sample = scene.description.sample;
     std::ostringstream key;
     key << keyOf(look_.quantity) << '\n'
         << look_.channel.toStdString() << '\n'
         << sample.file << '\n'
-        << runs_.run()->loaded().sha256 << '\n'
+        << runs_.loaded().sha256 << '\n'
         << scene.surface.sizeX() << '\n'
         << scene.surface.sizeY() << '\n';
     if (sample.crop) {
@@ -138,10 +143,10 @@ SurfaceField ColorControl::field() const {
         return forceMap_.value_or(SurfaceField());
     }
     if (look_.quantity == SurfaceQuantity::Certainty) {
-        return hasScene ? SurfaceField(runs_.run()->scene().certainty) : SurfaceField();
+        return hasScene ? SurfaceField(runs_.scene().certainty) : SurfaceField();
     }
     if (isOfMaterial(look_.quantity)) {
-        const auto map = hasScene ? materialMap(look_.quantity, runs_.run()->scene()) : nullptr;
+        const auto map = hasScene ? materialMap(look_.quantity, runs_.scene()) : nullptr;
         return map != nullptr ? SurfaceField(look_.quantity, map) : SurfaceField();
     }
     return isOfFile() ? SurfaceField() : SurfaceField(look_.quantity);
@@ -170,7 +175,7 @@ void ColorControl::show() {
 
 /// The surface is passed along: the run may end before.
 void ColorControl::load() {
-    const Scene& scene = runs_.run()->scene();
+    const Scene& scene = runs_.scene();
     loading_ = imageKey();
     host_.tell(tr("Reading %1…").arg(nameOfImage(look_)));
     loader_.start([sample = scene.description.sample,
@@ -201,8 +206,8 @@ void ColorControl::leaveScene() {
 
 /// Returns whether the scene has nothing of the quantity.
 bool ColorControl::isMissing() const {
-    const Scene& scene = runs_.run()->scene();
-    const std::vector<std::string>& images = runs_.run()->loaded().images;
+    const Scene& scene = runs_.scene();
+    const std::vector<std::string>& images = runs_.loaded().images;
     switch (look_.quantity) {
     case SurfaceQuantity::Channel:
         return std::ranges::find(images, look_.channel.toStdString()) == images.end();
@@ -234,7 +239,7 @@ void ColorControl::offer() {
                 forceMap_ ? QString() : tr("There is no force map: Measure > Force map"));
     for (const SurfaceQuantity quantity : kOfMaterial) {
         const bool hasMap =
-            runs_.run() != nullptr && materialMap(quantity, runs_.run()->scene()) != nullptr;
+            runs_.run() != nullptr && materialMap(quantity, runs_.scene()) != nullptr;
         menu.refuse(quantity, hasMap ? QString()
                                      : tr("The material is the same everywhere: the scene names no "
                                           "map of it"));
@@ -244,9 +249,9 @@ void ColorControl::offer() {
         menu.refuse(SurfaceQuantity::Certainty, tr("No scan is open"));
         return;
     }
-    const Scene& scene = runs_.run()->scene();
+    const Scene& scene = runs_.scene();
     QStringList images;
-    for (const std::string& name : runs_.run()->loaded().images) {
+    for (const std::string& name : runs_.loaded().images) {
         images << QString::fromStdString(name);
     }
     menu.setChannels(images);

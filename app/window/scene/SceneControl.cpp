@@ -46,6 +46,7 @@ ScanReportControl::ScanReportControl(Stage& stage) : Feature(stage) {
     connect(&entry, &QAction::triggered, this, &ScanReportControl::open);
     connect(&runs_, &RunControl::begun, this, &ScanReportControl::refresh);
     connect(&runs_, &RunControl::modelFitted, this, &ScanReportControl::refresh);
+    connect(&edits_, &SceneEdits::changed, this, &ScanReportControl::refresh);
 }
 
 void ScanReportControl::open() {
@@ -65,7 +66,7 @@ void ScanReportControl::open() {
 
 void ScanReportControl::refresh() {
     if (dialog_ != nullptr && dialog_->isVisible()) {
-        dialog_->setText(QString::fromStdString(scanReport(runs_.run()->loaded())));
+        dialog_->setText(QString::fromStdString(scanReport(runs_.loaded())));
     }
 }
 
@@ -102,9 +103,10 @@ void SceneControl::addEntries() {
                        {.tip = tr("The scene as it was before its last change"),
                         .shortcuts = {tr("Ctrl+Z")},
                         .refusal = [this] {
-                            return edits_.undoName().isEmpty()
-                                       ? tr("The scene has not been changed")
-                                       : QString();
+                            const QString& fixed = runs_.editRefusal();
+                            return !edits_.undoName().isEmpty() ? QString()
+                                   : !fixed.isEmpty()           ? fixed
+                                                      : tr("The scene has not been changed");
                         }});
     redo_ = &menus.add({MenuName::Edit, 0, 20}, "redo",
                        {.tip = tr("The scene as it was before the last undo"),
@@ -260,7 +262,7 @@ void SceneControl::showChannels() {
     delete channelGroup_;
     channels_->clear();
     channelGroup_ = new QActionGroup(channels_);
-    for (const std::string& channel : runs_.run()->loaded().channels) {
+    for (const std::string& channel : runs_.loaded().channels) {
         const QString name = QString::fromStdString(channel);
         QAction* entry = channelGroup_->addAction(QString(name).replace('&', QStringLiteral("&&")));
         entry->setProperty("namedByData", true);

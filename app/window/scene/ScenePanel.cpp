@@ -130,10 +130,10 @@ void ScenePanelControl::level(const LevelingSteps& steps,
 void ScenePanelControl::show() {
     if (const SceneDescription* const scene = edits_.wanted()) {
         QStringList channels;
-        for (const std::string& name : runs_.run()->loaded().channels) {
+        for (const std::string& name : runs_.loaded().channels) {
             channels << QString::fromStdString(name);
         }
-        const BSplineSurface& surface = runs_.run()->scene().surface;
+        const BSplineSurface& surface = runs_.scene().surface;
         panel_->setScanSize({surface.sizeX(), surface.sizeY()});
         panel_->setChannels(channels);
         panel_->showScene(*scene, defaultsOf(*scene));

@@ -122,14 +122,11 @@ SessionControl::SessionControl(Stage& stage) : Feature(stage), scenes_(stage.sce
     connect(&scenes_, &SceneOpener::sessionOpened, this, &SessionControl::restore);
     connect(&due_, &QTimer::timeout, this, &SessionControl::keep);
     connect(&runs_, &RunControl::ending, this, &SessionControl::keep);
-    connect(&runs_, &RunControl::recordingShown, this, [this] { rests_ = true; });
-    connect(&runs_, &RunControl::begun, this, [this] { rests_ = false; });
-    connect(&runs_, &RunControl::started, this, [this] { rests_ = false; });
 }
 
 void SessionControl::addEntries() {
     Menus& menus = host_.menus();
-    const auto changes = [this] { return runs_.changeRefusal(); };
+    const auto changes = [this] { return runs_.moveRefusal(); };
     const QAction& save = menus.add(
         {MenuName::File, 0, 60}, "saveSession",
         {.text = tr("&Save session"),
@@ -279,7 +276,7 @@ void SessionControl::restore(const std::filesystem::path& file, const QVariantMa
 }
 
 void SessionControl::keep() {
-    if (writer_ == nullptr || runs_.run() == nullptr || rests_ || !runs_.fixedBy().isEmpty()) {
+    if (writer_ == nullptr || runs_.run() == nullptr || !runs_.editRefusal().isEmpty()) {
         return;
     }
     std::string now = text();

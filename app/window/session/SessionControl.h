@@ -101,7 +101,6 @@ private:
     std::map<int, std::string> names_;            ///< of what was opened, too
     SceneDescription opened_;                     ///< the scene as it was opened
     bool isEdited_ = false;
-    bool rests_ = false;  ///< a recording is looked at: what is kept is of before
     std::optional<SessionFolder> folder_;
     std::unique_ptr<LatestWriter<std::string>> writer_;  ///< null: nothing is kept
     std::string kept_;                                   ///< that the writer has

@@ -94,6 +94,44 @@ TEST_F(RunPlaybackTest, FindsTheTickOfATime) {
     EXPECT_EQ(playback.tickAt(100.0), 2300U);
 }
 
+TEST_F(RunPlaybackTest, TimesCountFromItsFirstTickWheneverTheLoopBegan) {
+    const RunPlayback early(loaded.scene, inputsOf(run));
+    for (TickSample& sample : run.samples) {
+        sample.time += 1234.5;
+    }
+    RunPlayback late(loaded.scene, inputsOf(run));
+    EXPECT_EQ(late.firstTime(), 0.0);
+    EXPECT_NEAR(late.lastTime(), early.lastTime(), 1e-9);
+    EXPECT_NEAR(late.at(700).time, early.time(700), 1e-9);
+    EXPECT_EQ(late.at(700).output.model.tip, expected[700].output.model.tip);
+    EXPECT_EQ(late.tickAt(early.time(700)), 700U);
+}
+
+TEST_F(RunPlaybackTest, PlaysTheBlackBoxOfARunWhoseKnobsWereTurned) {
+    BlackBox box(loaded.scene.timeStep(), 1.0);
+    TickMemory memory;
+    ClosestPointTracker tracker;
+    Snapshot latest;
+    std::size_t jump = 0;
+    for (TickSample sample : run.samples) {
+        sample.input.settings.forceGain *= 0.5;
+        sample.output = tick(loaded.scene, sample.input, memory, tracker);
+        const bool jumps = !box.samples().empty() && sample.output.model.contact.branch !=
+                                                         latest.sample.output.model.contact.branch;
+        latest = {.sample = sample, .memory = memory, .statistics = {}, .trueTip = std::nullopt};
+        box.take(sample);
+        box.mark(latest);
+        jump = jumps ? static_cast<std::size_t>(std::lround(sample.time / 0.001)) : jump;
+    }
+    RunPlayback playback(loaded.scene, box);
+    ASSERT_EQ(playback.size(), box.samples().size());
+    for (const std::size_t tick : {900U, 3U}) {
+        EXPECT_EQ(playback.at(tick).output.deviceForce, box.samples()[tick].output.deviceForce);
+    }
+    ASSERT_TRUE(lastJump(box));
+    EXPECT_NEAR(box.samples()[*lastJump(box)].time, static_cast<double>(jump) * 0.001, 1e-9);
+}
+
 TEST_F(RunPlaybackTest, PlaysUntilItIsStoppedOrCanceled) {
     RunPlayback playback(loaded.scene, inputsOf(run));
     std::size_t ticks = 0;

@@ -11,6 +11,7 @@
 
 #include <gtest/gtest.h>
 
+#include <memory>
 #include <string>
 
 namespace asperity::test {
@@ -24,6 +25,18 @@ protected:
                   .format = "made for the test",
                   .sha256 = "",
                   .notes = {}});
+    }
+    /// Shows a recording, by its first tick: a scan of half the size.
+    void showRecordingOfOtherScan(const SceneDescription& description = plainScene()) {
+        HeightMap other = flatMap();
+        other.pitchX *= 0.5;
+        other.pitchY *= 0.5;
+        runs.showRecording(
+            std::make_shared<const LoadedScene>(LoadedScene{.scene = buildScene(description, other),
+                                                            .format = "made for the test",
+                                                            .sha256 = "",
+                                                            .notes = {}}),
+            folder.file("recording"), TickSample());
     }
     LiveRun& run() { return *runs.run(); }
     /// Waits for the end of the change under way.

@@ -8,7 +8,9 @@
 #include <QDoubleSpinBox>
 #include <QPushButton>
 
-#include <limits>
+#include <functional>
+#include <string>
+#include <vector>
 
 namespace asperity::test {
 namespace {
@@ -54,6 +56,69 @@ TEST_F(RunControlTest, PausesAndGoesOnAsThePersonWants) {
     EXPECT_FALSE(run().loop().running());
     Q_EMIT panels.controls().runningChosen(true);
     EXPECT_TRUE(run().loop().running());
+}
+
+TEST_F(RunControlTest, BehindARecordingTheRunStaysAsItIs) {
+    useFlatScene();
+    const LiveRun* const live = runs.run();
+    SceneDescription other = plainScene();
+    other.setpoint = 77e-9;
+    showRecordingOfOtherScan(other);
+    EXPECT_TRUE(runs.showsRecording());
+    EXPECT_EQ(runs.openRecording(), folder.file("recording"));
+    EXPECT_EQ(runs.run(), live);
+    EXPECT_FALSE(run().loop().running());
+    EXPECT_EQ(runs.scene().description.setpoint, 77e-9);
+    EXPECT_EQ(edits.wanted()->setpoint, 77e-9);
+    const Vector3 base = run().basePosition();
+    const long ticks = run().loop().snapshot().statistics.ticks;
+    SceneDescription next = *edits.wanted();
+    next.setpoint = 88e-9;
+    edits.change("Setpoint", next);
+    EXPECT_NE(told().find("back to the live tip"), std::string::npos) << told();
+    EXPECT_EQ(edits.wanted()->setpoint, 77e-9);
+    EXPECT_EQ(run().basePosition(), base);
+    EXPECT_EQ(run().loop().snapshot().statistics.ticks, ticks);
+    runs.showLive();
+    EXPECT_FALSE(runs.showsRecording());
+    EXPECT_TRUE(runs.openRecording().empty());
+    EXPECT_EQ(runs.run(), live);
+    EXPECT_TRUE(run().loop().running());
+    EXPECT_EQ(*edits.wanted(), run().scene().description);
+    EXPECT_EQ(runs.scene().description.setpoint, plainScene().setpoint);
+    EXPECT_TRUE(edits.undoName().isEmpty()) << "the recording is no change of the scene";
+}
+
+TEST_F(RunControlTest, ARunThatWasPausedIsPausedAfterARecording) {
+    useFlatScene();
+    runs.pause();
+    showRecordingOfOtherScan();
+    showRecordingOfOtherScan();  // another one
+    runs.showLive();
+    EXPECT_FALSE(run().loop().running());
+    showRecordingOfOtherScan();
+    runs.start();
+    EXPECT_FALSE(runs.showsRecording());
+    EXPECT_TRUE(run().loop().running());
+}
+
+TEST_F(RunControlTest, PutsBackWhatFeaturesSetAside) {
+    std::vector<std::string> heard;
+    for (const char* const name : {"first", "second"}) {
+        runs.beforeRecording([&heard, name]() -> std::function<void()> {
+            heard.emplace_back(std::string("aside ") + name);
+            return [&heard, name] { heard.emplace_back(std::string("back ") + name); };
+        });
+    }
+    const QObject listener;
+    QObject::connect(&runs, &RunControl::ending, &listener,
+                     [&heard] { heard.emplace_back("ending"); });
+    useFlatScene();
+    showRecordingOfOtherScan();
+    useFlatScene();  // the run ends while the recording is shown
+    const std::vector<std::string> expected{"aside second", "aside first", "back first",
+                                            "back second", "ending"};
+    EXPECT_EQ(heard, expected);
 }
 
 TEST_F(RunControlTest, ShowsTheKnobsThatItTurns) {
@@ -103,49 +168,6 @@ TEST_F(RunControlTest, TheSceneChangedHasPlaceKnobsAndPauseOfTheOneBefore) {
     EXPECT_EQ(run().settings().forceGain, 250.0);
     EXPECT_LT((run().basePosition().head<2>() - position).norm(), 1e-15);
     EXPECT_FALSE(run().loop().running());
-}
-
-TickSample tickAt(double time, double force, ContactBranch branch) {
-    TickSample sample;
-    sample.time = time;
-    sample.output.estimate.force = Vector3(0.0, 0.0, force);
-    sample.output.estimate.covariance = 1e-20 * Matrix3::Identity();
-    sample.output.model.contact.branch = branch;
-    return sample;
-}
-
-/// Noise made arrow and numbers wobble while nothing moved.
-TEST(SteadyForce, IsTheMeanOfATenthOfASecondAndBeginsAnewWithAContact) {
-    SteadyForce steady;
-    TickSample sample = tickAt(0.0, 9e-9, ContactBranch::Far);
-    steady.apply(sample.output);
-    EXPECT_EQ(sample.output.estimate.force.z(), 9e-9) << "nothing was taken yet";
-    for (int i = 0; i < 1000; ++i) {
-        sample = tickAt(1e-3 * i, 5e-9 + (i % 2 == 0 ? 1e-9 : -1e-9), ContactBranch::Bonded);
-        steady.take(sample);
-    }
-    steady.apply(sample.output);
-    EXPECT_NEAR(sample.output.estimate.force.z(), 5e-9, 0.02e-9);
-    EXPECT_EQ(sample.output.estimate.covariance, 1e-20 * Matrix3::Identity());
-    sample = tickAt(1.0, -2e-9, ContactBranch::Far);
-    steady.apply(sample.output);
-    EXPECT_EQ(sample.output.estimate.force.z(), -2e-9) << "the mean is of the contact";
-    steady.take(sample);
-    for (int i = 1; i < 100; ++i) {
-        sample = tickAt(1.0 + 1e-3 * i, 0.0, ContactBranch::Far);
-        steady.take(sample);
-    }
-    steady.apply(sample.output);
-    EXPECT_NEAR(sample.output.estimate.force.z(), -2e-9 / 100.0, 1e-20) << "all have one weight";
-}
-
-TEST(SteadyForce, IsNotSpoiltByAValueThatIsNoNumber) {
-    SteadyForce steady;
-    steady.take(tickAt(0.0, std::numeric_limits<double>::quiet_NaN(), ContactBranch::Bonded));
-    steady.take(tickAt(1e-3, 3e-9, ContactBranch::Bonded));
-    TickSample sample = tickAt(1e-3, 3e-9, ContactBranch::Bonded);
-    steady.apply(sample.output);
-    EXPECT_EQ(sample.output.estimate.force.z(), 3e-9);
 }
 
 }  // namespace

@@ -186,6 +186,19 @@ TEST_F(CurvePlotByMouse, ZoomsByDragAndBackByTheButton) {
     EXPECT_EQ(plot.shownTimes().low, -CurvePlot::kSpan);
 }
 
+TEST(CurvePlot, BringsItsCurvesBack) {
+    CurvePlot plot(setupOf(ZeroLine::Shown));
+    plot.take(0.0, {1e-9, 20e-9});
+    plot.take(1.0, {2e-9, 30e-9});
+    const QString before = plot.table().tabSeparated();
+    const std::function<void()> bringBack = plot.keptCurves();
+    plot.clear();
+    plot.take(5.0, {7e-9, 8e-9});
+    EXPECT_NE(plot.table().tabSeparated(), before);
+    bringBack();
+    EXPECT_EQ(plot.table().tabSeparated(), before);
+}
+
 TEST(CurvePlot, LeavesOutValuesThatAreNotNumbers) {
     CurvePlot plot(setupOf(ZeroLine::Shown));
     plot.take(0.0, {NAN, 1e-9});

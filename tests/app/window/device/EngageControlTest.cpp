@@ -107,6 +107,25 @@ TEST_F(EngageControlTest, AnotherSetpointIsHeldAtOnce) {
     EXPECT_EQ(devices.feedback()->setpoint(), 8e-9);
 }
 
+TEST_F(EngageControlTest, TheForceThatIsHeldIsThatOfTheRunWhateverARecordingHad) {
+    useFlatScene();
+    button("engage").click();
+    ASSERT_TRUE(framesUntil([this] { return engaged(); })) << told();
+    const double setpoint = devices.feedback()->setpoint();
+    const Vector3 base = run().basePosition();
+    SceneDescription other = plainScene();
+    other.setpoint = 3.0 * setpoint;
+    showRecordingOfOtherScan(other);
+    Q_EMIT edits.changed();
+    ASSERT_FALSE(framesUntil([] { return false; }, 100));
+    runs.showLive();
+    ASSERT_NE(devices.feedback(), nullptr);
+    EXPECT_EQ(devices.feedback()->setpoint(), setpoint);
+    EXPECT_NEAR(window.findChild<QDoubleSpinBox*>("setpoint")->value(), 1e9 * setpoint, 1e-9);
+    EXPECT_LT((run().basePosition() - base).norm(), 1e-9);
+    EXPECT_EQ(latest().region(), TipRegion::Contact);
+}
+
 /// The wheel asks for a height: the feedback ends, and says so.
 TEST_F(EngageControlTest, TheWheelEndsTheFeedback) {
     useFlatScene();

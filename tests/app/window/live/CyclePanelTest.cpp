@@ -165,6 +165,24 @@ TEST_F(CyclePanelTest, CyclesStayOverAChangeOfMaterial) {
     EXPECT_EQ(materials(), QStringLiteral("silicon oxide, polystyrene, polystyrene"));
 }
 
+/// Behind those of a recording.
+TEST_F(CyclePanelTest, CyclesComeBackAsTheyWere) {
+    cycles(2);
+    const QString before = materials();
+    const auto drawn = panel.plot().cycles().size();
+    const std::function<void()> bringBack = panel.keptCycles();
+    changeMaterial("gold");
+    panel.restart();
+    cycles(1);
+    EXPECT_EQ(materials(), QStringLiteral("gold"));
+    changeMaterial("polystyrene");
+    bringBack();
+    EXPECT_EQ(materials(), before);
+    EXPECT_EQ(panel.plot().cycles().size(), drawn);
+    cycles(1);
+    EXPECT_EQ(panel.plot().cycles().size(), drawn + 1) << "the run goes on";
+}
+
 TEST_F(CyclePanelTest, ManyCyclesOfOneMaterialDoNotDriveTheOtherAway) {
     cycles(1);
     changeMaterial("silicon oxide");

@@ -128,6 +128,24 @@ TEST_F(ForceMapControlTest, OfAScanThatGoesMeanwhileIsCanceled) {
     EXPECT_EQ(maps.map()->part().count(), 2);
 }
 
+TEST_F(ForceMapControlTest, IsBackAfterARecordingOfAnotherScan) {
+    useFlatScene();
+    ASSERT_NO_FATAL_FAILURE(map(4, 3));
+    const std::string words = state();
+    showRecordingOfOtherScan();
+    EXPECT_FALSE(offered) << "it says nothing of that scan";
+    EXPECT_NE(state().find("back with the live tip"), std::string::npos) << state();
+    EXPECT_NE(refusal().find("back to the live tip"), std::string::npos) << refusal();
+    auto& shown = part<QComboBox>("mapQuantity");
+    shown.setCurrentIndex(shown.findText(QStringLiteral("contact stiffness")));
+    EXPECT_FALSE(offered);
+    runs.showLive();
+    ASSERT_TRUE(offered);
+    EXPECT_EQ(offered->name(), "contact stiffness");
+    EXPECT_EQ(state(), words);
+    EXPECT_TRUE(refusal().empty()) << refusal();
+}
+
 TEST_F(ForceMapControlTest, StaysWithAnotherRunOnItsScan) {
     useFlatScene();
     ASSERT_NO_FATAL_FAILURE(map(3, 2));

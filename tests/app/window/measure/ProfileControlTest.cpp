@@ -62,6 +62,15 @@ TEST_F(ProfileControlTest, SamplesTheLineThatIsDrawn) {
     EXPECT_EQ(page().readings().text("profileLength"), QStringLiteral("–"));
 }
 
+TEST_F(ProfileControlTest, ItsLineIsBackAfterARecordingOfAnotherScan) {
+    draw(20, 30, 100, 30);
+    const QString length = page().readings().text("profileLength");
+    showRecordingOfOtherScan();
+    EXPECT_EQ(page().readings().text("profileLength"), QStringLiteral("–"));
+    runs.showLive();
+    EXPECT_EQ(page().readings().text("profileLength"), length);
+}
+
 TEST_F(ProfileControlTest, TheSwitchShowsWhetherItsToolIsActive) {
     auto* drawing = page().findChild<QToolButton*>("drawProfile");
     drawing->click();

@@ -4,8 +4,11 @@
 #include "app/runs/RunFolder.h"
 #include "app/window/export/ExportControl.h"
 #include "app/window/export/ExportDialog.h"
+#include "app/window/live/CyclePanel.h"
+#include "app/window/live/ForcePanel.h"
 #include "app/window/live/OverviewPanel.h"
 #include "app/window/recording/PlaybackControl.h"
+#include "app/window/recording/RecordingControl.h"
 #include "app/window/scene/SceneControl.h"
 #include "app/window/session/SessionControl.h"
 #include "core/io/scene/SceneFile.h"
@@ -15,6 +18,8 @@
 #include "tests/core/io/heightmap/SyntheticScans.h"
 #include "tests/support/ShippedScene.h"
 #include "ui/shell/Menus.h"
+#include "ui/view/ColorsMenu.h"
+#include "ui/view/ZoomView.h"
 #include "ui/widgets/PageParts.h"
 
 #include <QAction>
@@ -66,6 +71,20 @@ protected:
         stage.get<SceneControl>().open(shippedScene("silicon"));
         ASSERT_TRUE(eventually(
             [this] { return std::filesystem::exists(folder.file("kept/session.toml")); }, 60000));
+    }
+    /// Opens another scene than that of the recordings, and waits until its model is known.
+    void openSilicon() {
+        stage.get<SceneControl>().open(shippedScene("silicon"));
+        ASSERT_TRUE(eventually(
+            [this] { return stage.run() != nullptr && !stage.run()->loaded().needs.pending; },
+            60000));
+    }
+    /// To the setpoint and back.
+    void touch() {
+        QTest::mouseClick(child<QPushButton>("engage"), Qt::LeftButton);
+        ASSERT_TRUE(eventually([this] { return inContact(); }, 20000)) << state();
+        QTest::mouseClick(child<QPushButton>("withdraw"), Qt::LeftButton);
+        ASSERT_TRUE(eventually([this] { return told() == "Withdrawn"; }, 20000)) << told();
     }
     [[nodiscard]] SceneDescription kept() { return readScene(folder.file("kept/session.toml")); }
     void lookAtBundle() {
@@ -172,7 +191,7 @@ TEST_F(Playback, WhatIsExportedIsOfTheMomentThatIsShown) {
     dialog->findChild<QLineEdit*>("exportName")->setText("{file}_{view}");
     dialog->findChild<QPushButton*>("exportWrite")->click();
     ASSERT_TRUE(eventually([this] { return told().starts_with("Exported to"); })) << told();
-    const CsvTable table = readCsv(folder.file("particles_forces.csv"));
+    const CsvTable table = readCsv(folder.file("polystyrene_forces.csv"));
     EXPECT_EQ(table.rows(), tick() + 1) << "all before it, as the panels have them";
     EXPECT_EQ(table.number(table.rows() - 1, "time_s"), logged("time_s"));
 }
@@ -223,15 +242,131 @@ TEST_F(Playback, TheSessionThatIsKeptIsTheOneBeforeTheLook) {
     EXPECT_EQ(kept().sample.material.name, readScene(shippedScene("silicon")).sample.material.name);
 }
 
-TEST_F(Playback, BackAtTheLiveTipASessionIsKeptWhoseFilesStay) {
+TEST_F(Playback, BackAtTheLiveTipTheSessionIsKeptOn) {
     keepSilicon();
     lookAtBundle();
     click("backToLive");
-    const std::string material = stage.run()->scene().description.sample.material.name;
-    ASSERT_TRUE(eventually([&] { return kept().sample.material.name == material; }));
-    const std::string scan = kept().sample.file;
-    EXPECT_TRUE(std::filesystem::exists(scan)) << scan;
-    EXPECT_NE(scan.find("/bundles/"), std::string::npos) << scan;
+    stage.runs().turn([](Settings& settings) { settings.correctionBandwidth = 3.0; });
+    EXPECT_TRUE(eventually([this] { return kept().settings.correctionBandwidth == 3.0; }));
+    EXPECT_EQ(kept().sample.material.name, readScene(shippedScene("silicon")).sample.material.name);
+}
+
+TEST_F(Playback, TheLiveSceneComesBackAsItWas) {
+    openSilicon();
+    touch();
+    SurfaceLook colors = panels.colors().look();
+    colors.of(SurfaceQuantity::Height).pinned = true;
+    panels.colors().choose(colors);
+    panels.view().setHalfWidth(123e-9);
+    stage.runs().turn([](Settings& settings) { settings.correctionBandwidth = 3.0; });
+    stage.runs().pause();
+    stage.runs().fetch();
+    const auto loaded = stage.run()->shared();
+    const SceneDescription description = loaded->scene.description;
+    const auto model = loaded->scene.model;
+    const Vector3 base = stage.run()->basePosition();
+    const long ticks = stage.run()->loop().snapshot().statistics.ticks;
+    const auto cycles = [this] { return panels.forces().cycles().plot().cycles().size(); };
+    panels.forces().cycles().refresh();
+    const std::size_t drawn = cycles();
+    ASSERT_GT(drawn, 0U);
+    const QString title = window.windowTitle();
+    const QString undo = stage.edits().undoName();
+
+    look();
+    EXPECT_EQ(stage.runs().scene().description.sample.material.name, "polystyrene");
+    EXPECT_EQ(stage.run()->shared(), loaded) << "the live run stays";
+    click("stepDeepest");
+    ASSERT_TRUE(eventually([this] { return tick() > 0; }));
+    click("backToLive");
+
+    EXPECT_EQ(stage.runs().shared(), loaded);
+    EXPECT_EQ(loaded->scene.description, description);
+    EXPECT_EQ(loaded->scene.model, model);
+    EXPECT_FALSE(loaded->needs.pending);
+    EXPECT_EQ(stage.run()->settings().correctionBandwidth, 3.0);
+    EXPECT_EQ(stage.run()->basePosition(), base);
+    EXPECT_EQ(stage.run()->loop().snapshot().statistics.ticks, ticks) << "paused, as before";
+    EXPECT_EQ(panels.view().halfWidth(), 123e-9);
+    EXPECT_EQ(panels.colors().look(), colors);
+    EXPECT_EQ(cycles(), drawn);
+    EXPECT_EQ(window.windowTitle(), title);
+    EXPECT_EQ(stage.edits().undoName(), undo) << "to look is no change of the scene";
+}
+
+/// The loop rests meanwhile, and time is that of the ticks.
+TEST_F(Playback, ARecordingThatGoesOnLosesNothingByALook) {
+    openSilicon();
+    stage.get<RecordingControl>().start({folder.file("mine")});
+    ASSERT_TRUE(runsFor(0.3));
+    look();
+    live(300);
+    click("backToLive");
+    ASSERT_TRUE(runsFor(0.3));
+    stage.get<RecordingControl>().finish();
+    const std::vector<double> times =
+        readCsv(folder.file("mine") / run_files::kLog).numbers("time_s");
+    ASSERT_GT(times.back() - times.front(), 0.55);
+    const ProgramRun replayed = runProgram("replay " + folder.file("mine").string() + " --out " +
+                                           folder.file("again").string());
+    EXPECT_EQ(replayed.exitCode, 0) << replayed.output;
+}
+
+TEST_F(Playback, TimesCountFromTheStartOfTheRecording) {
+    openSilicon();
+    ASSERT_TRUE(runsFor(1.0));
+    stage.get<RecordingControl>().start({folder.file("mine")});
+    ASSERT_TRUE(runsFor(0.3));
+    stage.get<RecordingControl>().finish();
+    stage.get<PlaybackControl>().look(folder.file("mine"));
+    ASSERT_TRUE(eventually([this] { return stage.get<PlaybackControl>().tick() == 0U; }, 60000));
+    EXPECT_EQ(reading("recordingMoment"), QStringLiteral("0.000 s"));
+    EXPECT_TRUE(eventually([this] { return state().starts_with("Recording, t = 0.000 s"); }))
+        << state();
+    EXPECT_EQ(stage.get<PlaybackControl>().page().forcePlot().moment()->x(), 0.0);
+    EXPECT_EQ(stage.runs().shownTicks().front().time, 0.0);
+}
+
+TEST_F(Playback, AFilmIsOfTheRecordingThatIsOpen) {
+    look();
+    stage.get<ExportControl>().ask();
+    ExportDialog* const dialog = stage.get<ExportControl>().dialog();
+    ASSERT_NE(dialog, nullptr);
+    EXPECT_EQ(dialog->findChild<QLineEdit*>("exportRecording")->text().toStdString(),
+              of("polystyrene").string());
+    EXPECT_EQ(dialog->choices().film.from, QStringLiteral("start"));
+    dialog->reject();
+}
+
+TEST_F(Playback, ABundleIsOfTheRecordingThatIsOpen) {
+    const std::filesystem::path run = folder.file("mine");
+    std::filesystem::copy(of("polystyrene"), run);
+    stage.get<PlaybackControl>().look(run);
+    ASSERT_TRUE(eventually([this] { return stage.get<PlaybackControl>().tick() == 0U; }, 60000));
+    QSignalSpy bundled(&stage.get<BundleControl>(), &BundleControl::bundled);
+    window.menus().entry("bundle").trigger();
+    ASSERT_TRUE(eventually([&] { return bundled.count() == 1; }, 60000)) << told();
+    EXPECT_TRUE(isBundle(folder.file("mine.zip")));
+    EXPECT_TRUE(told().starts_with("Recording mine: bundled in ")) << told();
+    EXPECT_NE(stage.get<PlaybackControl>().shown(), nullptr);
+    lookAtBundle();
+    ASSERT_TRUE(
+        eventually([this] { return stage.runs().openRecording().extension() == ".zip"; }, 60000));
+    window.menus().entry("bundle").trigger();
+    EXPECT_TRUE(told().ends_with("run.zip is a bundle already")) << told();
+}
+
+TEST_F(Playback, ABundleOfAReplayHoldsTheLastSeconds) {
+    openSilicon();
+    touch();
+    window.menus().entry("replayLastJump").trigger();
+    ASSERT_TRUE(eventually([this] { return stage.get<PlaybackControl>().tick().has_value(); }))
+        << told();
+    QSignalSpy bundled(&stage.get<BundleControl>(), &BundleControl::bundled);
+    window.menus().entry("bundle").trigger();
+    ASSERT_TRUE(eventually([&] { return bundled.count() == 1; }, 60000)) << told();
+    EXPECT_TRUE(told().starts_with("The last 10 s: bundled in ")) << told();
+    EXPECT_TRUE(stage.runs().showsRecording());
 }
 
 TEST_F(Playback, StartingTheRunLeavesTheRecording) {

@@ -72,6 +72,29 @@ TEST_F(ColorControlTest, SaysWhatASceneDoesNotHave) {
     EXPECT_NE(told().find("certainty"), std::string::npos);
 }
 
+TEST_F(ColorControlTest, ColorsAndRangeAreBackAfterARecording) {
+    SceneDescription known = plainScene();
+    known.sample.imagingTipRadius = 10e-9;
+    runs.use({.scene = buildScene(known, hillyMap()), .format = "", .sha256 = "", .notes = {}});
+    SurfaceLook look = panels.colors().look();
+    look.quantity = SurfaceQuantity::Certainty;
+    look.of(SurfaceQuantity::Height).pinned = true;
+    look.of(SurfaceQuantity::Height).rule = RangeRule::Own;
+    look.of(SurfaceQuantity::Height).low = -3e-9;
+    look.of(SurfaceQuantity::Height).high = 4e-9;
+    panels.colors().choose(look);
+    showRecordingOfOtherScan();
+    EXPECT_EQ(shown(), QStringLiteral("height")) << "it has no certainty";
+    choose(SurfaceQuantity::Slope);
+    SurfaceLook other = panels.colors().look();
+    other.of(SurfaceQuantity::Height) = QuantityColors();
+    panels.colors().choose(other);
+    runs.showLive();
+    EXPECT_EQ(shown(), QStringLiteral("certainty"));
+    EXPECT_EQ(panels.colors().look(), look);
+    EXPECT_TRUE(entry("colorBy.certainty").isEnabled());
+}
+
 TEST_F(ColorControlTest, ASampleOfSeveralMaterialsShowsThem) {
     useFlatScene();
     EXPECT_FALSE(entry("colorBy.youngs_modulus").isEnabled()) << "it is the same everywhere";
