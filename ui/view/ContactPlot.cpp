@@ -37,6 +37,8 @@ constexpr double kNotch = 120.0;  // eighths of a degree
 constexpr double kFill = 0.75;    // of the plot's height, by what fits
 constexpr double kMaxFactor = 1000.0;
 constexpr double kMarkReach = 7.0;  // of the contact's marks [px]
+constexpr double kLabelGap = 8.0;   // between an arrow and its label [px]
+constexpr double kFlattest = 0.8;   // of a plot that is as wide as the section: height over width
 
 // Position of the surface below the tip, in parts of the plot's height from below.
 constexpr double kUsualLevel = 0.4;
@@ -102,7 +104,7 @@ void ContactPlot::setScene(const Scene* scene) {
         const ViewScale scale = viewScale(*scene_);
         paraboloidReach_ = scale.paraboloidReach;
         forceScale_ = scale.force;
-        plane_.halfWidth = scale.section;
+        halfWidth_ = scale.section;
         leastHalfWidth_ = scale.leastSection;
     }
     update();
@@ -124,6 +126,7 @@ void ContactPlot::showSnapshot(const Snapshot& snapshot) {
 /// Rebuilds the section of the sample.
 void ContactPlot::cut() {
     section_.reset();
+    plane_.halfWidth = seenHalfWidth();
     if (sample_) {
         section_ = sectionOf(*scene_, sample_->output.model);
     }
@@ -168,14 +171,20 @@ void ContactPlot::setHeightFactor(double factor) {
 void ContactPlot::setHalfWidth(double halfWidth) {
     if (scene_ != nullptr) {
         const double largest = 0.5 * std::max(scene_->surface.sizeX(), scene_->surface.sizeY());
-        plane_.halfWidth = std::clamp(halfWidth, leastHalfWidth_, largest);
-        chosenHalfWidth_ = plane_.halfWidth;
+        halfWidth_ = std::clamp(halfWidth, leastHalfWidth_, largest);
+        chosenHalfWidth_ = halfWidth_;
         middleHeight_.reset();
         cut();
     }
 }
 
 QRectF ContactPlot::area() const { return QRectF(rect()).adjusted(kLeft, kTop, -kRight, -kBottom); }
+
+/// More of the section in a plot that is wide and low: the tip above it would not be seen else.
+double ContactPlot::seenHalfWidth() const {
+    const QRectF inside = area();
+    return halfWidth_ * std::max(1.0, kFlattest * inside.width() / std::max(inside.height(), 1.0));
+}
 
 /// Heights fill the plot where they shall.
 void ContactPlot::fitScale() {
@@ -309,8 +318,9 @@ void ContactPlot::drawForce(QPainter& painter) const {
     painter.setFont(theme::boldFont(theme::kTextSize));
     // The number of the large view and of the panel, however much of it lies in the plane.
     const std::string written = writtenForce_.empty() ? magnitudeText(force) : writtenForce_;
-    painter.drawText(to + QPointF(8.0, 4.0),
-                     QStringLiteral("|F| ") + QString::fromStdString(written));
+    const QString text = QStringLiteral("|F| ") + QString::fromStdString(written);
+    const double rightmost = area().right() - painter.fontMetrics().horizontalAdvance(text);
+    painter.drawText(QPointF(std::min(to.x() + kLabelGap, rightmost), to.y() + 4.0), text);
 }
 
 /// Says where a tip is that is not in sight.
@@ -363,23 +373,31 @@ void ContactPlot::drawAxes(QPainter& painter) const {
         painter.drawText(QRectF(0.0, at - 8.0, inside.left() - kTick - 2.0, 16.0),
                          Qt::AlignRight | Qt::AlignVCenter, QString::fromStdString(zLabels[i]));
     }
-    painter.drawText(
-        QRectF(inside.left(), height() - 17.0, inside.width(), 16.0), Qt::AlignHCenter,
-        tr("along the plane, from the tip's axis [%1]").arg(QString::fromStdString(along.unit)));
+    const QString unit = QString::fromStdString(along.unit);
+    const QString caption = tr("along the plane, from the tip's axis [%1]").arg(unit);
+    const bool fits = painter.fontMetrics().horizontalAdvance(caption) < inside.width();
+    painter.drawText(QRectF(inside.left(), height() - 17.0, inside.width(), 16.0), Qt::AlignHCenter,
+                     fits ? caption : tr("from the axis [%1]").arg(unit));
     painter.drawText(QRectF(2.0, 4.0, kLeft + 60.0, 16.0), Qt::AlignLeft,
                      tr("z [%1]").arg(QString::fromStdString(up.unit)));
 }
 
 void ContactPlot::drawLegend(QPainter& painter) const {
-    QString text = drawnFactor_ == 1.0 ? tr("true to scale") : tr("heights ×%1").arg(drawnFactor_);
-    text += tr("   ·   direction %1").arg(angleText(plane_.azimuth));
     const TipContact& contact = tipContact(*scene_, sample_->output.model);
-    text += contact.contactRadius > 0.0
-                ? tr("   ·   contact radius %1").arg(siText(contact.contactRadius, "m"))
-                : tr("   ·   no contact");
+    QStringList parts{drawnFactor_ == 1.0 ? tr("true to scale")
+                                          : tr("heights ×%1").arg(drawnFactor_),
+                      contact.contactRadius > 0.0
+                          ? tr("contact radius %1").arg(siText(contact.contactRadius, "m"))
+                          : tr("no contact"),
+                      tr("direction %1").arg(angleText(plane_.azimuth))};
     painter.setFont(theme::textFont(theme::kSmallSize));
     painter.setPen(theme::colors().ink);
-    painter.drawText(QRectF(kLeft, 4.0, width() - kLeft - kRight, 16.0), Qt::AlignRight, text);
+    const QRectF line(kLeft, 4.0, width() - kLeft - kRight, 16.0);
+    const auto text = [&parts] { return parts.join(QStringLiteral("   ·   ")); };
+    while (parts.size() > 1 && painter.fontMetrics().horizontalAdvance(text()) > line.width()) {
+        parts.removeLast();  // the panel and the box above say it, too
+    }
+    painter.drawText(line, Qt::AlignRight, text());
 }
 
 void ContactPlot::drawCrossHair(QPainter& painter) const {
@@ -442,7 +460,7 @@ void ContactPlot::leaveEvent(QEvent* event) {
 
 void ContactPlot::wheelEvent(QWheelEvent* event) {
     if (event->modifiers().testFlag(Qt::ControlModifier)) {
-        setHalfWidth(plane_.halfWidth * std::pow(kWheelStep, -event->angleDelta().y() / kNotch));
+        setHalfWidth(halfWidth_ * std::pow(kWheelStep, -event->angleDelta().y() / kNotch));
         event->accept();
     } else {
         event->ignore();

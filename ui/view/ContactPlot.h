@@ -45,9 +45,10 @@ public:
     void setHeightFactor(double factor);
     /// The factor that is drawn, >= 1.
     [[nodiscard]] double drawnFactor() const { return drawnFactor_; }
-    /// Half the width that is seen [m].
+    /// Sets half the width that is seen [m]; a low plot shows more, so that the tip above the sample
+    /// is in sight.
     void setHalfWidth(double halfWidth);
-    [[nodiscard]] double halfWidth() const { return plane_.halfWidth; }
+    [[nodiscard]] double halfWidth() const { return halfWidth_; }
     /// Returns the half width that was set since the scene was shown [m]; none: it is the scene's.
     [[nodiscard]] const std::optional<double>& chosenHalfWidth() const { return chosenHalfWidth_; }
 
@@ -76,6 +77,7 @@ protected:
 
 private:
     void cut();
+    [[nodiscard]] double seenHalfWidth() const;
     void fitScale();
     void followSurface();
     [[nodiscard]] QRectF area() const;
@@ -102,6 +104,7 @@ private:
     ForceEvidence evidence_;
     bool isForceKnown_ = false;
     std::string writtenForce_;     ///< at the arrow; empty: of the sample
+    double halfWidth_ = 0.0;       ///< see setHalfWidth() [m]
     double leastHalfWidth_ = 0.0;  ///< [m]
     std::optional<double> chosenHalfWidth_;
     std::optional<Vector2> crossHair_;

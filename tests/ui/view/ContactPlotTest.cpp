@@ -82,6 +82,16 @@ TEST_F(ContactPlotTest, ItsScaleIsThatOfTheContactAtTheSetpointAndStaysThroughAC
     EXPECT_DOUBLE_EQ(plot.toPixel({0.0, 0.0}).y(), surface);
 }
 
+TEST_F(ContactPlotTest, ALowPlotShowsTheTipAboveTheSampleToo) {
+    plot.resize(600, 160);
+    plot.showSnapshot(moments.away);
+    EXPECT_GT(plot.toPixel(tipApex(*plot.section())).y(), 26.0) << "below the upper edge";
+    const QPointF middle = plot.toPixel({0.0, 0.0});
+    EXPECT_NEAR(plot.toPixel({1.0_nm, 0.0}).x() - middle.x(),
+                middle.y() - plot.toPixel({0.0, 1.0_nm}).y(), 1e-9)
+        << "true to scale";
+}
+
 TEST_F(ContactPlotTest, TheWidthThatAUserChoseIsTold) {
     EXPECT_FALSE(plot.chosenHalfWidth());
     plot.setHalfWidth(12.0_nm);
