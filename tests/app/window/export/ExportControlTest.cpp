@@ -237,6 +237,8 @@ TEST_F(ExportControlTest, ChoicesStayFromOneSessionToTheNext) {
     ask(ExportSubject::Surface, "vtp");
     child<QLineEdit>("exportName")->setText("mine");
     child<QCheckBox>("exportClean")->setChecked(true);
+    EXPECT_TRUE(exports.dialog()->choices().dent) << "contacts are colored by displacement";
+    child<QCheckBox>("exportDent")->setChecked(false);
     exports.dialog()->reject();
     ExportControl next(stage);
     next.remember(settings());
@@ -246,6 +248,7 @@ TEST_F(ExportControlTest, ChoicesStayFromOneSessionToTheNext) {
     EXPECT_EQ(next.dialog()->format(), "vtp");
     EXPECT_EQ(choices.name, "mine");
     EXPECT_TRUE(choices.clean);
+    EXPECT_FALSE(choices.dent);
     EXPECT_EQ(choices.folder.toStdString(), folder.path().string());
 }
 
