@@ -14,6 +14,7 @@
 #include "core/TemporaryFile.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <iostream>
@@ -36,9 +37,11 @@ struct PictureOptions {
     bool transparent = false;
     bool noBars = false;
     bool noLabels = false;
+    bool grid = false;
     bool clean = false;
     double width = 0.0;        ///< of the frame; 0: the usual one [m]
     double heightScale = 0.0;  ///< 0: the usual one
+    std::string color;         ///< key of a quantity; empty: the usual one
 };
 
 constexpr PictureSize kUsualSize{.width = 1280, .height = 800};
@@ -52,6 +55,24 @@ std::string viewList() {
         list += std::string("\n  ") + row.key + ": " + row.name;
     }
     return list;
+}
+
+std::string colorList() {
+    std::string list;
+    for (const SurfaceQuantity quantity : exportColors()) {
+        list.append(list.empty() ? "" : ", ").append(keyOf(quantity));
+    }
+    return list;
+}
+
+/// @throw Error naming those that there are
+SurfaceQuantity colorOf(const std::string& key) {
+    const auto quantity = fromKey<SurfaceQuantity>(key);
+    const auto colors = exportColors();
+    if (!quantity || std::ranges::find(colors, *quantity) == colors.end()) {
+        throw Error("'" + key + "' does not color a surface; expected one of " + colorList());
+    }
+    return *quantity;
 }
 
 /// All of the text as a whole number above zero.
@@ -108,13 +129,19 @@ void addPictureOptions(CLI::App& command, PictureOptions& options) {
     command.add_flag("--transparent", options.transparent, "transparent background");
     command.add_flag("--no-bars", options.noBars, "without scale bars, color bars and axes");
     command.add_flag("--no-labels", options.noLabels, "without titles, captions, notes and values");
-    command.add_flag("--clean", options.clean, "without bars, labels and grid");
+    auto* grid = command.add_flag("--grid", options.grid, "with lines on the surface");
+    command.add_flag("--clean", options.clean, "without bars and labels")->excludes(grid);
     command.add_option("--width", options.width, "width of the frame [m]")->check(positiveNumber());
     command
         .add_option("--height-scale", options.heightScale,
                     "factor of all heights; 1: true to scale")
         ->check(CLI::Range(1.0, kMaxHeightScale))
         ->check(finiteNumber());
+    command
+        .add_option("--color", options.color,
+                    "what colors the surface of a 3-D view: " + colorList() +
+                        "; default: displacement of a tip in contact and in films, else height")
+        ->check(acceptedBy(colorOf));
 }
 
 /// @throw CLI::ValidationError where the view is none
@@ -138,9 +165,10 @@ PictureSpec specOf(const PictureOptions& options) {
             .transparent = options.transparent,
             .parts = {.bars = !options.noBars && !options.clean,
                       .labels = !options.noLabels && !options.clean,
-                      .grid = !options.clean},
+                      .grid = options.grid},
             .width = ifGiven(options.width),
-            .heightScale = ifGiven(options.heightScale)};
+            .heightScale = ifGiven(options.heightScale),
+            .color = options.color.empty() ? std::nullopt : std::optional(colorOf(options.color))};
 }
 
 struct RenderOptions {
@@ -258,8 +286,7 @@ void film(const FilmOptions& options) {
         ProgressPart finding(&line, 0.0, 0.1);
         ticks = filmTicks(*input.run(), request, &finding);
         ProgressPart drawing(&line, 0.1, 1.0);
-        const std::unique_ptr<FilmArtist> artist =
-            filmArtist(input.scene(), spatialLook(request.view, request.spec));
+        const std::unique_ptr<FilmArtist> artist = filmArtist(input.scene(), filmLook(request));
         const FilmWork film{*input.run(), *artist, ticks};
         isVideo(out) ? writeVideo(film, request, out, &drawing)
                      : writeFrames(film, request, out, options.force, &drawing);

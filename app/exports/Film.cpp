@@ -100,6 +100,12 @@ std::unique_ptr<FilmArtist> filmArtist(const Scene& scene, const OffscreenZoomLo
     return std::make_unique<OffscreenArtist>(scene, look);
 }
 
+OffscreenZoomLook filmLook(const FilmRequest& request) {
+    OffscreenZoomLook look = spatialLook(request.view, request.spec);
+    look.color = request.spec.color.value_or(contactColor());
+    return look;
+}
+
 std::string frameName(std::size_t frame) { return formatted("frame_%05zu.png", frame + 1); }
 
 std::vector<std::size_t> filmTicks(RunPlayback& run, const FilmRequest& request,

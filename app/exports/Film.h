@@ -41,6 +41,9 @@ public:
 [[nodiscard]] std::unique_ptr<FilmArtist> filmArtist(const Scene& scene,
                                                      const OffscreenZoomLook& look);
 
+/// Returns the look of a film: of one color throughout, that of a contact if none is chosen.
+[[nodiscard]] OffscreenZoomLook filmLook(const FilmRequest& request);
+
 /// Returns the ticks that the frames of a film show.
 /// @throw Error where the part is empty, or has too many frames; Canceled
 [[nodiscard]] std::vector<std::size_t> filmTicks(RunPlayback& run, const FilmRequest& request,

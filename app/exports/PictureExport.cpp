@@ -38,7 +38,11 @@ RasterImage spatialImage(const ExportInput& input, const PictureRequest& request
                          const TickSample& sample, bool isOfRun) {
     MomentCaption caption;
     caption.take(sample);
-    OffscreenZoom zoom(input.scene(), spatialLook(request.view, request.spec));
+    OffscreenZoomLook look = spatialLook(request.view, request.spec);
+    if (!look.color && sample.output.region() == TipRegion::Contact) {
+        look.color = contactColor();
+    }
+    OffscreenZoom zoom(input.scene(), look);
     return zoom.draw(sample, isOfRun ? caption.of(sample) : std::string());
 }
 
@@ -153,6 +157,9 @@ void requireDrawable(const PictureRequest& request, bool hasRun) {
     }
     if (request.spec.width && !isSpatial(request.view) && request.view != ExportView::Deformation) {
         throw Error("the view " + view + " has no frame whose width can be chosen (--width)");
+    }
+    if (request.spec.color && !isSpatial(request.view)) {
+        throw Error("the view " + view + " has no surface whose color can be chosen (--color)");
     }
     if (request.spec.heightScale && isPlot(request.view)) {
         throw Error("the view " + view + " has no heights that can be scaled (--height-scale)");

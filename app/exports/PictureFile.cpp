@@ -155,6 +155,10 @@ void writeTiff(const std::filesystem::path& path, const RasterImage& image, doub
     }
 }
 
+constexpr std::array kExportColors{SurfaceQuantity::Height, SurfaceQuantity::Slope,
+                                   SurfaceQuantity::Gap, SurfaceQuantity::Pressure,
+                                   SurfaceQuantity::Displacement};
+
 constexpr std::array<JournalColumn, 8> kColumns{{{"single", 85.0},
                                                  {"double", 174.0},
                                                  {"nature", 89.0},
@@ -166,6 +170,8 @@ constexpr std::array<JournalColumn, 8> kColumns{{{"single", 85.0},
 
 }  // namespace
 
+std::span<const SurfaceQuantity> exportColors() { return kExportColors; }
+
 OffscreenZoomLook spatialLook(ExportView view, const PictureSpec& spec) {
     return {.size = spec.size,
             .look = spec.look(kMinWidth, kMinHeight),
@@ -173,7 +179,8 @@ OffscreenZoomLook spatialLook(ExportView view, const PictureSpec& spec) {
             .side = sideOf(view),
             .section = view == ExportView::Section,
             .width = spec.width,
-            .heightScale = spec.heightScale.value_or(1.0)};
+            .heightScale = spec.heightScale.value_or(1.0),
+            .color = spec.color};
 }
 
 void writePicture(const std::filesystem::path& path, const RasterImage& image, ExportFormat format,

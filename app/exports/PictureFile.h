@@ -21,8 +21,9 @@ struct PictureSpec {
     double dpi = 96.0;  ///< [dots an inch]: of the file, and by which letters and lines are sized
     bool transparent = false;
     PictureParts parts;
-    std::optional<double> width = {};        ///< of the frame [m]
-    std::optional<double> heightScale = {};  ///< factor of all heights
+    std::optional<double> width = {};           ///< of the frame [m]
+    std::optional<double> heightScale = {};     ///< factor of all heights
+    std::optional<SurfaceQuantity> color = {};  ///< of a 3-D view; none: the usual one
 
     /// Pixels per pixel of letters and lines.
     [[nodiscard]] double pixelRatio() const { return dpi / 96.0; }
@@ -33,6 +34,13 @@ struct PictureSpec {
                 .transparent = transparent};
     }
 };
+
+/// Returns the quantities by which 3-D views can be colored: those known of any surface.
+[[nodiscard]] std::span<const SurfaceQuantity> exportColors();
+
+/// Returns the quantity that colors a contact, if none is chosen: over the colors of a height map
+/// its dent is hardly seen.
+[[nodiscard]] constexpr SurfaceQuantity contactColor() { return SurfaceQuantity::Displacement; }
 
 /// Returns the look of such a picture in one of the 3-D views.
 [[nodiscard]] OffscreenZoomLook spatialLook(ExportView view, const PictureSpec& spec);

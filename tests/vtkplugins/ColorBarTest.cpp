@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <string>
 #include <vector>
 
 namespace asperity {
@@ -65,6 +66,23 @@ TEST(ColorBar, LabelsDoNotRunIntoEachOther) {
             EXPECT_LT(widest, kWidest) << width << " pixels, to " << high << " m";
         }
     }
+}
+
+/// The window's letters: VTK's own are narrower. Advance of W in DejaVu Sans and its bold face.
+TEST(Painter, WritesInTheTypefaceOfTheWindow) {
+    ASPERITY_NEEDS_DISPLAY();
+    OffscreenPicture picture({.width = 400, .height = kHeight});
+    std::vector<double> widths;
+    picture.paint([&](Painter& painter) {
+        const std::string text(20, 'W');
+        widths = {painter.textWidth(text, {.size = 15.0}),
+                  painter.textWidth(text, {.size = 15.0, .bold = true})};
+        painter.text({0.0, 0.5 * kHeight}, text, {.size = 15.0});
+    });
+    (void)picture.image();
+    ASSERT_EQ(widths.size(), 2U);
+    EXPECT_NEAR(widths[0], 20 * 0.989 * 15.0, 5.0);
+    EXPECT_NEAR(widths[1], 20 * 1.103 * 15.0, 5.0);
 }
 
 }  // namespace

@@ -230,6 +230,25 @@ TEST(TipSource, SphereRunsSmoothlyIntoTheShank) {
     expectFrontsAlongNormals(output);
 }
 
+TEST(TipSource, RingsAlongTheShankLieOnIt) {
+    vtkNew<vtkAspTipSource> tip;
+    tip->SetRadius(10.0_nm);
+    tip->SetHalfAngle(0.3);
+    tip->SetHeight(60.0_nm);
+    tip->Update();
+    const vtkIdType points = tip->GetOutput()->GetNumberOfPoints();
+    tip->SetShankRings(5);
+    tip->Update();
+    vtkPolyData* output = tip->GetOutput();
+    EXPECT_EQ(output->GetNumberOfPoints(), points + 4 * (tip->GetResolution() + 1));
+    for (vtkIdType id = 0; id < output->GetNumberOfPoints(); ++id) {
+        if (normalOf(output, id).z() < 0.5) {
+            EXPECT_NEAR(pointOf(output, id).dot(normalOf(output, id)), 10.0_nm, 1e-6 * 10.0_nm);
+        }
+    }
+    expectFrontsAlongNormals(output);
+}
+
 TEST(TipSource, AParaboloidGoesOnWithTheSlopeOfItsEnd) {
     vtkNew<vtkAspTipSource> tip;
     tip->SetRadius(10.0_nm);

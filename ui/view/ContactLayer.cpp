@@ -1,5 +1,6 @@
 #include "ui/view/ContactLayer.h"
 
+#include "core/SmoothStep.h"
 #include "core/scene/Scene.h"
 #include "ui/view/TerrainLayer.h"
 #include "ui/widgets/Theme.h"
@@ -32,6 +33,8 @@ constexpr int kAngles = 120;
 constexpr int kCircles = 13;  // the first is the contact's middle
 constexpr double kDentOpacity = 0.4;
 constexpr double kRimOpacity = 0.4;
+constexpr double kShadowStrength = 0.4;
+constexpr double kShadowReach = 2.5;  // tip radii
 
 void makeFaint(vtkActor* actor, double opacity) {
     actor->GetProperty()->SetOpacity(opacity);
@@ -100,6 +103,56 @@ std::vector<double> linePositions(const Range& area, const Range& window, double
         positions.push_back(area.high);
     }
     return positions;
+}
+
+/// Distance from a position to the nearest side of the patch at which the terrain goes on, at most
+/// `reach`.
+double distanceToTerrain(const Vector3& from, const ContactStyle& style, double reach) {
+    const ScanWindow& area = style.gridArea;
+    const ScanWindow& window = style.window;
+    const auto shorten = [&reach](double side, double end, double at) {
+        reach = side == end ? reach : std::min(reach, std::abs(side - at));
+    };
+    shorten(area.left, window.left, from.x());
+    shorten(area.right, window.right, from.x());
+    shorten(area.bottom, window.bottom, from.y());
+    shorten(area.top, window.top, from.y());
+    return reach;
+}
+
+/// The tip's soft shadow: the share of the light from all around that its ball keeps from the
+/// surface. It ends where the patch does. There is none in the contact and on what the tip has
+/// moved: colors are read there.
+class ContactShadow {
+public:
+    ContactShadow(const TipContact& contact, const ContactStyle& style)
+        : contact_(contact)
+        , reach_(distanceToTerrain(contact.closest, style, kShadowReach * contact.tipRadius)) {}
+
+    /// Brightness that is left at a position, 0 .. 1. @param normal of the surface there
+    [[nodiscard]] double at(const Vector3& position, const Vector3& normal) const {
+        const Vector3 away = position - contact_.closest;
+        const double fromAxis = (away - away.dot(contact_.normal) * contact_.normal).norm();
+        if (fromAxis < contact_.contactRadius) {
+            return 1.0;
+        }
+        const Vector3 toBall = contact_.tipCenter - position;
+        const double facing = std::max(0.0, normal.dot(toBall.stableNormalized()));
+        const double seen = contact_.tipRadius / toBall.stableNorm();
+        const double fading = 1.0 - smoothStep(fromAxis / reach_);
+        return 1.0 - kShadowStrength * fading * facing * std::min(1.0, seen * seen);
+    }
+
+private:
+    const TipContact& contact_;
+    double reach_;  ///< [m]
+};
+
+std::array<unsigned char, 3> darkened(std::array<unsigned char, 3> color, double light) {
+    for (unsigned char& part : color) {
+        part = static_cast<unsigned char>(std::lround(light * part));
+    }
+    return color;
 }
 
 }  // namespace
@@ -214,13 +267,18 @@ void ContactLayer::fitSize(const SurfacePatch& patch) {
 
 void ContactLayer::showSurface(const ContactShape& shape, const ContactStyle& style) {
     const SurfacePatch& patch = shape.patch();
+    const ContactShadow shadow(shape.contact(), style);
     for (int row = 0; row < patch.rows; ++row) {
         for (int column = 0; column < patch.columns; ++column) {
             const std::size_t i = patch.index(row, column);
             const auto id = static_cast<vtkIdType>(i);
             points_->SetPoint(id, patch.points[i].data());
             const Vector3 normal = deformedNormal(shape, row, column);
-            rgb_->SetTypedTuple(id, style.shading.litSurface(style.colors.of(i), normal).data());
+            const double light = style.hasShadow ? std::lerp(shadow.at(patch.points[i], normal),
+                                                             1.0, style.colors.movedShare(i))
+                                                 : 1.0;
+            rgb_->SetTypedTuple(
+                id, darkened(style.shading.litSurface(style.colors.of(i), normal), light).data());
         }
     }
     points_->Modified();

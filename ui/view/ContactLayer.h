@@ -55,6 +55,7 @@ struct ContactStyle {
     ScanWindow gridArea;       ///< that the grid covers
     ScanWindow window;         ///< of the terrain around the contact
     double bottom = 0.0;       ///< world z where the terrain's walls end below [m]
+    bool hasShadow = true;     ///< the tip darkens the surface below it
     bool isCut = false;        ///< a section opens the contact to the eye
 };
 

@@ -152,7 +152,8 @@ double ContactShape::fade() const {
 double ContactShape::blend(double x, double y) const {
     const double inX = std::min(x - rest_.left, rest_.right - x);
     const double inY = std::min(y - rest_.bottom, rest_.top - y);
-    return fade() * smoothStep(std::min(inX, inY) / (kBlend * room()));
+    const double stretch = kBlend * room();
+    return fade() * smoothStep(inX / stretch) * smoothStep(inY / stretch);  // round at the corners
 }
 
 Vector3 ContactShape::moved(const Vector3& rest) const {

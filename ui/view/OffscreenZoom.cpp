@@ -33,13 +33,20 @@ constexpr double kBarTop = 8.0;
 constexpr double kWideEnough = 640.0;  // for two bars side by side
 constexpr double kHighEnough = 320.0;  // for a view above them
 
+/// Heights have a bar for displacements beside their own.
+bool hasTwoBars(const OffscreenZoomLook& look) {
+    const SurfaceQuantity shown =
+        look.shown ? look.shown->colors.field().quantity() : SurfaceQuantity::Height;
+    return look.color.value_or(shown) == SurfaceQuantity::Height;
+}
+
 /// How many rows of color bars a picture of this size has; side by side they are one.
 int barRows(const OffscreenZoomLook& look) {
     const double ratio = look.look.pixelRatio;
     if (!look.parts.bars || look.size.height / ratio < kHighEnough) {
         return 0;
     }
-    return look.size.width / ratio >= kWideEnough ? 1 : 2;
+    return hasTwoBars(look) && look.size.width / ratio < kWideEnough ? 2 : 1;
 }
 
 PictureSize barsSize(const OffscreenZoomLook& look) {
@@ -102,10 +109,12 @@ void OffscreenZoom::setUp(const Scene& scene) {
     if (look_.shown) {
         camera_ = look_.shown->camera;
         picture_->setColors(look_.shown->colors);
+        setColor();
         picture_->setHalfWidth(look_.shown->halfWidth);
         picture_->keepHalfWidth();
         return;
     }
+    setColor();
     if (look_.side) {
         camera_.lookFrom(*look_.side);
     }
@@ -116,15 +125,24 @@ void OffscreenZoom::setUp(const Scene& scene) {
 
 /// A part that the window's view does not show is not shown here.
 ViewOptions OffscreenZoom::options() const {
-    ViewOptions options =
-        look_.shown
-            ? look_.shown->options
-            : ViewOptions{.heightScale = look_.heightScale, .section = look_.section, .light = {}};
+    ViewOptions options = look_.shown ? look_.shown->options
+                                      : ViewOptions{.heightScale = look_.heightScale,
+                                                    .grid = true,
+                                                    .section = look_.section,
+                                                    .light = {}};
     options.axes = options.axes && look_.parts.bars;
     options.scaleBars = options.scaleBars && look_.parts.bars;
     options.grid = options.grid && look_.parts.grid;
     options.labels = options.labels && look_.parts.labels;
     return options;
+}
+
+void OffscreenZoom::setColor() {
+    if (look_.color) {
+        SurfaceLook colors;
+        colors.quantity = *look_.color;
+        picture_->setLook(colors, SurfaceField(*look_.color));
+    }
 }
 
 void OffscreenZoom::setWidth(double width) {
@@ -204,7 +222,7 @@ RasterImage OffscreenZoom::barsImage() const {
     const ColorScale quantity = picture_->colors().scale();
     const ColorScale displacement = picture_->colors().displacementScale();
     band.paint([&](Painter& painter) {
-        const double columns = rows == 1 ? 2.0 : 1.0;
+        const double columns = rows == 1 && hasTwoBars(look_) ? 2.0 : 1.0;
         const double width = (area.width - (columns + 1.0) * kBarEdge) / columns;
         const double top = area.top() - kBarTop;
         const PixelRect first{kBarEdge, top - (kBarHeight - kBarTop), width, kBarHeight - kBarTop};

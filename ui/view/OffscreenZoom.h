@@ -25,8 +25,11 @@ struct OffscreenZoomLook {
     bool section = false;                    ///< the half before the tip is cut away
     std::optional<double> width = {};        ///< of the frame; none: as a scene starts [m]
     double heightScale = 1.0;                ///< see ViewOptions
-    /// As a view of the window has it: camera, frame, options and colors are not those above then.
+    /// As a view of the window has it: camera, frame and options are not those above then.
     std::optional<ShownView> shown = {};
+    /// That colors the surface, one that is known of any surface; none: the height, or what colors
+    /// the window's view.
+    std::optional<SurfaceQuantity> color = {};
 };
 
 /// The large view in a window that nobody sees, in light colors, with its color bars below it. It
@@ -53,6 +56,7 @@ public:
 private:
     void setUp(const Scene& scene);
     [[nodiscard]] ViewOptions options() const;
+    void setColor();
     void setWidth(double width);
     void show(const TickSample& sample);
     void aim();

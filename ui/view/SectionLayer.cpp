@@ -21,6 +21,7 @@
 #include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace asperity {
@@ -49,6 +50,7 @@ SectionLayer::SectionLayer(const std::vector<vtkRenderer*>& cut, vtkRenderer* fa
             cut_.emplace_back(actor);
         }
     }
+    tip_->ForceOpaqueOn();  // blended all the same, without VTK's costly passes
     vtkNew<vtkPolyData> nothing;
     outline_ = linesAsDrawn(nothing, theme::palette().ink, 2.0);
     for (vtkActor* actor : {sample_, tip_, outline_}) {
@@ -135,7 +137,14 @@ void SectionLayer::fillTip(const SectionStyle& style) {
     filled->Update();
     tipFace_->ShallowCopy(filled->GetOutput());
     const Color& face = theme::palette().tip;
-    paint(tipFace_, {face.red, face.green, face.blue});
+    vtkNew<vtkUnsignedCharArray> colors;
+    colors->SetNumberOfComponents(4);
+    for (vtkIdType id = 0; id < tipFace_->GetNumberOfPoints(); ++id) {
+        const double opacity = style.opacity.fading(tipFace_->GetPoint(id)[2]);
+        const auto alpha = static_cast<unsigned char>(std::lround(255.0 * opacity));
+        colors->InsertNextTypedTuple(std::array{face.red, face.green, face.blue, alpha}.data());
+    }
+    tipFace_->GetPointData()->SetScalars(colors);
 }
 
 }  // namespace asperity

@@ -2,6 +2,7 @@
 
 #include "ui/view/ContactShape.h"
 #include "ui/view/Shading.h"
+#include "ui/view/TipLayer.h"
 
 #include <vtkNew.h>
 #include <vtkSmartPointer.h>
@@ -22,6 +23,7 @@ struct SectionStyle {
     ScanWindow window;           ///< of the terrain
     double bottom = 0.0;         ///< world z where the block of sample ends below [m]
     vtkPolyData* tip = nullptr;  ///< world frame
+    TipOpacity opacity;          ///< of the tip
     Vector3 toEye = Vector3::UnitZ();
     DrawnSpace space;
     Shading shading;

@@ -17,6 +17,22 @@
 
 namespace asperity {
 
+namespace {
+
+/// Light that a polished body sends to the eye: from all around, from what faces the eye, from the
+/// light, and the highlight's.
+constexpr double kPolishedAround = 0.44;
+constexpr double kPolishedFacing = 0.46;
+constexpr double kPolishedLit = 0.30;
+constexpr double kPolishedGlint = 0.30;
+constexpr double kInside = 0.8;  // of a far wall that is seen from inside
+
+// Rightwards part of a normal.
+constexpr double kGlintAt = 0.6;  // of the light's own
+constexpr double kGlintWidth = 0.24;
+
+}  // namespace
+
 Vector3 Light::direction() const {
     constexpr double kDegree = std::numbers::pi / 180.0;
     const double flat = std::cos(kDegree * elevation);
@@ -45,6 +61,19 @@ std::array<unsigned char, 3> Shading::litSurface(const Color& color, const Vecto
     return isUnderside(toView_ * space_.normal(normal))
                ? lit(theme::palette().side, normal, kWallMatt)
                : lit(color, normal);
+}
+
+std::array<unsigned char, 3> Shading::polished(const Color& color, const Vector3& normal) const {
+    const Vector3 seen = toView_ * space_.normal(normal);
+    const double facing = seen.z() < 0.0 ? -kInside * seen.z() : seen.z();
+    const double light = kPolishedAround + (kPolishedFacing * facing) +
+                         (kPolishedLit * std::max(0.0, seen.dot(toLight_)));
+    const double beside = (seen.x() - (kGlintAt * toLight_.x())) / kGlintWidth;
+    const double highlight = 255.0 * kPolishedGlint * facing * std::exp(-beside * beside);
+    const auto shade = [&](std::uint8_t part) {
+        return static_cast<unsigned char>(std::min(255.0, light * part + highlight + 0.5));
+    };
+    return {shade(color.red), shade(color.green), shade(color.blue)};
 }
 
 /// Seen from above, the surface hides its own back faces.

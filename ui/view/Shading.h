@@ -32,7 +32,7 @@ struct ViewOptions {
     double heightScale = 1.0;  ///< of all that is upright, 1 .. kMaxHeightScale
     bool axes = true;
     bool scaleBars = true;
-    bool grid = true;
+    bool grid = false;
     bool labels = true;         ///< values, names and notes: without them pictures are exported
     bool deformation = true;    ///< the surface moves under the tip; else it is drawn at rest
     bool section = false;       ///< the half before the tip is cut away
@@ -58,6 +58,11 @@ public:
     /// stand for what the tip sees.
     [[nodiscard]] std::array<unsigned char, 3> litSurface(const Color& color,
                                                           const Vector3& normal) const;
+
+    /// The same of a polished round body, whose highlight runs along its axis, and of its far wall
+    /// where that is seen through the near one.
+    [[nodiscard]] std::array<unsigned char, 3> polished(const Color& color,
+                                                        const Vector3& normal) const;
 
 private:
     [[nodiscard]] bool isUnderside(const Vector3& seenNormal) const;

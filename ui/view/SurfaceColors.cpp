@@ -112,17 +112,22 @@ Color SurfaceColors::ofLive(double value) const {
 }
 
 Color SurfaceColors::ofDeformed(double value, double displacement) const {
-    const Color rest = ofRest(value);
-    return field_.quantity() == SurfaceQuantity::Height ? moved(rest, displacement) : rest;
+    return moved(ofRest(value), displacement);
+}
+
+double SurfaceColors::movedShare(double displacement) const {
+    const double part = std::min(1.0, std::abs(displacement) / displacementRange_.range().high);
+    return field_.quantity() == SurfaceQuantity::Height && part > kFaint
+               ? 1.0 - std::pow((1.0 - part) / (1.0 - kFaint), 4)
+               : 0.0;
 }
 
 /// Goes over from the color at rest to that of the displacement.
 Color SurfaceColors::moved(const Color& rest, double displacement) const {
-    const double part = std::min(1.0, std::abs(displacement) / displacementRange_.range().high);
-    if (part <= kFaint) {
+    const double weight = movedShare(displacement);
+    if (weight == 0.0) {
         return rest;
     }
-    const double weight = 1.0 - std::pow((1.0 - part) / (1.0 - kFaint), 4);
     const Color pushed = displacements_.of(displacement);
     const auto mix = [weight](std::uint8_t from, std::uint8_t to) {
         return static_cast<std::uint8_t>(std::lround(std::lerp(double(from), double(to), weight)));

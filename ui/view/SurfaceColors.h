@@ -52,6 +52,8 @@ public:
     /// @param displacement into the sample [m]
     [[nodiscard]] Color ofDeformed(double value, double displacement) const;
     [[nodiscard]] Color ofLive(double value) const;
+    /// Returns the part that the displacement's color has of it, 0 .. 1. @param displacement [m]
+    [[nodiscard]] double movedShare(double displacement) const;
 
     /// Color scale of the quantity.
     [[nodiscard]] ColorScale scale() const;
@@ -89,6 +91,10 @@ public:
     [[nodiscard]] std::span<const double> values() const { return values_; }
     /// Color of a sample of the shape.
     [[nodiscard]] Color of(std::size_t sample) const;
+    /// Returns the part that the displacement's color has of it, 0 .. 1.
+    [[nodiscard]] double movedShare(std::size_t sample) const {
+        return colors_.movedShare(shape_.displacements()[sample]);
+    }
     /// Color of another position. @param normal of the surface at rest
     [[nodiscard]] Color of(const Vector3& rest, const Vector3& normal, double displacement) const;
     /// A field near the tip, as the contact changes it; not a number where it has none.

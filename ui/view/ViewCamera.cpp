@@ -131,9 +131,8 @@ Vector3 ViewCamera::horizontalMove(double rightwards, double upwards) const {
 
 void ViewExtent::fit(const FramedSurface& surface, double tipHeight, double dent) {
     const double slack = (kBlockDepth - kMinFloor) * surface.halfWidth / surface.heightScale;
-    if (dent > slack) {  // else the block has room for it anyway
-        dentDepth_ = std::max(dentDepth_, dent);
-    }
+    usualDent_ = dent > slack ? dent : 0.0;  // the block has room for a shallow one anyway
+    dentDepth_ = std::max(dentDepth_, usualDent_);
     const double above = surface.heightScale * surface.heights.high - surface.middle();
     fitted_ = {.halfWidth = surface.halfWidth,
                .below = surface.middle() - drawnBottom(surface),
@@ -148,7 +147,7 @@ void ViewExtent::forget() {
     isFitWanted_ = true;
 }
 
-/// It does not shrink when the tip retracts.
+/// It does not shrink as long as the tip touches.
 bool ViewExtent::makeRoomFor(double lowest, const FramedSurface& surface) {
     const double floor = kMinFloor * surface.halfWidth / surface.heightScale;
     if (!(bottom(surface) + floor > lowest)) {
@@ -156,6 +155,13 @@ bool ViewExtent::makeRoomFor(double lowest, const FramedSurface& surface) {
     }
     dentDepth_ = kExtentStep * (surface.heights.low - lowest);
     return true;
+}
+
+bool ViewExtent::release() {
+    const bool isOther = dentDepth_ != usualDent_ || lowered_ != 0.0;
+    dentDepth_ = usualDent_;
+    lowered_ = 0.0;
+    return isOther;
 }
 
 double ViewExtent::drawnBottom(const FramedSurface& surface) const {

@@ -81,7 +81,7 @@ struct FramedSurface {
 };
 
 /// The room that a picture makes for the surface in its frame, for the tip above it and for the
-/// deepest dent since it was fitted. It seldom changes, so that nothing but the tip moves.
+/// deepest dent of a contact. It seldom changes, so that nothing but the tip moves.
 class ViewExtent {
 public:
     /// From now on the picture holds what is in the frame at rest, the tip above it and a dent of
@@ -95,6 +95,9 @@ public:
     /// The block of sample reaches below a height from now on, if it did not before. World z [m].
     /// @return whether it changed
     bool makeRoomFor(double lowest, const FramedSurface& surface);
+    /// The tip has left the surface: the block is as thick as it was before the dent.
+    /// @return whether it changed
+    bool release();
     /// The camera looks this much lower, as drawn [m].
     void lower(double by) { lowered_ += by; }
 
@@ -107,6 +110,7 @@ private:
     [[nodiscard]] double drawnBottom(const FramedSurface& surface) const;
 
     double dentDepth_ = 0.0;  ///< of the block below the frame's lowest point, for dents [m]
+    double usualDent_ = 0.0;  ///< the same, as it was fitted [m]
     FrameBox fitted_;         ///< what the camera makes room for; its middle goes with the frame
     bool isFitWanted_ = true;
     double lowered_ = 0.0;  ///< camera below the middle of the frame, for a deep dent [m]

@@ -27,7 +27,11 @@ constexpr double kWideningStep = 1.2;  // a tip that needs a wider frame gets so
 constexpr double kLoweringStep = 1.5;  // a dent below the picture lowers it by so many times that
 constexpr double kDentMargin = 0.1;    // of the picture's height, below a dent
 
-constexpr double kArrowRoom = 1.1;  // in sizes of tip and arrow
+constexpr double kArrowRoom = 1.1;    // in sizes of tip and arrow
+constexpr double kStartTip = 0.7;     // of its height, seen of a tip at the start
+constexpr double kMaxStartGap = 1.0;  // below it, in half widths of the frame
+constexpr double kMaxTip = 4.0;       // height above the apex, in half widths of the frame
+constexpr double kTopMargin = 0.015;  // above the tip, of the picture's height
 
 constexpr double kStray = 0.25;  // of the tip from the middle of the patch, in its half widths
 
@@ -86,6 +90,7 @@ void ZoomPicture::setScene(const Scene* scene) {
     halfSpace_.reset();
     frame_.reset();
     extent_.forget();
+    startGap_.reset();
     shown_ = {};
     shape_.reset();
     crossHair_.reset();
@@ -101,6 +106,7 @@ void ZoomPicture::setScene(const Scene* scene) {
 
 void ZoomPicture::showSample(const ViewCamera& camera, bool dragging) {
     if (sample_ && isDrawable(sample_->output.model)) {
+        makeRoomForStart(sample_->output.model);
         widenFor(sample_->output.model.contact.indentation);
         follow(sample_->output.model.tip.head<2>(), dragging ? kSlackInDrag : kSlack);
         showContact(*sample_, camera);
@@ -164,7 +170,7 @@ void ZoomPicture::placeTerrain(const TerrainArea& area) {
     const bool otherColors = fitColors();
     // The scale stays while the tip is in contact.
     if (extent_.isFitWanted() || !(isTouching() || shown_.isKept())) {
-        extent_.fit(framed(), gear().headroom(), scale_.dent);
+        extent_.fit(framed(), headroom(), scale_.dent);
     }
     terrain_.setBottom(extent_.bottom(framed()));
     Q_EMIT terrainPlaced();
@@ -185,7 +191,7 @@ void ZoomPicture::keepScales() {
     shown_.keep();
     fitHeights();
     fitColors();
-    extent_.fit(framed(), gear().headroom(), scale_.dent);
+    extent_.fit(framed(), headroom(), scale_.dent);
     terrain_.setBottom(extent_.bottom(framed()));
     Q_EMIT terrainPlaced();
     Q_EMIT scalesChanged();
@@ -232,6 +238,48 @@ GearScale ZoomPicture::gear() const {
             .heightScale = options_.heightScale};
 }
 
+/// Height that tip and arrow take above the surface, and of a tip that begins higher up, its lower
+/// part, as drawn [m].
+double ZoomPicture::headroom() const {
+    const double gap = std::min(startGap_.value_or(0.0), kMaxStartGap * frame_->halfWidth());
+    const double usual = gear().headroom();
+    return std::max(usual, options_.heightScale * gap + kStartTip * usual);
+}
+
+void ZoomPicture::makeRoomForStart(const TipState& state) {
+    if (startGap_) {
+        return;
+    }
+    startGap_ = std::max(0.0, -state.contact.indentation);
+    extent_.fit(framed(), headroom(), scale_.dent);
+    Q_EMIT terrainPlaced();
+}
+
+/// Height above the tip's apex at which it leaves the picture at the top, as drawn [m]: without end
+/// where it does not.
+double ZoomPicture::roomAbove(const Vector3& apex, const ViewCamera& camera) const {
+    constexpr int kSteps = 16;
+    const TipOutline outline{scene_->description.tip.shape(), scale_.paraboloidReach};
+    const double top = (1.0 - kTopMargin) * still_->GetSize()[1];
+    const Vector3 level(camera.up().x(), camera.up().y(), 0.0);
+    const Vector3 back = level.stableNormalized();
+    const auto isSeen = [&](double height) {
+        const double world = height / options_.heightScale;
+        const Vector3 edge = apex + world * Vector3::UnitZ() + outline.radius(world) * back;
+        return drawnPosition(edge).y() < top;
+    };
+    double low = 0.0;
+    double high = kMaxTip * frame_->halfWidth();
+    if (isSeen(high)) {
+        return std::numeric_limits<double>::infinity();
+    }
+    for (int step = 0; step < kSteps; ++step) {
+        const double middle = 0.5 * (low + high);
+        (isSeen(middle) ? low : high) = middle;
+    }
+    return low;
+}
+
 bool ZoomPicture::isTouching() const {
     return shape_ != nullptr && shape_->contact().contactRadius > 0.0;
 }
@@ -241,7 +289,8 @@ Shading ZoomPicture::shading(const ViewCamera& camera) const {
 }
 
 void ZoomPicture::makeRoomFor(const ContactShape& shape, const ViewCamera& camera) {
-    if (extent_.makeRoomFor(shape.lowest(), framed())) {
+    const bool isReleased = !isTouching() && !shown_.isKept() && extent_.release();
+    if (extent_.makeRoomFor(shape.lowest(), framed()) || isReleased) {
         terrain_.setBottom(extent_.bottom(framed()));
         Q_EMIT terrainPlaced();
     }
@@ -280,12 +329,15 @@ void ZoomPicture::showContact(const TickSample& sample, const ViewCamera& camera
                    .gridArea = terrain_.area().patch,
                    .window = window,
                    .bottom = terrain_.bottom(),
+                   .hasShadow = !colors_.isLive() && !this->gear().isCap(),
                    .isCut = options_.section});
-    tip_.show(*scene_, shape, gear(), space(), shading);
+    GearScale gear = this->gear();
+    gear.room = roomAbove(apexOf(shape.contact()), camera);
+    tip_.show(*scene_, shape, gear, {.right = camera.right(), .up = camera.up()}, space(), shading);
     showSection(shape, camera);
     guide_.show(sample.input.settings.guide, kGuideReach * frame_->halfWidth(), space());
     force_.show(sample.output.estimate, space().point(shape.contactPoint()), sample.time,
-                scale_.force, kArrowRoom * gear().size());
+                scale_.force, kArrowRoom * gear.size());
 }
 
 /// @return whether the colors are others
@@ -313,6 +365,7 @@ void ZoomPicture::showSection(const ContactShape& shape, const ViewCamera& camer
                   {.window = terrain_.area().window,
                    .bottom = terrain_.bottom(),
                    .tip = tip_.body(),
+                   .opacity = tip_.opacity(),
                    .toEye = camera.out(),
                    .space = space(),
                    .shading = shading(camera)});
@@ -323,15 +376,18 @@ void ZoomPicture::showGhosts(const ViewCamera& camera) {
         ghosts_.hide();
         return;
     }
-    ghosts_.show(options_, sample_->output.base.position, trueTip_,
+    const auto pose = [&](bool isOn, const std::optional<Vector3>& apex) {
+        const double height =
+            isOn && apex ? std::min(gear().tipHeight(), roomAbove(*apex, camera)) : 0.0;
+        return height > 0.0 ? std::optional(TipGhosts::Pose{*apex, height}) : std::nullopt;
+    };
+    ghosts_.show(pose(options_.commandedTip, sample_->output.base.position),
+                 pose(options_.trueTip, trueTip_),
                  {.radius = gear().tipRadius,
                   .shankHalfAngle = scene_->description.tip.shape().shankHalfAngle(),
-                  .height = gear().tipHeight(),
                   .paraboloidReach = scale_.paraboloidReach,
-                  .right = camera.right(),
-                  .up = camera.up(),
-                  .space = space(),
-                  .color = {}});
+                  .axes = {.right = camera.right(), .up = camera.up()},
+                  .space = space()});
 }
 
 void ZoomPicture::setCrossHair(const std::optional<Vector2>& position, const QString& reading) {
@@ -387,7 +443,7 @@ void ZoomPicture::setOptions(const ViewOptions& options) {
     cache_.invalidate();
     if (frame_) {
         extent_.forget();
-        extent_.fit(framed(), gear().headroom(), scale_.dent);
+        extent_.fit(framed(), headroom(), scale_.dent);
         terrain_.setBottom(extent_.bottom(framed()));
         Q_EMIT terrainPlaced();
     }

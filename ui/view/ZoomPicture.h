@@ -179,6 +179,9 @@ private:
     bool fitLiveColors(const ContactShape& shape, const PatchColors& colors);
     [[nodiscard]] FramedSurface framed() const;
     [[nodiscard]] GearScale gear() const;
+    [[nodiscard]] double headroom() const;
+    void makeRoomForStart(const TipState& state);
+    [[nodiscard]] double roomAbove(const Vector3& apex, const ViewCamera& camera) const;
     [[nodiscard]] bool isTouching() const;
     [[nodiscard]] DrawnSpace space() const { return {options_.heightScale}; }
     [[nodiscard]] Shading shading(const ViewCamera& camera) const;
@@ -201,6 +204,7 @@ private:
     SurfaceColors colors_;
     ViewOptions options_;
     ViewExtent extent_;
+    std::optional<double> startGap_;  ///< below the tip, at the first sample of the scene [m]
     bool isWidthKept_ = false;
     ShownRanges shown_;
     std::unique_ptr<const ContactShape> shape_;  ///< as it is shown; null: none is

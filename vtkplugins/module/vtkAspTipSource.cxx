@@ -41,11 +41,13 @@ std::vector<ProfilePoint> paraboloid(double radius, double reach, double height,
 }
 
 /// Goes on straight to the height above the apex, and there inwards to the axis.
-void close(std::vector<ProfilePoint>& profile, double topAlong) {
-    ProfilePoint end = profile.back();
-    if (end.along < topAlong) {
-        end.radius += (topAlong - end.along) * -end.normalAlong / end.normalRadial;
-        end.along = topAlong;
+void close(std::vector<ProfilePoint>& profile, double topAlong, int rings) {
+    const ProfilePoint start = profile.back();
+    ProfilePoint end = start;
+    for (int ring = 1; ring <= rings && start.along < topAlong; ++ring) {
+        end.along = std::lerp(start.along, topAlong, static_cast<double>(ring) / rings);
+        end.radius =
+            start.radius + (end.along - start.along) * -start.normalAlong / start.normalRadial;
         profile.push_back(end);
     }
     profile.push_back({end.radius, end.along, 0.0, 1.0});
@@ -70,6 +72,7 @@ void vtkAspTipSource::PrintSelf(ostream& os, vtkIndent indent) {
     os << indent << "Height: " << this->Height << "\n";
     os << indent << "HalfAngle: " << this->HalfAngle << "\n";
     os << indent << "ParaboloidReach: " << this->ParaboloidReach << "\n";
+    os << indent << "ShankRings: " << this->ShankRings << "\n";
     os << indent << "Resolution: " << this->Resolution << "\n";
 }
 
@@ -88,7 +91,7 @@ int vtkAspTipSource::RequestData(vtkInformation* /*request*/, vtkInformationVect
         this->ParaboloidReach > 0.0
             ? paraboloid(this->Radius, this->ParaboloidReach, this->Height, rings)
             : sphere(this->Radius, shankAngle, this->Height, rings);
-    close(profile, this->Height - this->Radius);
+    close(profile, this->Height - this->Radius, this->ShankRings);
     asperity::revolveProfile(profile, asperity::Vector3(this->Center),
                              asperity::Vector3(this->Axis), this->Resolution,
                              vtkPolyData::GetData(outputVector));

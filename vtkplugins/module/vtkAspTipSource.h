@@ -40,6 +40,10 @@ public:
     vtkSetMacro(HalfAngle, double);
     vtkGetMacro(HalfAngle, double);
 
+    /// Rings of facets along the shank, at least 1: colors may change along it.
+    vtkSetClampMacro(ShankRings, int, 1, 1024);
+    vtkGetMacro(ShankRings, int);
+
     /// Facets around the axis, at least 3.
     vtkSetClampMacro(Resolution, int, 3, 1024);
     vtkGetMacro(Resolution, int);
@@ -57,6 +61,7 @@ private:
     double Height = 4.0;
     double HalfAngle;
     double ParaboloidReach = 0.0;
+    int ShankRings = 1;
     int Resolution = 64;
 };
 

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <filesystem>
 #include <sstream>
 #include <utility>
 
@@ -22,6 +23,21 @@ namespace {
 constexpr double kLineHeight = 1.35;  // of the font's size
 constexpr double kMinFont = 9.0;      // [pixel]
 constexpr unsigned char kPlateOpacity = 215;
+
+/// Of Debian's package fonts-dejavu-core.
+const std::string kLetters = "/usr/share/fonts/truetype/dejavu/DejaVuSans";
+
+/// The typeface of the window, plots and reports; VTK's own where it is not installed.
+void useLetters(vtkTextProperty& property, bool isBold) {
+    static const bool isInstalled = std::filesystem::exists(kLetters + ".ttf") &&
+                                    std::filesystem::exists(kLetters + "-Bold.ttf");
+    if (!isInstalled) {
+        property.SetFontFamilyToArial();
+        return;
+    }
+    property.SetFontFamily(VTK_FONT_FILE);
+    property.SetFontFile((kLetters + (isBold ? "-Bold.ttf" : ".ttf")).c_str());
+}
 
 }  // namespace
 
@@ -80,7 +96,7 @@ void Painter::image(const PixelRect& rect, const RasterImage& image) {
 
 void Painter::useText(const TextStyle& style) {
     vtkTextProperty* property = context_->GetTextProp();
-    property->SetFontFamilyToArial();
+    useLetters(*property, style.bold);
     property->SetFontSize(static_cast<int>(std::lround(style.size * scale_)));
     property->SetBold(style.bold ? 1 : 0);
     property->SetItalic(0);

@@ -36,7 +36,7 @@ struct PictureSize {
 struct PictureParts {
     bool bars = true;    ///< scale bars, color bars, axes
     bool labels = true;  ///< title, legend, caption, names and values
-    bool grid = true;    ///< lines on the surface
+    bool grid = false;   ///< lines on the surface
 
     bool operator==(const PictureParts&) const = default;
 };

@@ -32,6 +32,7 @@ ExportChoices keptChoices(const QSettings& settings) {
     choices.bars = settings.value(key("bars"), choices.bars).toBool();
     choices.labels = settings.value(key("labels"), choices.labels).toBool();
     choices.clean = settings.value(key("clean"), choices.clean).toBool();
+    choices.dent = settings.value(key("dent"), choices.dent).toBool();
     FilmChoices& film = choices.film;
     film.recording = settings.value(key("recording")).toString();
     film.view = settings.value(key("film_view"), film.view).toString();
@@ -56,6 +57,7 @@ void keepChoices(QSettings& settings, const ExportChoices& choices) {
     settings.setValue(key("bars"), choices.bars);
     settings.setValue(key("labels"), choices.labels);
     settings.setValue(key("clean"), choices.clean);
+    settings.setValue(key("dent"), choices.dent);
     settings.setValue(key("recording"), choices.film.recording);
     settings.setValue(key("film_view"), choices.film.view);
     settings.setValue(key("from"), choices.film.from);

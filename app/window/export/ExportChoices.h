@@ -57,6 +57,7 @@ struct ExportChoices {
     bool bars = true;    ///< scale bars, color bars, axes
     bool labels = true;  ///< titles, notes, values
     bool clean = false;  ///< nothing of these, and no grid
+    bool dent = true;    ///< a contact is colored by displacement, whatever colors the window
     FilmChoices film;
     QString folder;
     QString name = QStringLiteral("{file}_{view}_{n}");

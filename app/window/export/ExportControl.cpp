@@ -235,6 +235,16 @@ void ExportControl::showFailures() {
     }
 }
 
+/// None: as the window colors the large view.
+std::optional<SurfaceQuantity> ExportControl::color() const {
+    const ExportChoices& choices = dialog_->choices();
+    if (choices.subject == ExportSubject::Film) {
+        return choices.dent ? contactColor() : SurfaceQuantity::Height;
+    }
+    const bool isContact = moment_->sample.output.region() == TipRegion::Contact;
+    return choices.dent && isContact ? std::optional(contactColor()) : std::nullopt;
+}
+
 PictureSpec ExportControl::spec() const {
     const ExportChoices& choices = dialog_->choices();
     const bool isVideo =
@@ -244,7 +254,8 @@ PictureSpec ExportControl::spec() const {
             .transparent = choices.transparent && !isVideo,
             .parts = {.bars = choices.bars && !choices.clean,
                       .labels = choices.labels && !choices.clean,
-                      .grid = !choices.clean}};
+                      .grid = !choices.clean},
+            .color = color()};
 }
 
 /// The same picture with fewer pixels: letters shrink with it.

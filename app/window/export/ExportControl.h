@@ -45,6 +45,7 @@ private:
     void showPicture(const QImage& picture);
     void showFailures();
     [[nodiscard]] std::filesystem::path file() const;
+    [[nodiscard]] std::optional<SurfaceQuantity> color() const;
     [[nodiscard]] PictureSpec spec() const;
     [[nodiscard]] PictureSpec previewSpec() const;
     [[nodiscard]] const QImage& windowPicture();

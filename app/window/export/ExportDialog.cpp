@@ -255,8 +255,11 @@ void ExportDialog::addParts(QFormLayout& form) {
                     tr("Write names and values into the picture"));
     clean_ = named(new QCheckBox(tr("Clea&n: none of them, and no grid")), "exportClean",
                    tr("Draw only surface and tip; in a plot, only curves and axes"));
+    dent_ = named(new QCheckBox(tr("&Displacement colors a contact")), "exportDent",
+                  tr("Show dent and neck by their colors; off: the large view as the window colors "
+                     "it, a film by height"));
     form.addRow(tr("Parts"), transparent_);
-    for (QCheckBox* const box : {bars_, labels_, clean_}) {
+    for (QCheckBox* const box : {bars_, labels_, clean_, dent_}) {
         form.addRow(QString(), box);
     }
 }
@@ -324,6 +327,7 @@ void ExportDialog::fill() {
     bars_->setChecked(choices_.bars);
     labels_->setChecked(choices_.labels);
     clean_->setChecked(choices_.clean);
+    dent_->setChecked(choices_.dent);
     film_->show(choices_.film);
     folder_->setText(choices_.folder);
     name_->setText(choices_.name);
@@ -348,7 +352,7 @@ void ExportDialog::connectInputs() {
         connect(box, qOverload<int>(&QSpinBox::valueChanged), this, &ExportDialog::take);
     }
     connect(film_, &FilmFields::changed, this, &ExportDialog::take);
-    for (const QCheckBox* const box : {transparent_, bars_, labels_, clean_}) {
+    for (const QCheckBox* const box : {transparent_, bars_, labels_, clean_, dent_}) {
         connect(box, &QCheckBox::toggled, this, &ExportDialog::take);
     }
     for (const QLineEdit* const line : {folder_, name_}) {
@@ -398,6 +402,7 @@ void ExportDialog::take() {
     choices_.bars = bars_->isChecked();
     choices_.labels = labels_->isChecked();
     choices_.clean = clean_->isChecked();
+    choices_.dent = dent_->isChecked();
     choices_.film = film_->choices();
     choices_.folder = folder_->text();
     choices_.name = name_->text();
@@ -419,6 +424,7 @@ void ExportDialog::showState() {
     transparent_->setEnabled(isSized && !isVideo);
     bars_->setEnabled(isSized && !clean_->isChecked());
     labels_->setEnabled(isSized && !clean_->isChecked());
+    dent_->setEnabled(isFilm || choices_.subject == ExportSubject::View);
     copy_->setEnabled(isPicture(choices_.subject));
 }
 

@@ -123,6 +123,7 @@ private:
     QCheckBox* bars_ = nullptr;
     QCheckBox* labels_ = nullptr;
     QCheckBox* clean_ = nullptr;
+    QCheckBox* dent_ = nullptr;
     FilmFields* film_ = nullptr;
     QLineEdit* folder_ = nullptr;
     QLineEdit* name_ = nullptr;

@@ -113,10 +113,8 @@ void filmRecording(const std::filesystem::path& recording, const FilmRequest& re
     const std::vector<std::size_t> ticks = filmTicks(*input->run(), request, &finding);
     ProgressPart drawing(&progress, 0.15, 1.0);
     FilmRenderer artist(
-        [input, look = spatialLook(request.view, request.spec)] {
-            return filmArtist(input->scene(), look);
-        },
-        executor, progress);
+        [input, look = filmLook(request)] { return filmArtist(input->scene(), look); }, executor,
+        progress);
     constexpr bool kMayReplace = true;  // what there is was asked for before
     const FilmWork film{*input->run(), artist, ticks};
     isVideo(out) ? writeVideo(film, request, out, &drawing)

@@ -91,6 +91,23 @@ TEST_F(Render, GivesTheSameBytesAgain) {
     EXPECT_NE(test::contentOf(path("a.png")), test::contentOf(path("c.png")));
 }
 
+/// Over the colors of a height map a dent is hardly seen.
+TEST_F(Render, ColorsAContactByDisplacementIfNothingElseIsChosen) {
+    rendered(run() + " --size 400x300", "usual.png");
+    rendered(run() + " --size 400x300 --color displacement", "dent.png");
+    rendered(run() + " --size 400x300 --color height", "height.png");
+    EXPECT_EQ(test::contentOf(path("usual.png")), test::contentOf(path("dent.png")));
+    EXPECT_NE(test::contentOf(path("usual.png")), test::contentOf(path("height.png")));
+    rendered(scene() + " --size 400x300", "rest.png");
+    rendered(scene() + " --size 400x300 --color height", "rest_height.png");
+    EXPECT_EQ(test::contentOf(path("rest.png")), test::contentOf(path("rest_height.png")));
+    EXPECT_NE(refused(run() + " --color channel --out a.png", 2).find("expected one of height"),
+              std::string::npos);
+    EXPECT_NE(refused(run() + " --view overview --color slope --out " + path("a.png").string(), 1)
+                  .find("--color"),
+              std::string::npos);
+}
+
 TEST_F(Render, IsAsWideAsAColumn) {
     rendered(run() + " --column single", "a.png");
     EXPECT_EQ(sizeOf(path("a.png")), "1004 753 300");

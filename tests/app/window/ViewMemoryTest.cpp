@@ -24,7 +24,7 @@ TEST(ViewMemory, KeepsHowTheViewsLook) {
                                         .low = -2e-9,
                                         .high = 5.5e-9,
                                         .pinned = true};
-    const ViewOptions options{.heightScale = 3.5, .grid = false, .trueTip = true};
+    const ViewOptions options{.heightScale = 3.5, .grid = true, .trueTip = true};
     const SecondViewSettings second{
         .content = SecondContent::Space, .options = {.axes = false}, .azimuth = 30.0};
     {

@@ -115,6 +115,28 @@ TEST_F(GhostTest, TheTrueTipIsWhereTheInstrumentHasIt) {
     }
 }
 
+/// Ghosts and the dent lie on each other but for noise, which had them drawn before and behind each
+/// other by turns.
+TEST_F(GhostTest, NoiseDoesNotMakeItFlicker) {
+    view->setOptions({.commandedTip = true, .trueTip = true});
+    Snapshot snapshot = moments.deep;
+    const Vector3 tip = snapshot.sample.output.tip;
+    const auto noisy = [&](double noise) {
+        snapshot.trueTip = tip + noise * Vector3::UnitZ();
+        snapshot.sample.output.base.position = tip - noise * Vector3::UnitZ();
+        return pictureOf(snapshot);
+    };
+    const QImage one = noisy(1e-13);
+    const QImage other = noisy(-1e-13);
+    int changed = 0;
+    for (int y = 0; y < one.height(); ++y) {
+        for (int x = 0; x < one.width(); ++x) {
+            changed += one.pixel(x, y) != other.pixel(x, y) ? 1 : 0;
+        }
+    }
+    EXPECT_LT(changed, 50);
+}
+
 TEST_F(GhostTest, StretchedHeightsStretchItToo) {
     view->lookFrom(ViewDirection::Front);
     view->setOptions({.heightScale = 3.0});

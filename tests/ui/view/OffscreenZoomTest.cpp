@@ -1,6 +1,7 @@
 #include "ui/view/OffscreenZoom.h"
 
 #include "core/Error.h"
+#include "core/Units.h"
 #include "tests/support/TestScenes.h"
 #include "tests/ui/view/ViewMoments.h"
 #include "ui/widgets/Theme.h"
@@ -96,10 +97,47 @@ TEST_F(OffscreenZoomTest, HasNothingBehindWhereThatIsAskedFor) {
     EXPECT_EQ(pixelAt(clear, 240, 300)[3], 255);
 }
 
+TEST_F(OffscreenZoomTest, IsColoredByTheQuantityThatIsAskedFor) {
+    OffscreenZoomLook look = smallLook();
+    const std::vector<std::uint8_t> usual = OffscreenZoom(scene, look).draw(deep, {}).pixels;
+    look.color = SurfaceQuantity::Height;
+    EXPECT_EQ(OffscreenZoom(scene, look).draw(deep, {}).pixels, usual);
+    look.color = SurfaceQuantity::Displacement;
+    const RasterImage dent = OffscreenZoom(scene, look).draw(deep, {});
+    EXPECT_NE(dent.pixels, usual);
+    EXPECT_NE(pixelAt(dent, 2, 359 - 70), pixelOf(kLightPalette.paper)) << "one row of bars";
+}
+
+/// The tip fades away below the upper edge instead of being cut by it.
+TEST_F(OffscreenZoomTest, NoTipIsCutByTheUpperEdge) {
+    const ViewMoments moments = momentsOf(scene);
+    const auto isEmpty = [](const RasterImage& image, int row) {
+        for (int column = 0; column < image.width; ++column) {
+            if (pixelAt(image, column, row) != pixelAt(image, 0, row)) {
+                return false;
+            }
+        }
+        return true;
+    };
+    for (const PictureSize size : {PictureSize{640, 400}, {640, 360}, {300, 500}, {700, 240}}) {
+        for (const double higher : {0.0, 10.0_nm, 30.0_nm}) {
+            for (const Snapshot& moment : {moments.away, moments.deep, moments.neck}) {
+                OffscreenZoomLook look = smallLook();
+                look.size = size;
+                look.parts = {.bars = false, .labels = false};
+                const Snapshot shown = movedBy(moment, higher * Vector3::UnitZ());
+                const RasterImage image = OffscreenZoom(scene, look).draw(shown.sample, {});
+                EXPECT_TRUE(isEmpty(image, 0)) << size.width << " " << higher;
+                EXPECT_TRUE(isEmpty(image, 1)) << size.width << " " << higher;
+            }
+        }
+    }
+}
+
 TEST_F(OffscreenZoomTest, LeavesOutBarsLabelsAndGrid) {
     const std::vector<std::uint8_t> all = OffscreenZoom(scene, smallLook()).draw(deep, "a").pixels;
     for (const PictureParts parts :
-         {PictureParts{.bars = false}, {.labels = false}, {.grid = false}}) {
+         {PictureParts{.bars = false}, {.labels = false}, {.grid = true}}) {
         OffscreenZoomLook look = smallLook();
         look.parts = parts;
         EXPECT_NE(OffscreenZoom(scene, look).draw(deep, "a").pixels, all);

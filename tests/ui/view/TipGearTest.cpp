@@ -27,6 +27,29 @@ TEST(TipGear, DrawsOnlyTheLowestPartOfATipThatWouldFillTheFrame) {
     EXPECT_GT(blunt.headroom(), 0.5 * blunt.halfWidth) << "for the arrow";
 }
 
+TEST(TipGear, TheContactShowsThroughItsEndAndItFadesAwayAtTheTop) {
+    const TipOpacity tip{.apex = 2.0_nm, .clear = 10.0_nm, .top = 62.0_nm};
+    EXPECT_LT(tip.at(2.0_nm), 0.35);
+    EXPECT_LT(tip.at(11.0_nm), 0.35);
+    EXPECT_GT(tip.at(30.0_nm), 0.8);
+    EXPECT_NEAR(tip.at(62.0_nm), 0.0, 1e-12);
+    TipOpacity closed = tip;
+    closed.isOpen = false;
+    EXPECT_EQ(closed.at(62.0_nm), tip.at(30.0_nm)) << "it ends in its lever";
+    TipOpacity cap = tip;
+    cap.isCap = true;
+    EXPECT_EQ(cap.at(2.0_nm), cap.at(30.0_nm));
+    EXPECT_LT(cap.at(30.0_nm), 0.5);
+}
+
+TEST(TipGear, EndsWhereItWouldLeaveThePicture) {
+    GearScale scale{.halfWidth = 72.0_nm, .tipRadius = 30.0_nm};
+    const double usual = scale.tipHeight();
+    scale.room = 0.5 * usual;
+    EXPECT_EQ(scale.tipHeight(), 0.5 * usual);
+    EXPECT_EQ(scale.headroom(), usual) << "the picture has room for all of it";
+}
+
 /// Widest position of a drawn tip at its end [m].
 double drawnRadius(const RoundTip& tip, double reach, double height) {
     vtkNew<vtkAspTipSource> source;

@@ -36,6 +36,23 @@ TEST(ViewExtent, MakesRoomForADentAndKeepsIt) {
     EXPECT_EQ(extent.bottom(kSurface), before);
 }
 
+/// The block stayed thick after a deep dent.
+TEST(ViewExtent, IsAsThickAsBeforeOnceTheTipHasLeft) {
+    for (const double usualDent : {0.0, 12.0_nm}) {
+        ViewExtent extent;
+        extent.fit(kSurface, 30.0_nm, usualDent);
+        const double before = extent.bottom(kSurface);
+        const double middle = extent.box(kSurface, Vector2::Zero()).middle.z();
+        EXPECT_FALSE(extent.release());
+        EXPECT_TRUE(extent.makeRoomFor(-40.0_nm, kSurface));
+        extent.lower(3.0_nm);
+        EXPECT_TRUE(extent.release());
+        EXPECT_EQ(extent.bottom(kSurface), before);
+        EXPECT_EQ(extent.box(kSurface, Vector2::Zero()).middle.z(), middle);
+        EXPECT_FALSE(extent.release());
+    }
+}
+
 /// A dent nearly as deep as the frame is wide had the lower edge of the block out of the view.
 TEST(ViewExtent, HoldsADentOfTheUsualDepthFromTheFirst) {
     ViewExtent extent;

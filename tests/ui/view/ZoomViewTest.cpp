@@ -74,9 +74,9 @@ TEST_F(ZoomViewTest, ShowsTheDentInBlueAndTheNeckInOrange) {
     EXPECT_TRUE(isDentBlue(dent));
 
     const TipState& pulled = moments.neck.sample.output.model;
-    // Beside the arrow, in front of the tip.
+    // Beside the arrow, in front of the tip and its edge.
     const Vector3 onNeck =
-        pulled.closest.point + 3.5_nm * towardsEye() + 2.0_nm * view->camera().right();
+        pulled.closest.point + 4.2_nm * towardsEye() + 2.0_nm * view->camera().right();
     const QColor neck = colorAt(pictureOf(moments.neck), onNeck);
     EXPECT_GT(neck.red(), neck.blue() + 30);
 }
@@ -227,15 +227,50 @@ TEST_F(ZoomViewTest, StretchesHeightsOnRequestOnly) {
 }
 
 TEST_F(ZoomViewTest, SwitchesAxesScaleBarsGridAndSection) {
+    EXPECT_FALSE(ViewOptions{}.grid) << "its lines are taken for relief";
     const QImage all = pictureOf(moments.deep);
     for (const ViewOptions& options :
-         {ViewOptions{.axes = false}, ViewOptions{.scaleBars = false}, ViewOptions{.grid = false},
+         {ViewOptions{.axes = false}, ViewOptions{.scaleBars = false}, ViewOptions{.grid = true},
           ViewOptions{.section = true}, ViewOptions{.light = {.azimuth = 10.0}}}) {
         view->setOptions(options);
         EXPECT_GT(perMilleDifferent(all, pictureOf(moments.deep)), 1.0);
     }
     view->setOptions({});
     EXPECT_LT(perMilleDifferent(all, pictureOf(moments.deep)), 0.5) << "as before";
+}
+
+/// As bright as far from the tip where colors are read: those of what the tip changes.
+TEST_F(ZoomViewTest, TheTipDarkensTheSurfaceBelowItWhereNoColorsAreReadThere) {
+    const auto brightness = [](const QColor& color) {
+        return color.red() + color.green() + color.blue();
+    };
+    const double radius = scene->belief.tipRadius();
+    const Vector3& below = moments.away.sample.output.model.closest.point;
+    const Vector3 beside = below + 0.6 * radius * towardsEye();
+    const Vector3 far = below + 2.2 * radius * towardsEye();
+    const QImage byHeight = pictureOf(moments.away);
+    EXPECT_LT(brightness(colorAt(byHeight, beside)), brightness(colorAt(byHeight, far)) - 10);
+    EXPECT_GT(brightness(colorAt(byHeight, beside)), 0.6 * brightness(colorAt(byHeight, far)))
+        << "the color stays the same";
+    SurfaceLook look;
+    look.quantity = SurfaceQuantity::Displacement;
+    view->setLook(look, SurfaceField(SurfaceQuantity::Displacement));
+    settle();
+    const QImage byDisplacement = pictureOf(moments.away);
+    EXPECT_NEAR(brightness(colorAt(byDisplacement, beside)),
+                brightness(colorAt(byDisplacement, far)), 12);
+}
+
+TEST_F(ZoomViewTest, TheSurfaceShowsThroughTheLowerEndOfTheTip) {
+    const double radius = scene->belief.tipRadius();
+    const Vector3 beside =
+        moments.deep.sample.output.model.closest.point + 0.45 * radius * view->camera().right();
+    const QColor usual = colorAt(pictureOf(moments.deep), beside);
+    SurfaceLook look;
+    look.of(SurfaceQuantity::Height).map = ColorMap::Gold;
+    view->setLook(look, SurfaceField());
+    settle();
+    EXPECT_GT(difference(colorAt(pictureOf(moments.deep), beside), usual), 20);
 }
 
 TEST_F(ZoomViewTest, DrawsOneFrameForEachSnapshot) {

@@ -261,6 +261,8 @@ TEST_F(ExportControlTest, ChoicesStayFromOneSessionToTheNext) {
     ask(ExportSubject::Surface, "vtp");
     child<QLineEdit>("exportName")->setText("mine");
     child<QCheckBox>("exportClean")->setChecked(true);
+    EXPECT_TRUE(exports.dialog()->choices().dent) << "contacts are colored by displacement";
+    child<QCheckBox>("exportDent")->setChecked(false);
     exports.dialog()->reject();
     ExportControl next(stage);
     next.remember(settings());
@@ -270,6 +272,7 @@ TEST_F(ExportControlTest, ChoicesStayFromOneSessionToTheNext) {
     EXPECT_EQ(next.dialog()->format(), "vtp");
     EXPECT_EQ(choices.name, "mine");
     EXPECT_TRUE(choices.clean);
+    EXPECT_FALSE(choices.dent);
     EXPECT_EQ(choices.folder.toStdString(), folder.path().string());
 }
 
