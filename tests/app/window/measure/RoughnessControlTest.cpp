@@ -2,6 +2,7 @@
 
 #include "app/loading/SceneLoader.h"
 #include "app/window/live/OverviewPanel.h"
+#include "app/window/measure/MarkerControl.h"
 #include "core/io/heightmap/HeightMapWriter.h"
 #include "core/io/tables/CsvTable.h"
 #include "tests/app/window/ControlFixture.h"
@@ -136,6 +137,28 @@ TEST_F(RoughnessControlTest, KeepsTheHeightsThatWereReadForTheirScanAlone) {
     runs.use(
         loadScene(file, {.leveling = LevelingSteps{LevelingStep::Zero}, .smoothingPixels = 1.0}));
     EXPECT_TRUE(eventually([this] { return page().subject().contains("Leveling: zero"); }));
+}
+
+TEST_F(RoughnessControlTest, MarkersHaveTheHeightsOfTheSameChoice) {
+    MarkerControl& markers = stage.add<MarkerControl>();
+    const auto file = folder.file("stripes.gwy");
+    writeHeightMap(file, stripedMap(), {.title = "Height"});
+    runs.use(loadScene(file, {.leveling = LevelingSteps{}, .smoothingPixels = 1.0}));
+    SceneDescription next = *edits.wanted();
+    next.markers.push_back({"ridge", 21e-9, 21e-9});  // the middle of a pixel
+    edits.change(QStringLiteral("Marker"), next);
+    window.showTool(&markers.page());
+    window.show();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(&window));
+    const auto height = [&markers] {
+        return markers.page().model().index(0, MarkerModel::Z).data().toString();
+    };
+    EXPECT_TRUE(eventually([&] { return height() == QStringLiteral("2.00"); }))
+        << height().toStdString();
+    page().smoothed().click();
+    EXPECT_TRUE(markers.page().smoothed().isChecked());
+    EXPECT_LT(height().toDouble(), 1.9);
+    EXPECT_GT(height().toDouble(), 0.9) << "the mean of all stripes is 1";
 }
 
 TEST_F(RoughnessControlTest, SaysWhyTheScanCannotBeRead) {
