@@ -32,7 +32,7 @@ namespace asperity {
 namespace {
 
 /// Of the large view, whatever else is open: it never vanishes [px, as theme::scaled() takes them].
-constexpr QSize kLeastView(190, 160);
+constexpr QSize kLeastView(180, 160);
 constexpr int kHalf = 1000;  // of the width, for each view once both are shown
 
 /// The keys that move the device work again once a knob is turned.

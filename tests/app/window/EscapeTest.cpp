@@ -239,6 +239,7 @@ TEST_F(Escape, ClosesAnOpenListAndNothingElse) {
     window.layout().maximizer().toggle(*window.cards().front());
     closeMaterials();
     EXPECT_TRUE(window.isPanelEnlarged());
+    QApplication::setActiveWindow(&window);
     QTest::keyClick(window.windowHandle(), Qt::Key_Escape);
     EXPECT_FALSE(window.isPanelEnlarged()) << "no list is open";
 }

@@ -130,7 +130,7 @@ TEST_F(MainWindowTest, TheLargeViewNeverVanishes) {
         splitter->setSizes({1, 5000, 5000});
     }
     handleEvents();
-    EXPECT_GE(panels.view().width(), 180);
+    EXPECT_GE(panels.view().width(), 170);
     EXPECT_GE(panels.view().height(), 150);
 }
 
