@@ -196,7 +196,7 @@ void PlaybackControl::addEntries() {
     });
     QAction& replay =
         host_.menus().add({MenuName::Run, 1, 40}, "replayLastJump",
-                          {.text = tr("Replay the last sna&p-in or pull-off"),
+                          {.text = tr("Replay the last snap-&in or pull-off"),
                            .tip = tr("Play the last 10 s of the run ten times slower, from just "
                                      "before its last snap-in or pull-off"),
                            .shortcuts = {tr("Ctrl+Shift+R")},

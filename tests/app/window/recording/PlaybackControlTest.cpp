@@ -69,9 +69,10 @@ TEST_F(PlaybackControlTest, PlaysTheLastSnapInAgainInSlowMotion) {
     EXPECT_TRUE(runs.openRecording().empty()) << "it is on no disk";
     EXPECT_EQ(&runs.scene(), &run().scene());
     EXPECT_EQ(playback.page().bar().speed(), 0.1);
-    EXPECT_TRUE(window.findChild<QToolButton*>("playRecording")->isChecked());
     const double begin = runs.shown().sample.time;
     EXPECT_EQ(branch(), ContactBranch::Far);
+    const auto* play = window.findChild<QToolButton*>("playRecording");
+    ASSERT_TRUE(framesUntil([play] { return play->isChecked(); }));
     ASSERT_TRUE(framesUntil([this] { return branch() == ContactBranch::Bonded; }));
     EXPECT_NEAR(runs.shown().sample.time - begin, 0.2, 0.05);
     window.menus().refresh();

@@ -294,6 +294,20 @@ TEST_F(Playback, TheLiveSceneComesBackAsItWas) {
     EXPECT_EQ(stage.edits().undoName(), undo) << "to look is no change of the scene";
 }
 
+TEST_F(Playback, AnotherSceneThatIsOpenedEndsTheLook) {
+    openSilicon();
+    look();
+    stage.get<SceneControl>().open(shippedScene("polystyrene"));
+    ASSERT_TRUE(eventually([this] { return !stage.runs().showsRecording(); }, 60000));
+    EXPECT_EQ(stage.run()->scene().description.sample.material.name, "polystyrene");
+    EXPECT_TRUE(stage.run()->loop().running());
+    stage.edits().undo();
+    EXPECT_TRUE(eventually(
+        [this] { return stage.run()->scene().description.sample.material.name == "silicon"; },
+        60000))
+        << "the live scene before";
+}
+
 /// The loop rests meanwhile, and time is that of the ticks.
 TEST_F(Playback, ARecordingThatGoesOnLosesNothingByALook) {
     openSilicon();
