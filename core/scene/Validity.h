@@ -74,7 +74,7 @@ struct ValidityTraits {
 
 /// Flags by bit.
 inline constexpr std::array kValidityTraits{
-    ValidityTraits{Validity::LargeContact, "large_contact", "contact radius > 0.3 R",
+    ValidityTraits{Validity::LargeContact, "large_contact", "contact > 0.3 eff. radii",
                    "contact radius above 0.3 effective radii: strain beyond linear elasticity",
                    Severity::Doubt, FlagBasis::Contact},
     ValidityTraits{Validity::OutsideScan, "outside_scan", "tip outside the scan",

@@ -139,7 +139,7 @@ TEST(StateBanner, SaysInWordsWhatAResultDoesNotHoldFor) {
     banner.resize(1200, banner.height());
     banner.grab();
     banner.show(test::snapshotOf(flagged(1.0, Validity::LargeContact)));
-    EXPECT_EQ(test::textOf(banner, "flags"), QStringLiteral("contact radius > 0.3 R"));
+    EXPECT_EQ(test::textOf(banner, "flags"), QStringLiteral("contact > 0.3 eff. radii"));
     EXPECT_TRUE(banner.toolTip().contains(QStringLiteral(
         "contact radius above 0.3 effective radii: strain beyond linear elasticity")));
     banner.show(test::snapshotOf(far()));
