@@ -91,13 +91,13 @@ class LivePanels;
 /// holds the scene: the run may end before.
 struct ExportMoment {
     std::shared_ptr<const LoadedScene> loaded;  ///< whose description may change during export
-    std::string name;                           ///< of the recording that is open, else of the scan's file, or the shape
-    TickSample sample;                          ///< that it showed
-    PatchGrid patch;                            ///< of the surface around the tip
-    std::optional<ContactSection> section;      ///< through the contact; none: no tip
-    ShownView view;                             ///< of the large view
-    std::vector<TickSample> ticks;              ///< the last seconds until then, in order
-    Chart cycles;                               ///< the force-distance curves that are drawn
+    std::string name;   ///< of the recording that is open, else of the scan's file, or the shape
+    TickSample sample;  ///< that it showed
+    PatchGrid patch;    ///< of the surface around the tip
+    std::optional<ContactSection> section;  ///< through the contact; none: no tip
+    ShownView view;                         ///< of the large view
+    std::vector<TickSample> ticks;          ///< the last seconds until then, in order
+    Chart cycles;                           ///< the force-distance curves that are drawn
     std::string distance;  ///< over which they are drawn, as a table's column names it
 };
 
