@@ -9,6 +9,7 @@
 #include "tests/support/TestScenes.h"
 #include "ui/shell/MainWindow.h"
 #include "ui/shell/RunPanel.h"
+#include "ui/view/SecondView.h"
 #include "ui/view/ZoomView.h"
 #include "ui/widgets/Card.h"
 #include "ui/widgets/Theme.h"
@@ -64,6 +65,7 @@ protected:
 
     QImage picture() {
         panels.view().showSnapshot(snapshot);
+        panels.second().showSnapshot(snapshot);
         for (RunPanel* const panel : panels.panels()) {
             panel->show(snapshot);
         }

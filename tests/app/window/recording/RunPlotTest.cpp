@@ -29,7 +29,7 @@ protected:
         return false;
     }
 
-    const QRect left{0, 30, 30, 100};      ///< where the numbers of the vertical axis are
+    const QRect left{0, 30, 40, 100};      ///< where the numbers of the vertical axis are
     const QRect bottom{60, 145, 320, 15};  ///< and those of the horizontal one
     RunPlot plot{{.title = QStringLiteral("Normal force"),
                   .xName = QStringLiteral("time"),
