@@ -45,8 +45,8 @@ public:
     void setHeightFactor(double factor);
     /// The factor that is drawn, >= 1.
     [[nodiscard]] double drawnFactor() const { return drawnFactor_; }
-    /// Sets half the width that is seen [m]; a low plot shows more, so that the tip above the sample
-    /// is in sight.
+    /// Sets half the width that is seen [m]; a low plot shows more, so that the tip above the
+    /// sample is in sight.
     void setHalfWidth(double halfWidth);
     [[nodiscard]] double halfWidth() const { return halfWidth_; }
     /// Returns the half width that was set since the scene was shown [m]; none: it is the scene's.

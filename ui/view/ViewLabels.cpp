@@ -121,6 +121,7 @@ constexpr double kBarShare = 0.25;  // of a small view: of its width and of its 
 constexpr double kHeightShare = 0.16;
 constexpr double kBarEnd = 4.0;
 constexpr double kNameGap = 8.0;
+constexpr double kLowView = 310.0;    // in one as low, bars would lie on axes, which have the scale
 constexpr double kPlateHeight = 1.5;  ///< of a label, as Painter::label() draws it, in text sizes
 
 /// Words with values for %1, %2.
@@ -191,7 +192,7 @@ void ViewLabels::paint(Painter& painter) {
     }
     view_ = {0.0, 0.0, width, height};
     bars_ = {};
-    if (content_.scaleBars) {
+    if (content_.scaleBars && !(content_.axes && height < kLowView)) {
         const ScaleBars bars = scaleBars(painter, width, height);
         bars_ = bars.area;
         paintScaleBars(painter, bars);

@@ -192,7 +192,7 @@ TEST_P(ReplayOfFormerNames, IsBitIdentical) {
 /// A part is written with current names only, and replays.
 TEST_P(ReplayOfFormerNames, PutsNoneOfThemIntoWhatIsWritten) {
     const auto part =
-        test::runProgram("bundle " + bundle() + " " + in("part.zip") + " --from 0.035 --to 0.075");
+        test::runProgram("bundle " + bundle() + " " + in("part.zip") + " --from 0.005 --to 0.045");
     ASSERT_EQ(part.exitCode, 0) << part.output;
     const auto again = test::runProgram("replay " + in("part.zip") + " --out " + in("again"));
     EXPECT_NE(again.output.find("bit-identical: 41 ticks"), std::string::npos) << again.output;

@@ -239,6 +239,20 @@ TEST_F(ZoomViewTest, SwitchesAxesScaleBarsGridAndSection) {
     EXPECT_LT(perMilleDifferent(all, pictureOf(moments.deep)), 0.5) << "as before";
 }
 
+TEST_F(ZoomViewTest, ALowViewHasTheScaleOnItsAxesAlone) {
+    view->resize(420, 300);
+    const auto change = [this](ViewOptions options) {
+        options.scaleBars = true;
+        view->setOptions(options);
+        const QImage with = pictureOf(moments.away);
+        options.scaleBars = false;
+        view->setOptions(options);
+        return perMilleDifferent(with, pictureOf(moments.away));
+    };
+    EXPECT_EQ(change({}), 0.0) << "bars would lie on the axes";
+    EXPECT_GT(change({.axes = false}), 0.5);
+}
+
 /// As bright as far from the tip where colors are read: those of what the tip changes.
 TEST_F(ZoomViewTest, TheTipDarkensTheSurfaceBelowItWhereNoColorsAreReadThere) {
     const auto brightness = [](const QColor& color) {
