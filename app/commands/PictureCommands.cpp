@@ -165,7 +165,8 @@ PictureSpec specOf(const PictureOptions& options) {
             .transparent = options.transparent,
             .parts = {.bars = !options.noBars && !options.clean,
                       .labels = !options.noLabels && !options.clean,
-                      .grid = options.grid},
+                      .grid = !options.clean,
+                      .surfaceGrid = options.grid},
             .width = ifGiven(options.width),
             .heightScale = ifGiven(options.heightScale),
             .color = options.color.empty() ? std::nullopt : std::optional(colorOf(options.color))};

@@ -93,9 +93,6 @@ private:
 /// A device that moves along the sample as another one does, while a feedback sets its height. What
 /// it makes of the force is a device position as any other: a recording of it replays without it.
 ///
-/// The setpoint moves from the force that is there to the one asked for, in a twentieth of a
-/// second.
-///
 /// A device that mouse and keyboard pilot waits while the force is above twice the setpoint, and is
 /// no faster than that one tick on a slope of 45 degrees costs the setpoint. One that follows a
 /// path keeps its times, and stops for good where the force is not held any more.

@@ -97,7 +97,8 @@ private:
                  cycle_.panels().second().space().lookFrom(ViewDirection::Front);
              }});
         shots_.push_back({"section_filled", [this] {
-                              showSecond({.azimuth = 45.0, .heightFactor = 0.0});
+                              showSecond(
+                                  {.followsContact = false, .azimuth = 45.0, .heightFactor = 0.0});
                               cycle_.panels().view().lookFrom(ViewDirection::Top);
                           }});
         shots_.push_back({"perspective", [this] {

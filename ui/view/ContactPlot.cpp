@@ -36,9 +36,10 @@ constexpr double kWheelStep = 1.2;
 constexpr double kNotch = 120.0;  // eighths of a degree
 constexpr double kFill = 0.75;    // of the plot's height, by what fits
 constexpr double kMaxFactor = 1000.0;
-constexpr double kMarkReach = 7.0;  // of the contact's marks [px]
-constexpr double kLabelGap = 8.0;   // between an arrow and its label [px]
-constexpr double kFlattest = 0.8;   // of a plot that is as wide as the section: height over width
+constexpr double kMarkReach = 7.0;   // of the contact's marks [px]
+constexpr double kMaxBeside = 0.05;  // of the half width, by which a contact may miss the plane
+constexpr double kLabelGap = 8.0;    // between an arrow and its label [px]
+constexpr double kFlattest = 0.8;    // of a plot that is as wide as the section: height over width
 
 // Position of the surface below the tip, in parts of the plot's height from below.
 constexpr double kUsualLevel = 0.4;
@@ -101,13 +102,33 @@ void ContactPlot::setScene(const Scene* scene) {
     middleHeight_.reset();
     chosenHalfWidth_.reset();
     if (scene_ != nullptr) {
-        const ViewScale scale = viewScale(*scene_);
-        paraboloidReach_ = scale.paraboloidReach;
-        forceScale_ = scale.force;
-        halfWidth_ = scale.section;
-        leastHalfWidth_ = scale.leastSection;
+        chooseScale();
     }
     update();
+}
+
+void ContactPlot::chooseScale() {
+    const ViewScale scale = viewScale(*scene_);
+    paraboloidReach_ = scale.paraboloidReach;
+    forceScale_ = scale.force;
+    halfWidth_ = chosenHalfWidth_.value_or(scale.section);
+    leastHalfWidth_ = scale.leastSection;
+    scaledFor_ = scene_->description.setpoint;
+    middleHeight_.reset();
+}
+
+/// Turns the plane through the contact where it lies so far beside the plane that the tip in it
+/// would be seen to hover.
+void ContactPlot::turnToContact(const TipState& state) {
+    const Vector2 offset = (state.closest.point - state.tip).head<2>();
+    const Vector2 normal(-std::sin(plane_.azimuth), std::cos(plane_.azimuth));
+    if (std::abs(normal.dot(offset)) > kMaxBeside * halfWidth_) {
+        const double azimuth = std::atan2(offset.y(), offset.x());
+        constexpr double kHalfTurn = std::numbers::pi;
+        plane_.azimuth = azimuth > kHalfTurn / 2.0     ? azimuth - kHalfTurn
+                         : azimuth <= -kHalfTurn / 2.0 ? azimuth + kHalfTurn
+                                                       : azimuth;
+    }
 }
 
 void ContactPlot::setHalfSpace(std::shared_ptr<const HalfSpaceAnswer> answer) {
@@ -119,6 +140,9 @@ void ContactPlot::showSnapshot(const Snapshot& snapshot) {
         return;
     }
     sample_ = snapshot.sample;
+    if (scaledFor_ != scene_->description.setpoint) {
+        chooseScale();
+    }
     isForceKnown_ = evidence_.take(sample_->output.estimate, sample_->time);
     cut();
 }
@@ -128,6 +152,9 @@ void ContactPlot::cut() {
     section_.reset();
     plane_.halfWidth = seenHalfWidth();
     if (sample_) {
+        if (turns_ && isDrawable(sample_->output.model)) {
+            turnToContact(sample_->output.model);
+        }
         section_ = sectionOf(*scene_, sample_->output.model);
     }
     if (section_) {
@@ -154,8 +181,9 @@ std::optional<ContactSection> ContactPlot::sectionOf(const Scene& scene,
                           plane);
 }
 
-void ContactPlot::setAzimuth(double azimuth) {
-    plane_.azimuth = azimuth;
+void ContactPlot::setAzimuth(std::optional<double> azimuth) {
+    turns_ = !azimuth;
+    plane_.azimuth = azimuth.value_or(plane_.azimuth);
     cut();
 }
 
@@ -320,7 +348,9 @@ void ContactPlot::drawForce(QPainter& painter) const {
     const std::string written = writtenForce_.empty() ? magnitudeText(force) : writtenForce_;
     const QString text = QStringLiteral("|F| ") + QString::fromStdString(written);
     const double rightmost = area().right() - painter.fontMetrics().horizontalAdvance(text);
-    painter.drawText(QPointF(std::min(to.x() + kLabelGap, rightmost), to.y() + 4.0), text);
+    painter.drawText(QPointF(std::min(to.x() + kLabelGap, rightmost),
+                             std::max(to.y() + 4.0, area().top() + theme::kTextSize + 2.0)),
+                     text);
 }
 
 /// Says where a tip is that is not in sight.

@@ -38,8 +38,9 @@ public:
     /// See ZoomPicture: from the next snapshot on.
     void setWrittenForce(std::string force) { writtenForce_ = std::move(force); }
 
-    /// Sets the plane's direction, from x, counterclockwise as seen from above [rad].
-    void setAzimuth(double azimuth);
+    /// Sets the plane's direction, from x, counterclockwise as seen from above [rad]; none: it
+    /// turns so that it goes through the contact, however the surface slopes.
+    void setAzimuth(std::optional<double> azimuth);
     [[nodiscard]] double azimuth() const { return plane_.azimuth; }
     /// Heights over lengths along the plane, >= 1; 0: as large as they fit.
     void setHeightFactor(double factor);
@@ -77,6 +78,8 @@ protected:
 
 private:
     void cut();
+    void chooseScale();
+    void turnToContact(const TipState& state);
     [[nodiscard]] double seenHalfWidth() const;
     void fitScale();
     void followSurface();
@@ -104,6 +107,8 @@ private:
     ForceEvidence evidence_;
     bool isForceKnown_ = false;
     std::string writtenForce_;     ///< at the arrow; empty: of the sample
+    bool turns_ = false;           ///< with the contact
+    double scaledFor_ = 0.0;       ///< setpoint [N]
     double halfWidth_ = 0.0;       ///< see setHalfWidth() [m]
     double leastHalfWidth_ = 0.0;  ///< [m]
     std::optional<double> chosenHalfWidth_;

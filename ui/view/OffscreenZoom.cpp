@@ -132,7 +132,7 @@ ViewOptions OffscreenZoom::options() const {
                                                     .light = {}};
     options.axes = options.axes && look_.parts.bars;
     options.scaleBars = options.scaleBars && look_.parts.bars;
-    options.grid = options.grid && look_.parts.grid;
+    options.grid = options.grid && look_.parts.surfaceGrid;
     options.labels = options.labels && look_.parts.labels;
     return options;
 }

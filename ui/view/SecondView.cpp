@@ -26,7 +26,8 @@ namespace asperity {
 
 namespace {
 
-constexpr int kSecondViewGap = 6;  // [px]
+constexpr int kSecondViewGap = 6;   // [px]
+constexpr int kHeightsLetters = 8;  // of the list of heights: all controls are in one line
 constexpr double kDegree = std::numbers::pi / 180.0;
 constexpr double kFitting = 0.0;  // see ContactPlot::setHeightFactor()
 
@@ -64,6 +65,10 @@ SecondView::SecondView(QWidget* parent)
     , contents_(new QComboBox(this))
     , spaceControls_(new QWidget(this))
     , sectionControls_(new QWidget(this))
+    , follows_(pageButton(tr("Auto"), "sectionFollows",
+                          tr("The section goes through the contact: it turns with the slope below "
+                             "the tip"),
+                          this))
     , direction_(new NumberBox(this))
     , heights_(new QComboBox(this)) {
     setObjectName(QStringLiteral("secondView"));
@@ -130,6 +135,9 @@ void SecondView::addSpaceControls(QHBoxLayout& row) {
 }
 
 void SecondView::addSectionControls(QHBoxLayout& row) {
+    follows_->setCheckable(true);
+    row.addWidget(follows_);
+    connect(follows_, &QToolButton::clicked, this, &SecondView::chooseDirection);
     const auto addPreset = [&](const QString& text, double degrees, const QString& toolTip) {
         auto* button = new QToolButton(this);
         button->setText(text);
@@ -137,6 +145,7 @@ void SecondView::addSectionControls(QHBoxLayout& row) {
         row.addWidget(button);
         connect(button, &QToolButton::clicked, this, [this, degrees] {
             direction_->setValue(degrees);
+            follows_->setChecked(false);
             chooseDirection();
         });
     };
@@ -149,11 +158,15 @@ void SecondView::addSectionControls(QHBoxLayout& row) {
     direction_->setToolTip(
         tr("Direction of the section: from x, counterclockwise as seen from above [°]"));
     row.addWidget(direction_);
-    connect(direction_, qOverload<double>(&QDoubleSpinBox::valueChanged), this,
-            &SecondView::chooseDirection);
+    connect(direction_, qOverload<double>(&QDoubleSpinBox::valueChanged), this, [this] {
+        follows_->setChecked(false);
+        chooseDirection();
+    });
     heights_->setObjectName(QStringLiteral("sectionHeights"));
     heights_->setToolTip(tr("Heights of the section: true to scale, or larger by a factor that the "
                             "section states"));
+    heights_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    heights_->setMinimumContentsLength(kHeightsLetters);
     heights_->addItem(tr("True to scale"), 1.0);
     for (const double factor : {2.0, 5.0, 10.0, 20.0, 50.0}) {
         heights_->addItem(tr("Heights ×%1").arg(factor), factor);
@@ -222,11 +235,15 @@ void SecondView::showCrossHair(const std::optional<Vector2>& position,
     }
 }
 
-void SecondView::chooseDirection() { section_->setAzimuth(kDegree * direction_->value()); }
+void SecondView::chooseDirection() {
+    section_->setAzimuth(follows_->isChecked() ? std::nullopt
+                                               : std::optional(kDegree * direction_->value()));
+}
 
 SecondViewSettings SecondView::settings() const {
     return {.content = content(),
             .options = options_->options(),
+            .followsContact = follows_->isChecked(),
             .azimuth = direction_->value(),
             .heightFactor = heights_->currentData().toDouble()};
 }
@@ -236,6 +253,7 @@ void SecondView::setSettings(const SecondViewSettings& settings) {
     options_->setOptions(settings.options);
     space_->setOptions(settings.options);
     direction_->setValue(settings.azimuth);
+    follows_->setChecked(settings.followsContact);
     const int known = heights_->findData(settings.heightFactor);
     heights_->setCurrentIndex(std::max(0, known));
     section_->setHeightFactor(heights_->currentData().toDouble());

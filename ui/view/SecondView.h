@@ -41,9 +41,10 @@ inline constexpr auto kEnumTable<SecondContent> = std::to_array<EnumRow<SecondCo
 /// Settings of the second view; kept from one session to the next.
 struct SecondViewSettings {
     SecondContent content = SecondContent::Section;
-    ViewOptions options;        ///< of the 3-D view
-    double azimuth = 0.0;       ///< of the section, from x [degree]
-    double heightFactor = 1.0;  ///< of the section; 0: as large as heights fit
+    ViewOptions options;         ///< of the 3-D view
+    bool followsContact = true;  ///< the section goes through the contact, whatever its direction
+    double azimuth = 0.0;        ///< of the section else, from x [degree]
+    double heightFactor = 1.0;   ///< of the section; 0: as large as heights fit
 };
 
 /// A view beside the large one, with a direction, options and zoom of its own: in 3-D, or a section
@@ -100,6 +101,7 @@ private:
     QWidget* spaceControls_;
     QWidget* sectionControls_;
     ViewOptionsMenu* options_ = nullptr;
+    QToolButton* follows_;
     NumberBox* direction_;
     QComboBox* heights_;
 };

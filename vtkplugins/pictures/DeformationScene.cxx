@@ -139,7 +139,7 @@ void DeformationScene::addSample(vtkPolyData* surface) {
     };
     solid_->AddActor(coloredSurface(left(shown), colors_));
     solid_->AddActor(wallSurface(left(blockSides(shown, size, bottom_))));
-    if (!parts_.grid) {
+    if (!parts_.surfaceGrid) {
         return;
     }
     const vtkSmartPointer<vtkActor> grid =

@@ -34,9 +34,10 @@ struct PictureSize {
 
 /// Parts of a picture besides its subject.
 struct PictureParts {
-    bool bars = true;    ///< scale bars, color bars, axes
-    bool labels = true;  ///< title, legend, caption, names and values
-    bool grid = false;   ///< lines on the surface
+    bool bars = true;          ///< scale bars, color bars, axes
+    bool labels = true;        ///< title, legend, caption, names and values
+    bool grid = true;          ///< lines behind the curves of a plot
+    bool surfaceGrid = false;  ///< lines on the surface
 
     bool operator==(const PictureParts&) const = default;
 };

@@ -22,6 +22,7 @@ bool isUsers(const QEvent& event) {
     case QEvent::MouseButtonPress:
     case QEvent::Wheel:
     case QEvent::KeyPress:
+    case QEvent::ShortcutOverride:  // all that is known of a key that is a shortcut
     case QEvent::TouchBegin:
         return true;
     default:
@@ -65,7 +66,7 @@ void DemonstrationControl::begin() {
     go(Step::Away);
 }
 
-/// The tip stays where it is, for mouse and keyboard.
+/// An approach ends where the tip is; a withdrawal goes on to its end, out of harm's way.
 void DemonstrationControl::end() {
     QApplication::instance()->removeEventFilter(this);
     if (!std::exchange(isPlaying_, false)) {

@@ -65,6 +65,7 @@ EngageControl::EngageControl(Stage& stage) : Feature(stage), devices_(stage.get<
         }
     });
     connect(&edits_, &SceneEdits::changed, this, &EngageControl::showSetpoint);
+    connect(&runs_, &RunControl::recordingShown, this, [this] { live_.engage().showError({}); });
 }
 
 void EngageControl::forget() {

@@ -254,7 +254,8 @@ PictureSpec ExportControl::spec() const {
             .transparent = choices.transparent && !isVideo,
             .parts = {.bars = choices.bars && !choices.clean,
                       .labels = choices.labels && !choices.clean,
-                      .grid = !choices.clean},
+                      .grid = !choices.clean,
+                      .surfaceGrid = !choices.clean},
             .color = color()};
 }
 

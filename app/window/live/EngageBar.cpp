@@ -24,7 +24,8 @@ constexpr int kSetpointWidth = 76;  // same
 constexpr int kRampWidth = 66;      // same
 constexpr double kNanoRamp = 1e9;   // ramps are shown in nanometers
 constexpr double kMinRamp = 0.1;    // [nm/s], [nm]
-constexpr double kMaxRamp = 1e6;    // same
+constexpr double kMaxRate = 1e6;    // [nm/s]
+constexpr double kMaxSize = 2e4;    // [nm], more than the z range of an AFM
 constexpr int kSpace = 6;           // [px]
 constexpr int kShownDigits = 4;     // of a setpoint in another unit
 
@@ -55,8 +56,8 @@ EngageBar::EngageBar(QWidget* parent)
     , units_{{tr("nN"), 1e9}}
     , box_(new GainSpinBox(1e9 * kMinSetpoint, 1e9 * kMaxSetpoint, this))
     , unit_(engageChoice("setpointUnit", {units_.front().name}, this))
-    , rate_(new GainSpinBox(kMinRamp, kMaxRamp, this))
-    , size_(new GainSpinBox(kMinRamp, kMaxRamp, this))
+    , rate_(new GainSpinBox(kMinRamp, kMaxRate, this))
+    , size_(new GainSpinBox(kMinRamp, kMaxSize, this))
     , engage_(engageButton("engage", tr("Engage"), this))
     , withdraw_(engageButton("withdraw", tr("Withdraw"), this))
     , hold_(engageChoice("hold", {tr("force"), tr("height")}, this))
@@ -202,6 +203,8 @@ void EngageBar::setUsualRamp(const Ramp& usual) {
         }
     };
     show(*rate_, usual.rate);
+    const QSignalBlocker blocker(size_);
+    size_->setRange(QString::number(kNanoRamp * usual.size, 'g', 2).toDouble(), kMaxSize);
     show(*size_, usual.size);
 }
 

@@ -119,6 +119,8 @@ void restoreViews(LivePanels& live, const QVariantMap& kept) {
     SecondViewSettings second;
     second.content = valueAt(kept, key(kSecond, "content"), second.content);
     second.options = optionsIn(kept, kSecond);
+    second.followsContact =
+        kept.value(key(kSecond, "followsContact"), second.followsContact).toBool();
     second.azimuth = std::clamp(numberAt(kept, key(kSecond, "azimuth"), 0.0), -180.0, 180.0);
     second.heightFactor = numberAt(kept, key(kSecond, "heightFactor"), second.heightFactor);
     live.second().setSettings(second);
@@ -132,6 +134,7 @@ void keepViews(LivePanels& live, QVariantMap& kept) {
     const SecondViewSettings second = live.second().settings();
     kept.insert(key(kSecond, "content"), QLatin1String(keyOf(second.content)));
     write(kept, kSecond, second.options);
+    kept.insert(key(kSecond, "followsContact"), second.followsContact);
     kept.insert(key(kSecond, "azimuth"), second.azimuth);
     kept.insert(key(kSecond, "heightFactor"), second.heightFactor);
     kept.insert(key(kSecond, "shown"), live.secondEntry().isChecked());

@@ -68,7 +68,8 @@ MeasuredScan::MeasuredScan(std::shared_ptr<const LoadedScene> loaded,
     , leveledScan_(std::move(leveled))
     , field_(fieldFor(*loaded_, leveledScan_.get(), isSmoothed)) {
     const SampleDescription& sample = loaded_->scene.description.sample;
-    file_ = sampleName(sample);
+    name_ = sampleName(sample);
+    file_ = sample.shape ? name_ : std::filesystem::path(sample.file).filename().string();
     channel_ = sample.channel;
     leveling_ = levelingText(sample);
     smoothing_ = leveledScan_ == nullptr
@@ -84,8 +85,7 @@ HeightRows MeasuredScan::rows() const {
 
 std::vector<std::string> MeasuredScan::provenance(const std::string& what) const {
     std::vector<std::string> lines{std::string("Asperity ") + kVersion + ": " + what + " of " +
-                                       file_ +
-                                       (channel_.empty() ? std::string() : ", channel " + channel_),
+                                       name_,
                                    "smoothing: " + smoothing_.toStdString()};
     lines.insert(lines.end(), loaded_->notes.begin(), loaded_->notes.end());
     return lines;

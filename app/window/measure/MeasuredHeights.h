@@ -44,6 +44,7 @@ private:
     std::shared_ptr<const LoadedScene> loaded_;
     std::shared_ptr<const Leveled> leveledScan_;
     HeightField field_;
+    std::string name_;  ///< with channel and crop, for people
     std::string file_;
     std::string channel_;
     QString leveling_;

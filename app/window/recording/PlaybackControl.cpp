@@ -349,7 +349,7 @@ void PlaybackControl::take(const Stretch& stretch) {
     }
     tick_ = awaited_;
     runs_.showRecorded(stretch.ticks, stretch.goesOn);
-    showMoment(stretch.ticks.back());
+    showMoment(runs_.shown().sample);  // the force that is shown elsewhere, too
     compute();
     if (stretch.isHistory && playsSoon_) {
         play(true);

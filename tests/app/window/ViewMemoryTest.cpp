@@ -25,8 +25,10 @@ TEST(ViewMemory, KeepsHowTheViewsLook) {
                                         .high = 5.5e-9,
                                         .pinned = true};
     const ViewOptions options{.heightScale = 3.5, .grid = true, .trueTip = true};
-    const SecondViewSettings second{
-        .content = SecondContent::Space, .options = {.axes = false}, .azimuth = 30.0};
+    const SecondViewSettings second{.content = SecondContent::Space,
+                                    .options = {.axes = false},
+                                    .followsContact = false,
+                                    .azimuth = 30.0};
     {
         MainWindow window;
         LivePanels panels{window};
@@ -51,6 +53,7 @@ TEST(ViewMemory, KeepsHowTheViewsLook) {
     EXPECT_EQ(panels.second().settings().content, SecondContent::Space);
     EXPECT_EQ(panels.second().settings().options, second.options);
     EXPECT_EQ(panels.second().settings().azimuth, 30.0);
+    EXPECT_FALSE(panels.second().settings().followsContact);
     EXPECT_FALSE(window.menus().entry("secondView").isChecked());
 }
 

@@ -92,6 +92,32 @@ TEST_F(ContactPlotTest, ALowPlotShowsTheTipAboveTheSampleToo) {
         << "true to scale";
 }
 
+/// On a flank the tip hovered clear of the surface, and the ends of the contact floated in it.
+TEST_F(ContactPlotTest, TurnsThroughAContactThatLiesBesideItsPlane) {
+    const Scene hills = hillyScene();
+    plot.setScene(&hills);
+    Snapshot moment = momentsOf(hills).deep;
+    TipState& state = moment.sample.output.model;
+    state.closest.point.x() = state.tip.x();
+    state.closest.point.y() = state.tip.y() + 0.3 * plot.halfWidth();
+    plot.setAzimuth(0.0);
+    plot.showSnapshot(moment);
+    EXPECT_EQ(plot.azimuth(), 0.0) << "as it was chosen";
+    plot.setAzimuth(std::nullopt);
+    EXPECT_NEAR(plot.azimuth(), std::numbers::pi / 2.0, 1e-9);
+    state.closest.point.x() += 0.02 * plot.halfWidth();
+    plot.showSnapshot(moment);
+    EXPECT_NEAR(plot.azimuth(), std::numbers::pi / 2.0, 1e-9) << "not for less than one sees";
+}
+
+TEST_F(ContactPlotTest, ItsScaleFollowsTheSetpoint) {
+    plot.showSnapshot(moments.away);
+    const double before = plot.halfWidth();
+    scene.description.setpoint *= 400.0;
+    plot.showSnapshot(moments.away);
+    EXPECT_GT(plot.halfWidth(), 1.5 * before);
+}
+
 TEST_F(ContactPlotTest, TheWidthThatAUserChoseIsTold) {
     EXPECT_FALSE(plot.chosenHalfWidth());
     plot.setHalfWidth(12.0_nm);

@@ -137,7 +137,7 @@ TEST_F(OffscreenZoomTest, NoTipIsCutByTheUpperEdge) {
 TEST_F(OffscreenZoomTest, LeavesOutBarsLabelsAndGrid) {
     const std::vector<std::uint8_t> all = OffscreenZoom(scene, smallLook()).draw(deep, "a").pixels;
     for (const PictureParts parts :
-         {PictureParts{.bars = false}, {.labels = false}, {.grid = true}}) {
+         {PictureParts{.bars = false}, {.labels = false}, {.surfaceGrid = true}}) {
         OffscreenZoomLook look = smallLook();
         look.parts = parts;
         EXPECT_NE(OffscreenZoom(scene, look).draw(deep, "a").pixels, all);

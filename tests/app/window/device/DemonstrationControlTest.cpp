@@ -55,6 +55,15 @@ TEST_F(DemonstrationControlTest, TheMouseTakesTheTipFromItsApproach) {
     EXPECT_EQ(devices.approaching(), nullptr);
 }
 
+/// Qt makes no key press of a key that is a shortcut.
+TEST_F(DemonstrationControlTest, AShortcutTakesOverToo) {
+    demonstration.beginWithNextRun();
+    useFlatScene();
+    QKeyEvent offered(QEvent::ShortcutOverride, Qt::Key_Home, Qt::NoModifier);
+    QApplication::sendEvent(&panels.view(), &offered);
+    EXPECT_FALSE(demonstration.isPlaying());
+}
+
 TEST_F(DemonstrationControlTest, MovesNoDeviceThatRendersForces) {
     demonstration.beginWithNextRun();
     useFlatScene();
