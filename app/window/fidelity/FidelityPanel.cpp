@@ -84,7 +84,7 @@ TradeOffPoints pointsOf(const TradeOff& study) {
     return shown;
 }
 
-/// What a newcomer wants to know, in one sentence.
+/// Returns one sentence on the model in use: who chose its terms, what they omit, what it costs.
 QString briefText(const RequiredTerms& needs, const ModelChoices& choices, double period) {
     if (needs.pending) {
         return FidelityPanel::tr("Finding out which terms this scene needs; until then the model "

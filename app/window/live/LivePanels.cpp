@@ -31,7 +31,7 @@ namespace asperity {
 
 namespace {
 
-/// Of the large view, whatever else is open: it never vanishes [px, as theme::scaled() takes them].
+/// Smallest size of the large view, whatever else is open [px, as theme::scaled() takes them].
 constexpr QSize kLeastView(180, 160);
 constexpr int kHalf = 1000;  // of the width, for each view once both are shown
 

@@ -11,8 +11,8 @@ class QLabel;
 
 namespace asperity {
 
-/// Whether the loop keeps its rate, in one word, for the window's status bar; on request the timing
-/// of the loop and of the pictures, too.
+/// Part of the status bar that tells in one word whether the loop keeps its rate; on request it
+/// shows the timing of the loop and of the pictures, too.
 class LoopStatusBar : public QWidget, public RunPanel {
 public:
     explicit LoopStatusBar(QWidget* parent = nullptr);

@@ -38,7 +38,7 @@ QString smoothingText(const SampleDescription& sample) {
     return parts.isEmpty() ? MeasuredHeights::tr("none") : parts.join(QStringLiteral("; "));
 }
 
-/// What the leveled heights depend on.
+/// Returns the keys of a sample that change its leveled heights; the others have their defaults.
 SampleDescription sourceOf(SampleDescription sample) {
     const SampleDescription usual;
     sample.smoothingPixels = usual.smoothingPixels;

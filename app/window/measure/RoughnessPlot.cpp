@@ -51,7 +51,7 @@ private:
     QString unit_;
 };
 
-/// What a plot draws, and in which units.
+/// Points of a plot with the units of its axes.
 struct DrawnPoints {
     QVector<QPointF> points;
     SiScale x;

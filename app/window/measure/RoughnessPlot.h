@@ -11,8 +11,8 @@
 
 namespace asperity {
 
-/// How often the heights of a scan occur, or the power of its waves on logarithmic axes. A user may
-/// zoom and pan (PlotNavigation).
+/// Plot of the histogram of heights, or of the power spectrum on logarithmic axes. A user may zoom
+/// and pan (PlotNavigation).
 class RoughnessPlot : public QWidget {
     Q_OBJECT
 

@@ -57,7 +57,7 @@ QString nameOf(const LookedAtRun& run) {
                              : QString::fromStdString(runName(run.input));
 }
 
-/// What there is to say of a run that is opened.
+/// Returns the message with which a run is opened.
 QString wordsOn(const LookedAtRun& run) {
     if (run.input.empty()) {
         return PlaybackControl::tr("The last 10 s in slow motion; the live run is paused");

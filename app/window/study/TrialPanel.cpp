@@ -308,7 +308,7 @@ TrialStage stageWords(const OpenStudy& study, const StudyMoment& moment) {
 
 namespace {
 
-/// Noise alone seldom exceeds so many of its deviations in the ten thousand ticks of a trial.
+/// Deviations of noise: the largest of a trial's ten thousand ticks seldom exceeds so many.
 constexpr double kAboveNoise = 5.0;
 
 QString largestForceText(double force, double noise) {

@@ -25,6 +25,15 @@ protected:
         return window.findChild<QComboBox*>(list)->currentText().toStdString();
     }
 
+    /// Follows a path of a file to its end, at a force.
+    void followAtAForce(const std::filesystem::path& file) {
+        paths.chooseFile(QString::fromStdString(file.string()));
+        QComboBox& hold = *window.findChild<QComboBox*>("pathHold");
+        hold.setCurrentIndex(0);
+        Q_EMIT hold.activated(0);
+        button("startPath").click();
+        ASSERT_TRUE(eventually([this] { return told() == "Path done"; })) << told();
+    }
     QPushButton& button(const char* name) { return *window.findChild<QPushButton*>(name); }
     QDoubleSpinBox& box(const char* name) { return *window.findChild<QDoubleSpinBox*>(name); }
     bool isMoving() {
@@ -155,12 +164,7 @@ TEST_F(PathControlTest, FollowsTheFileAtAForceFromItsFirstPosition) {
     useFlatScene();
     const auto file =
         folder.write("path.csv", "time_s,x_m,y_m,z_m\n0,40e-9,60e-9,9e-9\n0.2,50e-9,70e-9,99e-9\n");
-    paths.chooseFile(QString::fromStdString(file.string()));
-    QComboBox& hold = *window.findChild<QComboBox*>("pathHold");
-    hold.setCurrentIndex(0);
-    Q_EMIT hold.activated(0);
-    button("startPath").click();
-    ASSERT_TRUE(eventually([this] { return told() == "Path done"; })) << told();
+    ASSERT_NO_FATAL_FAILURE(followAtAForce(file));
     EXPECT_LT((run().basePosition().head<2>() - Vector2(50e-9, 70e-9)).norm(), 0.2e-9);
     EXPECT_NEAR(run().loop().snapshot().sample.output.estimate.force.z(), 5e-9, 1.5e-9);
 }
@@ -248,12 +252,7 @@ TEST_F(PathControlTest, AFileMayBeginAtAnyTime) {
     useFlatScene();
     const auto file =
         folder.write("path.csv", "time_s,x_m,y_m,z_m\n3,64e-9,64e-9,9e-9\n3.3,74e-9,64e-9,9e-9\n");
-    paths.chooseFile(QString::fromStdString(file.string()));
-    QComboBox& hold = *window.findChild<QComboBox*>("pathHold");
-    hold.setCurrentIndex(0);
-    Q_EMIT hold.activated(0);
-    button("startPath").click();
-    ASSERT_TRUE(eventually([this] { return told() == "Path done"; })) << told();
+    ASSERT_NO_FATAL_FAILURE(followAtAForce(file));
     EXPECT_NEAR(run().basePosition().x(), 74e-9, 0.2e-9);
 }
 
