@@ -176,9 +176,9 @@ TEST_F(RoughnessControlTest, SaysWhyTheScanCannotBeRead) {
 TEST_F(RoughnessControlTest, DrawsHistogramAndSpectrumOfWhatItMeasures) {
     look();
     ASSERT_TRUE(eventually([this] { return reading("sa") != QStringLiteral("–"); }));
-    const QString heights = page().histogram().table().tabSeparated();
-    EXPECT_TRUE(heights.startsWith("height [m]\tshare of the area\n")) << heights.toStdString();
-    EXPECT_EQ(heights.count('\n'), 129);
+    const QString histogram = page().histogram().table().tabSeparated();
+    EXPECT_TRUE(histogram.startsWith("height [m]\tshare of the area\n")) << histogram.toStdString();
+    EXPECT_EQ(histogram.count('\n'), 129);
     auto* curves = page().findChild<QComboBox*>("roughnessCurve");
     EXPECT_TRUE(page().histogram().isVisible());
     curves->setFocus();
