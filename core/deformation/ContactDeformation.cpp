@@ -118,10 +118,10 @@ std::vector<Vector2> tipOutline(const ContactDeformation& deformation, const Sec
     return outline;
 }
 
-/// Odd powers of even steps from -1 to 1: dense about the axis, where the surface bends most.
+/// Odd powers of even steps from -1 to 1: dense about the middle, where the surface bends most.
 double alongOf(int sample, const SectionPlane& plane) {
     const double part = 2.0 * sample / (plane.samples - 1.0) - 1.0;
-    return plane.halfWidth * std::pow(part, kCrowding);
+    return plane.middle + plane.halfWidth * std::pow(part, kCrowding);
 }
 
 }  // namespace
@@ -294,9 +294,12 @@ ContactSection contactSection(const Scene& scene, const ContactDeformation& defo
     const Vector3 middle = contact.closest + deformation.field()(contact.closest);
     section.contact = inSection(middle);
     if (contact.contactRadius > 0.0) {
+        // The contact lies in the tangent plane, which the section cuts along its slope.
+        const double rise = contact.normal.head<2>().dot(section.direction);
+        const double cosine = contact.normal.z() / std::hypot(rise, contact.normal.z());
         const auto end = [&](double side) {
-            const Vector2 position =
-                contact.closest.head<2>() + side * contact.contactRadius * section.direction;
+            const Vector2 position = contact.closest.head<2>() +
+                                     side * cosine * contact.contactRadius * section.direction;
             const Vector3 rest = restAt(position);
             return inSection(rest + deformation.field()(rest));
         };

@@ -157,7 +157,8 @@ struct Scene;
 /// Position and size of a section.
 struct SectionPlane {
     double azimuth = 0.0;          ///< of the vertical plane through the tip's axis, from x [rad]
-    double halfWidth = 0.0;        ///< seen on each side of the tip's axis [m]
+    double halfWidth = 0.0;        ///< seen on each side of `middle` [m]
+    double middle = 0.0;           ///< of what is seen, along the plane from the tip's axis [m]
     int samples = 401;             ///< along the surface, at least 2
     double tipHeight = 0.0;        ///< of the tip's outline above the apex [m]
     double paraboloidReach = 0.0;  ///< above 0: the tip is a paraboloid to here, else a sphere [m]

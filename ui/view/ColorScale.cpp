@@ -182,12 +182,13 @@ bool ColorRange::fit(std::span<const double> values, const Wish& wish) {
     hasData_ = std::ranges::any_of(values, [](double value) { return std::isfinite(value); });
     if (hasData_) {
         data_ = rangeOf(values);
-        const bool isRest = wish.isSteady && wish.colors.rule != RangeRule::Own &&
+        const bool isRest = wish.isSteady && wish.colors.rule != RangeRule::Own && !isOther_ &&
                             data_.low == 0.0 && data_.high == 0.0;
         if (!isRest && (!wish.colors.pinned || !isFitted_)) {
             const double some = 1e-12 * std::max(std::abs(data_.low), std::abs(data_.high));
             range_ = widened(wished(values, wish), std::max(some, smallest_));
             isFitted_ = true;
+            isOther_ = false;
         }
     }
     return had != hasData_ || !isSame(before, range_) || !isSame(dataBefore, data_);

@@ -121,7 +121,10 @@ public:
     /// @return whether range or data are others
     bool fit(std::span<const double> values, const Wish& wish);
     /// Another scene: the next range is of its values alone, unless it is pinned.
-    void forget() { steady_ = SteadyRange(smallest_); }
+    void forget() {
+        steady_ = SteadyRange(smallest_);
+        isOther_ = true;
+    }
     [[nodiscard]] const ValueRange& range() const { return range_; }
     [[nodiscard]] const ValueRange& data() const { return data_; }
     [[nodiscard]] bool hasData() const { return hasData_; }
@@ -138,6 +141,7 @@ private:
     ValueRange data_;
     bool hasData_ = false;
     bool isFitted_ = false;
+    bool isOther_ = false;  ///< the range is still that of the scene before
 };
 
 /// One range for each quantity, so that a pinned one is still there when its quantity is chosen

@@ -38,10 +38,11 @@ constexpr double kFill = 0.75;    // of the plot's height, by what fits
 constexpr double kMaxFactor = 1000.0;
 constexpr double kMarkReach = 7.0;   // of the contact's marks [px]
 constexpr double kMaxBeside = 0.05;  // of the half width, by which a contact may miss the plane
+constexpr double kMostBeside = 0.4;  // of the half width, of a contact from the middle
 constexpr double kLabelGap = 8.0;    // between an arrow and its label [px]
 constexpr double kFlattest = 0.8;    // of a plot that is as wide as the section: height over width
 
-// Position of the surface below the tip, in parts of the plot's height from below.
+// Position of the surface at the contact, in parts of the plot's height from below.
 constexpr double kUsualLevel = 0.4;
 constexpr double kLowestLevel = 0.25;
 constexpr double kHighestLevel = 0.6;
@@ -59,11 +60,11 @@ ValueRange heightsOf(const ContactSection& section) {
     return heights;
 }
 
-/// Height of the undeformed surface on the tip's axis, world z [m]; beyond the scan's edge that of
-/// its nearest point.
-double heightBelowTip(const ContactSection& section) {
-    const auto isNearer = [](const Vector2& one, const Vector2& other) {
-        return std::abs(one.x()) < std::abs(other.x());
+/// Height of the undeformed surface at a distance from the tip's axis, world z [m]; beyond the
+/// scan's edge that of its nearest point.
+double restHeight(const ContactSection& section, double along) {
+    const auto isNearer = [along](const Vector2& one, const Vector2& other) {
+        return std::abs(one.x() - along) < std::abs(other.x() - along);
     };
     const auto nearest = std::min_element(section.rest.begin(), section.rest.end(), isNearer);
     return nearest == section.rest.end() ? section.contact.y() : nearest->y();
@@ -131,6 +132,14 @@ void ContactPlot::turnToContact(const TipState& state) {
     }
 }
 
+/// Moves what is seen as far from the tip's axis as the contact of a large tip on a slope needs.
+void ContactPlot::follow(const TipState& state) {
+    const Vector2 direction(std::cos(plane_.azimuth), std::sin(plane_.azimuth));
+    const double along = (state.closest.point - state.tip).head<2>().dot(direction);
+    const double room = kMostBeside * plane_.halfWidth;
+    plane_.middle = std::clamp(0.0, along - room, along + room);
+}
+
 void ContactPlot::setHalfSpace(std::shared_ptr<const HalfSpaceAnswer> answer) {
     halfSpace_ = std::move(answer);
 }
@@ -155,6 +164,7 @@ void ContactPlot::cut() {
         if (turns_ && isDrawable(sample_->output.model)) {
             turnToContact(sample_->output.model);
         }
+        follow(sample_->output.model);
         section_ = sectionOf(*scene_, sample_->output.model);
     }
     if (section_) {
@@ -228,23 +238,23 @@ void ContactPlot::fitScale() {
     followSurface();
 }
 
-/// Keeps the surface below the tip between two levels, and a deep contact in sight. Where the tip
+/// Keeps the surface at the contact between two levels, and a deep contact in sight. Where the tip
 /// is does not matter else: its way up or down is seen.
 void ContactPlot::followSurface() {
     const double seen = area().height() * metersPerPixel_ / drawnFactor_;
-    const auto middleFor = [seen](double height, double level) {
-        return height + (0.5 - level) * seen;
+    const auto middleFor = [seen](double height, double share) {
+        return height + (0.5 - share) * seen;
     };
-    const double below = heightBelowTip(*section_);
+    const double level = restHeight(*section_, section_->contact.x());
     const double middle =
-        std::clamp(middleHeight_.value_or(middleFor(below, kUsualLevel)),
-                   middleFor(below, kHighestLevel), middleFor(below, kLowestLevel));
+        std::clamp(middleHeight_.value_or(middleFor(level, kUsualLevel)),
+                   middleFor(level, kHighestLevel), middleFor(level, kLowestLevel));
     middleHeight_ = std::min(middle, middleFor(section_->contact.y(), kLowestContact));
 }
 
 QPointF ContactPlot::toPixel(const Vector2& point) const {
     const QRectF inside = area();
-    return {inside.center().x() + point.x() / metersPerPixel_,
+    return {inside.center().x() + (point.x() - plane_.middle) / metersPerPixel_,
             inside.center().y() -
                 (point.y() - middleHeight_.value_or(0.0)) * drawnFactor_ / metersPerPixel_};
 }
@@ -348,9 +358,10 @@ void ContactPlot::drawForce(QPainter& painter) const {
     const std::string written = writtenForce_.empty() ? magnitudeText(force) : writtenForce_;
     const QString text = QStringLiteral("|F| ") + QString::fromStdString(written);
     const double rightmost = area().right() - painter.fontMetrics().horizontalAdvance(text);
-    painter.drawText(QPointF(std::min(to.x() + kLabelGap, rightmost),
-                             std::max(to.y() + 4.0, area().top() + theme::kTextSize + 2.0)),
-                     text);
+    painter.drawText(
+        QPointF(std::clamp(to.x() + kLabelGap, area().left(), std::max(rightmost, area().left())),
+                std::max(to.y() + 4.0, area().top() + theme::kTextSize + 2.0)),
+        text);
 }
 
 /// Says where a tip is that is not in sight.
@@ -359,7 +370,7 @@ void ContactPlot::drawTipAbove(QPainter& painter) const {
     if (section_->tip.empty() || toPixel({0.0, apexHeight(*section_)}).y() > inside.top()) {
         return;
     }
-    const double above = apexHeight(*section_) - heightBelowTip(*section_);
+    const double above = apexHeight(*section_) - restHeight(*section_, 0.0);
     painter.setPen(theme::colors().tip);
     painter.setFont(theme::boldFont(theme::kTextSize));
     painter.drawText(inside.adjusted(0.0, 6.0, 0.0, 0.0), Qt::AlignHCenter | Qt::AlignTop,
@@ -384,7 +395,7 @@ void ContactPlot::drawAxes(QPainter& painter) const {
         return tickLabels(ticks);
     };
     const std::vector<double> x =
-        niceTicks(-plane_.halfWidth, plane_.halfWidth,
+        niceTicks(plane_.middle - plane_.halfWidth, plane_.middle + plane_.halfWidth,
                   std::max(2, static_cast<int>(inside.width()) / kTickRoom));
     const std::vector<std::string> xLabels = shown(x, along.factor);
     for (std::size_t i = 0; i < x.size(); ++i) {
@@ -474,7 +485,8 @@ void ContactPlot::mouseMoveEvent(QMouseEvent* event) {
         Q_EMIT pointerLeft();
         return;
     }
-    const double along = (event->localPos().x() - inside.center().x()) * metersPerPixel_;
+    const double along =
+        plane_.middle + (event->localPos().x() - inside.center().x()) * metersPerPixel_;
     const Vector2 position = section_->positionAt(along);
     if (scene_->surface.contains(position.x(), position.y())) {
         Q_EMIT positionHovered(position.x(), position.y());

@@ -80,6 +80,7 @@ private:
     void cut();
     void chooseScale();
     void turnToContact(const TipState& state);
+    void follow(const TipState& state);
     [[nodiscard]] double seenHalfWidth() const;
     void fitScale();
     void followSurface();

@@ -48,6 +48,21 @@ TEST(ContactSection, OfAFlatSampleIsTheContactLawsOwn) {
     EXPECT_NEAR((*section.rim)[1].x(), state.contact.contactRadius, 1e-15);
 }
 
+/// The marks were too far apart, by one over the cosine of the slope.
+TEST(ContactSection, TheContactOnASlopeIsAsWideAsItsRadiusSays) {
+    const Scene scene = hertzOn(test::slopedMap(1.0));
+    const TipState state = pressed(scene);
+    const ContactDeformation deformation(scene, state, DeformationModel::ClosedForm);
+    for (const double azimuth : {0.0, 0.5}) {
+        SectionPlane plane = kPlane;
+        plane.azimuth = azimuth;
+        const ContactSection section = contactSection(scene, deformation, plane);
+        ASSERT_TRUE(section.rim);
+        const double width = ((*section.rim)[1] - (*section.rim)[0]).norm();
+        EXPECT_NEAR(width, 2.0 * state.contact.contactRadius, 0.02 * width) << azimuth;
+    }
+}
+
 TEST(ContactSection, TipAndSampleTouchInTheMiddle) {
     const Scene scene = hertzOn(test::flatMap());
     const TipState state = pressed(scene);

@@ -48,6 +48,19 @@ TEST(ColorRange, StaysWhileItIsPinned) {
     EXPECT_DOUBLE_EQ(range.range().high, 5e-8);
 }
 
+/// A flat scene after a grating was all one color, of the grating's range.
+TEST(ColorRange, IsThatOfAnotherSceneThoughItIsFlat) {
+    ColorRange range(SurfaceQuantity::Height);
+    const ColorRange::Wish steady{.colors = {}, .isSteady = true};
+    range.fit(upTo(10, 1e-9), steady);
+    const std::vector<double> flat(10, 0.0);
+    range.fit(flat, steady);
+    EXPECT_GE(range.range().high, 1e-8) << "far from the tip of the same scene";
+    range.forget();
+    range.fit(flat, steady);
+    EXPECT_LT(range.range().high, 1e-9);
+}
+
 TEST(ColorRange, SaysWhatItClipsAndHowItWasChosen) {
     ColorRange range(SurfaceQuantity::Height);
     const QuantityColors own{.rule = RangeRule::Own, .low = 2e-9, .high = 5e-9};

@@ -92,6 +92,19 @@ TEST_F(ContactPlotTest, ALowPlotShowsTheTipAboveTheSampleToo) {
         << "true to scale";
 }
 
+/// Under a large tip on a slope the contact lay beside what was seen: the tip seemed to hover.
+TEST_F(ContactPlotTest, ShowsAContactFarBesideTheTipsAxis) {
+    const Scene hills = hillyScene();
+    plot.setScene(&hills);
+    Snapshot moment = momentsOf(hills).deep;
+    TipState& state = moment.sample.output.model;
+    state.closest.point.x() = state.tip.x() + 2.0 * plot.halfWidth();
+    plot.showSnapshot(moment);
+    ASSERT_TRUE(plot.section());
+    const QPointF contact = plot.toPixel(plot.section()->contact);
+    EXPECT_LT(std::abs(contact.x() - 0.5 * plot.width()), 0.45 * plot.width());
+}
+
 /// On a flank the tip hovered clear of the surface, and the ends of the contact floated in it.
 TEST_F(ContactPlotTest, TurnsThroughAContactThatLiesBesideItsPlane) {
     const Scene hills = hillyScene();
