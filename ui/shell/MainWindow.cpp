@@ -10,10 +10,12 @@
 #include "ui/widgets/Card.h"
 #include "ui/widgets/NumberBox.h"
 
+#include <QAbstractButton>
 #include <QAction>
 #include <QCloseEvent>
 #include <QDialog>
 #include <QDragEnterEvent>
+#include <QKeyEvent>
 #include <QMenu>
 #include <QMenuBar>
 #include <QMimeData>
@@ -276,6 +278,16 @@ void MainWindow::closeEvent(QCloseEvent* event) {
 }
 
 /// QStatusBar hides what a message covers only where that is on the screen already.
+void MainWindow::keyPressEvent(QKeyEvent* event) {
+    auto* const button = qobject_cast<QAbstractButton*>(focusWidget());
+    const bool isReturn = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
+    if (isReturn && button != nullptr) {
+        button->click();
+    } else {
+        QMainWindow::keyPressEvent(event);
+    }
+}
+
 void MainWindow::showEvent(QShowEvent* event) {
     QMainWindow::showEvent(event);
     if (const QString message = statusBar()->currentMessage(); !message.isEmpty()) {

@@ -203,6 +203,45 @@ void GainSpinBox::stepBy(int steps) {
     setValue(next);
 }
 
+UsualBox::UsualBox(double low, double high, QWidget* parent)
+    : GainSpinBox(low, high, parent), usual_(low) {
+    setMuted(true);
+    connect(lineEdit(), &QLineEdit::textEdited, this,
+            [this](const QString& text) { isEmptied_ = text.trimmed().isEmpty(); });
+    connect(this, qOverload<double>(&QDoubleSpinBox::valueChanged), this, [this](double number) {
+        typed_ = isEmptied_ ? std::nullopt : std::optional(number);
+        setMuted(!typed_);
+    });
+    connect(this, &QAbstractSpinBox::editingFinished, this, [this] {
+        if (std::exchange(isEmptied_, false)) {
+            typed_.reset();
+            showNumber();
+        }
+    });
+}
+
+void UsualBox::setUsual(double usual, double least) {
+    usual_ = usual;
+    const QSignalBlocker blocker(this);  // a number below the limit is still the one that was typed
+    setMinimum(least);
+    showNumber();
+}
+
+void UsualBox::showNumber() {
+    const QSignalBlocker blocker(this);
+    setValue(typed_.value_or(usual_));
+    setMuted(!typed_);
+}
+
+QValidator::State UsualBox::validate(QString& text, int& position) const {
+    return text.trimmed().isEmpty() ? QValidator::Acceptable
+                                    : GainSpinBox::validate(text, position);
+}
+
+double UsualBox::valueFromText(const QString& text) const {
+    return text.trimmed().isEmpty() ? usual_ : GainSpinBox::valueFromText(text);
+}
+
 LengthBox::LengthBox(QWidget* parent) : GainSpinBox(kLow, kHigh, parent) {
     setSpecialValueText(QStringLiteral(" "));  // Qt takes an empty one for none
     setValue(kLow);

@@ -9,6 +9,7 @@
 #include <QString>
 
 #include <functional>
+#include <optional>
 #include <vector>
 
 class QWidget;
@@ -76,6 +77,27 @@ public:
     GainSpinBox(double low, double high, QWidget* parent = nullptr);
 
     void stepBy(int steps) override;
+};
+
+/// A gain box that shows what is usual, muted, until another number is typed, and again once it is
+/// emptied.
+class UsualBox : public GainSpinBox {
+public:
+    UsualBox(double low, double high, QWidget* parent = nullptr);
+
+    /// Sets what is usual, and the least that can be typed. A number that was typed stays, and is
+    /// shown as soon as it is at least that.
+    void setUsual(double usual, double least);
+
+    QValidator::State validate(QString& text, int& position) const override;
+    [[nodiscard]] double valueFromText(const QString& text) const override;
+
+private:
+    void showNumber();
+
+    double usual_;
+    std::optional<double> typed_;
+    bool isEmptied_ = false;
 };
 
 /// A number box for a number above 0 that is not known yet: empty until one is typed or set. Each

@@ -4,8 +4,11 @@
 #include "app/window/live/LivePanels.h"
 #include "core/words/BudgetWords.h"
 #include "core/words/SceneWords.h"
+#include "ui/shell/Menus.h"
 #include "ui/widgets/ReadingBudget.h"
 #include "ui/widgets/ShownText.h"
+
+#include <QAction>
 
 #include <cmath>
 #include <utility>
@@ -55,6 +58,7 @@ EngageControl::EngageControl(Stage& stage) : Feature(stage), devices_(stage.get<
         }
     });
     connect(&bar, &EngageBar::withdrawChosen, this, &EngageControl::withdraw);
+    addEntries();
     connect(&bar, &EngageBar::setpointChanged, this, &EngageControl::setSetpoint);
     connect(&bar, &EngageBar::holdChosen, this, &EngageControl::chooseHold);
     connect(&devices_, &DeviceControl::heightWanted, this, &EngageControl::holdHeight);
@@ -68,6 +72,30 @@ EngageControl::EngageControl(Stage& stage) : Feature(stage), devices_(stage.get<
     });
     connect(&edits_, &SceneEdits::changed, this, &EngageControl::showSetpoint);
     connect(&runs_, &RunControl::recordingShown, this, [this] { live_.engage().showError({}); });
+}
+
+void EngageControl::addEntries() {
+    const QAction& engage =
+        host_.menus().add({MenuName::Run, 1, 1}, "engageTip",
+                          {.text = tr("&Engage"),
+                           .tip = tr("Approach the sample until the force reaches the setpoint"),
+                           .shortcuts = {tr("F5")},
+                           .refusal = [this] { return engageRefusal(); }});
+    connect(&engage, &QAction::triggered, &live_.engage(), &EngageBar::engageChosen);
+    const QAction& withdraw =
+        host_.menus().add({MenuName::Run, 1, 2}, "withdrawTip",
+                          {.text = tr("&Withdraw"),
+                           .tip = tr("Rise out of the sample's reach"),
+                           .shortcuts = {tr("Shift+F5")},
+                           .refusal = [this] { return runs_.moveRefusal(); }});
+    connect(&withdraw, &QAction::triggered, &live_.engage(), &EngageBar::withdrawChosen);
+}
+
+QString EngageControl::engageRefusal() const {
+    const QString fixed = runs_.moveRefusal();
+    return fixed.isEmpty() && runs_.run()->coupling().coupled() != nullptr
+               ? tr("The operator approaches with the force-feedback device")
+               : fixed;
 }
 
 void EngageControl::forget() {
@@ -260,12 +288,8 @@ void EngageControl::followHold() {
 
 void EngageControl::advance() {
     followWithdrawal();
-    const QString hidden = runs_.tipRefusal();
-    const bool isCoupled = runs_.run()->coupling().coupled() != nullptr;
-    live_.engage().setRefusals(hidden.isEmpty() && isCoupled
-                                   ? tr("The operator approaches with the force-feedback device")
-                                   : hidden,
-                               hidden);
+    live_.engage().setRefusals(engageRefusal(), runs_.moveRefusal());
+    live_.engage().setHoldRefusal(holdRefusal());
     followApproach();
     followHold();
 }

@@ -40,6 +40,9 @@ Q_SIGNALS:
     void failed();
 
 private:
+    void addEntries();
+    /// Returns why the tip cannot approach now; empty: it can.
+    [[nodiscard]] QString engageRefusal() const;
     void followApproach();
     void followWithdrawal();
     void followHold();

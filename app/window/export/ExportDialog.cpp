@@ -94,13 +94,9 @@ void FilmFields::addLook(QFormLayout& form) {
     for (const ExportOption& view : offer_.filmViews) {
         view_->addItem(view.name, view.key);
     }
-    speed_ = named(new QDoubleSpinBox, "exportSpeed",
+    speed_ = named(new GainSpinBox(0.001, 100.0), "exportSpeed",
                    tr("Seconds of the run per second of the film; 0.1: ten times slower"));
-    speed_->setRange(0.001, 100.0);
-    speed_->setDecimals(3);
-    speed_->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
-    speed_->setPrefix(tr("Speed "));
-    speed_->setSuffix(tr(" ×"));
+    speed_->setSuffix(tr(" × speed"));
     guardFromWheel(*speed_);
     fps_ = newNumber("exportFps", tr(" frames/s"), 1, 240, tr("Frame rate of the film"));
     form.addRow(tr("Vie&w"), view_);

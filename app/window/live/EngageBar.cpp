@@ -57,8 +57,8 @@ EngageBar::EngageBar(QWidget* parent)
     , units_{{tr("nN"), 1e9}}
     , box_(new GainSpinBox(1e9 * kMinSetpoint, 1e9 * kMaxSetpoint, this))
     , unit_(engageChoice("setpointUnit", {units_.front().name}, this))
-    , rate_(new GainSpinBox(kMinRamp, kMaxRate, this))
-    , size_(new GainSpinBox(kMinRamp, kMaxSize, this))
+    , rate_(new UsualBox(kMinRamp, kMaxRate, this))
+    , size_(new UsualBox(kMinRamp, kMaxSize, this))
     , engage_(engageButton("engage", tr("Engage"), this))
     , withdraw_(engageButton("withdraw", tr("Withdraw"), this))
     , hold_(engageChoice("hold", {tr("force"), tr("height")}, this))
@@ -131,29 +131,17 @@ void EngageBar::addRamp() {
               caption(tr("nm/s"), *rate_)});
 }
 
-void EngageBar::addRampBox(GainSpinBox& box, const char* name, const QString& spoken,
+void EngageBar::addRampBox(UsualBox& box, const char* name, const QString& spoken,
                            const QString& toolTip) {
     box.setObjectName(QString::fromUtf8(name));
     box.setToolTip(toolTip);
     box.setAccessibleName(spoken);
     box.setFixedSize(theme::scaled(kRampWidth), theme::scaled(kEngageHeight));
     guardFromWheel(box);
-    box.setMuted(true);
-    connect(&box, qOverload<double>(&QDoubleSpinBox::valueChanged), &box,
-            [&box] { box.setMuted(false); });
-    connect(box.findChild<QLineEdit*>(), &QLineEdit::textEdited, &box, [&box](const QString& text) {
-        if (text.trimmed().isEmpty()) {
-            box.setMuted(true);
-        }
-    });
-    connect(&box, &QDoubleSpinBox::editingFinished, this, &EngageBar::showUsualRamp);
 }
 
 void EngageBar::addHold() {
-    hold_->setToolTip(
-        tr("In contact: a feedback holds the force at the setpoint by moving the "
-           "lever up and down, or the height of the lever stays. While a force is held the tip "
-           "follows the mouse no faster than the feedback allows"));
+    setHoldRefusal({});
     hold_->setAccessibleName(tr("What is held in contact"));
     auto* caption = captionLabel(tr("Hold"), this);
     caption->setToolTip(hold_->toolTip());
@@ -213,21 +201,11 @@ Ramp EngageBar::ramp() const {
 }
 
 void EngageBar::setUsualRamp(const Ramp& usual) {
-    usual_ = usual;
-    const QSignalBlocker blocker(size_);
-    size_->setRange(QString::number(kNanoRamp * usual.size, 'g', 2).toDouble(), kMaxSize);
-    showUsualRamp();
-}
-
-void EngageBar::showUsualRamp() {
-    const auto show = [](GainSpinBox& box, double length) {
-        if (box.isMuted()) {
-            const QSignalBlocker blocker(box);
-            box.setValue(QString::number(kNanoRamp * length, 'g', 2).toDouble());
-        }
+    const auto shown = [](double number) {
+        return QString::number(kNanoRamp * number, 'g', 2).toDouble();
     };
-    show(*rate_, usual_.rate);
-    show(*size_, usual_.size);
+    rate_->setUsual(shown(usual.rate), kMinRamp);
+    size_->setUsual(shown(usual.size), shown(usual.size));
 }
 
 bool EngageBar::holdsForce() const { return hold_->currentIndex() == 0; }
@@ -239,6 +217,15 @@ void EngageBar::setRefusals(const QString& why, const QString& whyNotUp) {
     engage_->setToolTip(why.isEmpty() ? tr("Approach until the force reaches the setpoint") : why);
     withdraw_->setEnabled(whyNotUp.isEmpty());
     withdraw_->setToolTip(whyNotUp.isEmpty() ? tr("Rise out of the sample's reach") : whyNotUp);
+}
+
+void EngageBar::setHoldRefusal(const QString& why) {
+    hold_->setEnabled(why.isEmpty());
+    hold_->setToolTip(
+        why.isEmpty() ? tr("In contact: a feedback holds the force at the setpoint by moving the "
+                           "lever up and down, or the height of the lever stays. While a force is "
+                           "held the tip follows the mouse no faster than the feedback allows")
+                      : why);
 }
 
 void EngageBar::showError(const QString& error) { error_->setText(error); }

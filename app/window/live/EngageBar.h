@@ -13,6 +13,7 @@ class QPushButton;
 namespace asperity {
 
 class GainSpinBox;
+class UsualBox;
 
 /// Unit in which a setpoint is typed.
 struct SetpointUnit {
@@ -53,6 +54,8 @@ public:
     /// @param why it cannot engage, for the button's tool tip; empty: it can
     /// @param whyNotUp the same of withdrawing
     void setRefusals(const QString& why, const QString& whyNotUp);
+    /// @param why no force can be held, for the tool tip of the list; empty: one can
+    void setHoldRefusal(const QString& why);
     /// Shows how well the force is held. @param error in words; empty: it is not held
     void showError(const QString& error);
 
@@ -68,20 +71,17 @@ private:
     void addGroup(std::initializer_list<QWidget*> widgets);
     void addSetpoint();
     void addRamp();
-    void addRampBox(GainSpinBox& box, const char* name, const QString& spoken,
-                    const QString& toolTip);
+    void addRampBox(UsualBox& box, const char* name, const QString& spoken, const QString& toolTip);
     void addHold();
     [[nodiscard]] const SetpointUnit& unit() const;
     void showSetpoint();
-    void showUsualRamp();
 
     double setpoint_;  ///< [N]
-    Ramp usual_;
     std::vector<SetpointUnit> units_;
     GainSpinBox* box_;
     QComboBox* unit_;
-    GainSpinBox* rate_;  ///< [nm/s]; muted: the usual one
-    GainSpinBox* size_;  ///< [nm]; same
+    UsualBox* rate_;  ///< [nm/s]
+    UsualBox* size_;  ///< [nm]
     QPushButton* engage_;
     QPushButton* withdraw_;
     QComboBox* hold_;

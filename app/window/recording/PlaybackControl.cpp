@@ -274,6 +274,7 @@ void PlaybackControl::end() {
     rewindPanels();
     page_->setRun(0, {}, {});
     host_.hideTool(page_);
+    host_.tell(tr("The live run is shown again"));
     Q_EMIT ended();
 }
 

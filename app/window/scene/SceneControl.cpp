@@ -158,8 +158,13 @@ void SceneControl::open(const std::filesystem::path& input, const SceneOverrides
            .position = [kept] { return keptTip(*kept); },
            .opened =
                [this, input, kept, like = asked.like, isScan] {
-                   if (like && *isScan) {
-                       tellWhatStays(input, *like);
+                   if (like) {
+                       if (*isScan) {
+                           tellWhatStays(input, *like);
+                       } else {
+                           host_.tell(
+                               tr("%1 · %2").arg(shownPath(input.filename()), partsInWords()));
+                       }
                    }
                    Q_EMIT opened(input);
                    if (!kept->isEmpty()) {
@@ -171,21 +176,25 @@ void SceneControl::open(const std::filesystem::path& input, const SceneOverrides
           failureWords);
 }
 
+/// Material, tip, lever and setpoint of the scene that is shown.
+QString SceneControl::partsInWords() const {
+    const Scene& scene = runs_.run()->scene();
+    const SceneDescription& description = scene.description;
+    return tr("%1, tip of %2, lever of %3, setpoint of %4")
+        .arg(QString::fromStdString(description.sample.material.name)
+                 .replace(QLatin1Char('_'), QLatin1Char(' ')),
+             siText(description.tip.radius, "m"),
+             siText(scene.belief.cantilever.stiffness(), "N/m"), siText(description.setpoint, "N"));
+}
+
 /// A height map says nothing of material, tip and lever.
 void SceneControl::tellWhatStays(const std::filesystem::path& input,
                                  const SceneDescription& before) {
-    const SceneDescription& scene = runs_.run()->scene().description;
-    const QString material =
-        QString::fromStdString(scene.sample.material.name).replace(QLatin1Char('_'), ' ');
-    const QString tip = siText(scene.tip.radius, "m");
-    const QString lever = siText(runs_.run()->scene().belief.cantilever.stiffness(), "N/m");
-    const QString setpoint = siText(scene.setpoint, "N");
+    const QString name = shownPath(input.filename());
     host_.tell(before.sample.material.maps.any()
-                   ? tr("%1 · material: %2 (the one before had maps of its scan) · as before: tip "
-                        "of %3, lever of %4, setpoint of %5")
-                         .arg(shownPath(input.filename()), material, tip, lever, setpoint)
-                   : tr("%1 · as before: %2, tip of %3, lever of %4, setpoint of %5")
-                         .arg(shownPath(input.filename()), material, tip, lever, setpoint));
+                   ? tr("%1 · as before, but the material, which had maps of its scan: %2")
+                         .arg(name, partsInWords())
+                   : tr("%1 · as before: %2").arg(name, partsInWords()));
 }
 
 void SceneControl::open(const std::filesystem::path& input, const LongWork<LoadedScene>::Work& load,

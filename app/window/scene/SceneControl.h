@@ -69,6 +69,7 @@ private:
     void addEntries();
     void showHistory();
     void chooseChannel(const QString& name);
+    [[nodiscard]] QString partsInWords() const;
     void tellWhatStays(const std::filesystem::path& input, const SceneDescription& before);
     /// @param words of the reason; none: the reason
     void fail(const std::exception_ptr& reason, const FailureWords& words);

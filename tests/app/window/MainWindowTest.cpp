@@ -20,6 +20,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QMessageBox>
+#include <QPushButton>
 #include <QScreen>
 #include <QScrollArea>
 #include <QScrollBar>
@@ -132,6 +133,17 @@ TEST_F(MainWindowTest, TheLargeViewNeverVanishes) {
     handleEvents();
     EXPECT_GE(panels.view().width(), 170);
     EXPECT_GE(panels.view().height(), 150);
+}
+
+TEST_F(MainWindowTest, ReturnPressesTheButtonThatHasTheFocus) {
+    auto* page = new QPushButton(QStringLiteral("Start a tool"));
+    QSignalSpy pressed(page, &QPushButton::clicked);
+    window.addTool(page, QStringLiteral("Tool"));
+    window.showTool(page);
+    showAt({1280, 800});
+    page->setFocus();
+    QTest::keyClick(page, Qt::Key_Return);
+    EXPECT_EQ(pressed.count(), 1);
 }
 
 TEST_F(MainWindowTest, AsksBeforeItClosesWhileSomethingWouldEnd) {

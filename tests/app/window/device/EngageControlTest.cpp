@@ -6,6 +6,7 @@
 #include "ui/view/ZoomView.h"
 #include "ui/widgets/NumberBox.h"
 
+#include <QApplication>
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QLabel>
@@ -188,6 +189,32 @@ TEST_F(EngageControlTest, AnEmptiedRampIsTheUsualOneAgain) {
     QTest::keyClick(&rate, Qt::Key_Return);
     EXPECT_TRUE(rate.isMuted());
     EXPECT_EQ(rate.value(), usual);
+    EXPECT_TRUE(rate.hasAcceptableInput()) << "an emptied box is no error";
+}
+
+/// A sample that needs more took the number for good.
+TEST_F(EngageControlTest, ATypedRampOutlivesASampleThatNeedsALongerOne) {
+    useFlatScene();
+    auto& size = *window.findChild<UsualBox*>("rampSize");
+    panels.engage().setUsualRamp({.rate = 1e-8, .size = 10e-9});
+    size.setValue(20.0);
+    panels.engage().setUsualRamp({.rate = 1e-8, .size = 40e-9});
+    EXPECT_EQ(size.value(), 40.0);
+    EXPECT_FALSE(size.isMuted());
+    panels.engage().setUsualRamp({.rate = 1e-8, .size = 10e-9});
+    EXPECT_EQ(size.value(), 20.0);
+}
+
+TEST_F(EngageControlTest, TheKeyboardAloneEngagesAndWithdraws) {
+    useFlatScene();
+    window.menus().refresh();
+    window.show();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(&window));
+    QApplication::setActiveWindow(&window);
+    QTest::keyClick(&window, Qt::Key_F5);
+    ASSERT_TRUE(framesUntil([this] { return engaged(); })) << told();
+    QTest::keyClick(&window, Qt::Key_F5, Qt::ShiftModifier);
+    EXPECT_EQ(told(), "Withdrawing");
 }
 
 TEST_F(EngageControlTest, WithdrawsOutOfTheSamplesReachAlsoWhileItEngages) {
