@@ -35,6 +35,7 @@ ARROWS = {
     "core/probe": "core/contact/laws core/surface/sample",
     "core/scene": "core/contact/displacement core/probe core/surface/deformation core/surface/imaging"
                   " core/surface/leveling core/surface/measure core/surface/synthetic",
+    "core/identify": "core/contact/laws core/curves",
     "core/deformation": "core/contact/halfspace core/scene",
     "core/haptics/cycle": "core/scene",
     "core/haptics/device": "core/realtime core/scene",
