@@ -90,6 +90,7 @@ ARROWS = {
     "app/recording": "app/runs core/io/heightmap core/io/zip",
     "app/loading": "app/recording core/io/loading",
     "app/charts": "core/io vtkplugins/pictures",
+    "app/curves": "app/charts app/program core/identify core/io/tables",
     "app/reports": "app/charts app/runs core/io/fields core/studies core/studies/extremes ui/view",
     "app/reports/page": "app/charts",
     "app/reports/run": "app/reports app/reports/page",
@@ -106,7 +107,7 @@ ARROWS = {
     "app/window/lab": "app/window/curve app/window/device app/window/export app/window/fidelity"
                       " app/window/map app/window/measure app/window/recording app/window/scene"
                       " app/window/session app/window/study",
-    "app/commands": "app/reports/run app/window/lab",
+    "app/commands": "app/curves app/reports/run app/window/lab",
     "app": "app/commands",  # main
     "tools/samples": "app",
     "tools/screenshots": "app",

@@ -27,7 +27,7 @@ struct ThinnedBranch {
     }
 };
 
-ThinnedBranch thinned(const CurveBranch& approach, const std::vector<double>& force) {
+ThinnedBranch thinned(const BranchSamples& approach, const std::vector<double>& force) {
     const std::size_t step = std::max<std::size_t>(1, approach.size() / kMostSamples);
     ThinnedBranch result;
     for (std::size_t first = 0; first + step <= approach.size(); first += step) {
@@ -44,7 +44,7 @@ ThinnedBranch thinned(const CurveBranch& approach, const std::vector<double>& fo
 }
 
 /// From the largest force back to where the smoothed force is down at six standard deviations.
-std::optional<double> byDeviation(const CurveBranch& approach, const std::vector<double>& force,
+std::optional<double> byDeviation(const BranchSamples& approach, const std::vector<double>& force,
                                   double noise) {
     constexpr double kDeparture = 6.0;
     constexpr std::size_t kWindows = 400;
@@ -130,7 +130,7 @@ std::optional<double> byGradient(const ThinnedBranch& branch) {
 
 }  // namespace
 
-std::optional<double> contactPoint(ContactMethod method, const CurveBranch& approach,
+std::optional<double> contactPoint(ContactMethod method, const BranchSamples& approach,
                                    const std::vector<double>& force, double noise,
                                    double exponent) {
     if (method == ContactMethod::Deviation) {

@@ -29,7 +29,8 @@ inline constexpr auto kEnumTable<ContactMethod> =
 /// Returns the base [m] at which the approach touches the sample; none where the method finds no
 /// contact, or one outside the data. @param method any but Model  @param force without baseline [N]
 /// @param noise of one sample [N]  @param exponent of force over indentation
-[[nodiscard]] std::optional<double> contactPoint(ContactMethod method, const CurveBranch& approach,
+[[nodiscard]] std::optional<double> contactPoint(ContactMethod method,
+                                                 const BranchSamples& approach,
                                                  const std::vector<double>& force, double noise,
                                                  double exponent = 1.5);
 

@@ -122,9 +122,9 @@ std::vector<double> scaled(const std::vector<double>& values, double factor) {
     return result;
 }
 
-CurveBranch branchOf(const CurveSegment& segment, const LeverCalibrated& lever,
-                     const PreparationOptions& options) {
-    CurveBranch branch;
+BranchSamples branchOf(const CurveSegment& segment, const LeverCalibrated& lever,
+                       const PreparationOptions& options) {
+    BranchSamples branch;
     branch.time = segment.time;
     const bool fromVolts =
         !segment.signal.empty() && lever.invols > 0.0 &&
@@ -163,7 +163,7 @@ std::vector<CurveSegment>::const_iterator deepestApproach(const MeasuredForceCur
     return found;
 }
 
-CurveBaseline lineUpTo(const CurveBranch& approach, double nearEnd, bool tilt) {
+CurveBaseline lineUpTo(const BranchSamples& approach, double nearEnd, bool tilt) {
     LineFit line(approach.base.front(), approach.force.front());
     double differences = 0.0;
     double pairs = 0.0;
@@ -187,7 +187,7 @@ CurveBaseline lineUpTo(const CurveBranch& approach, double nearEnd, bool tilt) {
     return result;
 }
 
-std::vector<double> forceAbove(const CurveBranch& branch, const CurveBaseline& line,
+std::vector<double> forceAbove(const BranchSamples& branch, const CurveBaseline& line,
                                double offset) {
     std::vector<double> result(branch.size());
     for (std::size_t i = 0; i < branch.size(); ++i) {
@@ -197,13 +197,13 @@ std::vector<double> forceAbove(const CurveBranch& branch, const CurveBaseline& l
 }
 
 /// Force above the baseline where the base is deepest.
-double deepestForce(const CurveBranch& approach, const CurveBaseline& line) {
+double deepestForce(const BranchSamples& approach, const CurveBaseline& line) {
     const auto deepest = std::max_element(approach.base.begin(), approach.base.end());
     const auto index = static_cast<std::size_t>(deepest - approach.base.begin());
     return approach.force[index] - line.at(*deepest);
 }
 
-LineFit upperPart(const CurveBranch& branch, const std::vector<double>& force, double stiffness) {
+LineFit upperPart(const BranchSamples& branch, const std::vector<double>& force, double stiffness) {
     constexpr double kLower = 0.2;
     const double largest = largestOf(force);
     LineFit line(branch.base.front(), 0.0);
@@ -215,7 +215,7 @@ LineFit upperPart(const CurveBranch& branch, const std::vector<double>& force, d
     return line;
 }
 
-void turnOver(CurveBranch& branch) {
+void turnOver(BranchSamples& branch) {
     for (double& force : branch.force) {
         force = -force;
     }
@@ -227,7 +227,7 @@ void applyGain(PreparedCurve& curve, double gain, LeverRule rule) {
     const double factor = thermal ? 1.0 / gain : gain;
     curve.gain = gain;
     curve.stiffness *= thermal ? 1.0 / (gain * gain) : 1.0;
-    for (CurveBranch* branch : {&curve.approach, &curve.retract}) {
+    for (BranchSamples* branch : {&curve.approach, &curve.retract}) {
         branch->force = scaled(branch->force, factor);
     }
     curve.baseline.offset *= factor;
@@ -299,7 +299,7 @@ void addSlopeSteps(PreparedCurve& curve, const PreparationOptions& options) {
 
 }  // namespace
 
-double CurveBranch::forceRange() const {
+double BranchSamples::forceRange() const {
     const auto [low, high] = std::minmax_element(force.begin(), force.end());
     return force.empty() ? 0.0 : *high - *low;
 }
@@ -311,7 +311,7 @@ bool ContactSlope::isRigid() const noexcept {
     return approach > 0.0 && unevenness < kStraight && alike;
 }
 
-std::vector<double> PreparedCurve::correctedForce(const CurveBranch& branch) const {
+std::vector<double> PreparedCurve::correctedForce(const BranchSamples& branch) const {
     return forceAbove(branch, baseline, &branch == &retract ? baseline.retractOffset : 0.0);
 }
 
@@ -326,7 +326,7 @@ double PreparedCurve::forceRange() const {
     return most - least;
 }
 
-CurveBaseline baselineOf(const CurveBranch& approach, bool tilt) {
+CurveBaseline baselineOf(const BranchSamples& approach, bool tilt) {
     const auto [far, deep] = std::minmax_element(approach.base.begin(), approach.base.end());
     const CurveBaseline first = lineUpTo(approach, *far + (kFarThird * (*deep - *far)), tilt);
     // Forces of either sign end the part before contact.
@@ -338,7 +338,7 @@ CurveBaseline baselineOf(const CurveBranch& approach, bool tilt) {
     return nearEnd > first.nearEnd ? lineUpTo(approach, nearEnd, tilt) : first;
 }
 
-double retractOffset(const CurveBranch& retract, const CurveBaseline& baseline) {
+double retractOffset(const BranchSamples& retract, const CurveBaseline& baseline) {
     if (retract.size() == 0) {
         return 0.0;
     }

@@ -43,7 +43,7 @@ struct PreparationOptions {
 };
 
 /// One branch of a curve, in the order of time. Arrays of one length, `time` may be empty.
-struct CurveBranch {
+struct BranchSamples {
     std::vector<double> time;   ///< [s]
     std::vector<double> base;   ///< of the lever, growing towards the sample [m]
     std::vector<double> force;  ///< stiffness times deflection, as in the file, > 0 repulsive [N]
@@ -90,8 +90,8 @@ struct PreparationStep {
 
 /// The branches of a curve that identification works on, and what the steps before it found.
 struct PreparedCurve {
-    CurveBranch approach;
-    CurveBranch retract;      ///< empty: the curve has none
+    BranchSamples approach;
+    BranchSamples retract;    ///< empty: the curve has none
     double stiffness = 0.0;   ///< of the lever, corrected [N/m]
     double gain = 1.0;        ///< true over stored InvOLS as it was applied
     bool turnedOver = false;  ///< force and deflection had the wrong sign
@@ -100,7 +100,7 @@ struct PreparedCurve {
     std::vector<PreparationStep> steps;
 
     /// Force without baseline [N].
-    [[nodiscard]] std::vector<double> correctedForce(const CurveBranch& branch) const;
+    [[nodiscard]] std::vector<double> correctedForce(const BranchSamples& branch) const;
     /// Largest less smallest force of the cycle [N].
     [[nodiscard]] double forceRange() const;
 };
@@ -113,9 +113,9 @@ struct PreparedCurve {
 
 /// Fits the part of the approach before contact; the retract's offset is 0.
 /// @param tilt false: a constant
-[[nodiscard]] CurveBaseline baselineOf(const CurveBranch& approach, bool tilt);
+[[nodiscard]] CurveBaseline baselineOf(const BranchSamples& approach, bool tilt);
 /// Mean of the retract above the line where both are far from contact [N]; 0: it does not reach it.
-[[nodiscard]] double retractOffset(const CurveBranch& retract, const CurveBaseline& baseline);
+[[nodiscard]] double retractOffset(const BranchSamples& retract, const CurveBaseline& baseline);
 [[nodiscard]] ContactSlope contactSlope(const PreparedCurve& curve);
 
 }  // namespace asperity

@@ -50,7 +50,7 @@ struct ElasticProblem {
     }
 };
 
-ElasticProblem problemOf(const CurveBranch& branch, double stiffness, const TipLaw& tip,
+ElasticProblem problemOf(const BranchSamples& branch, double stiffness, const TipLaw& tip,
                          double center, std::size_t step) {
     ElasticProblem problem;
     problem.center = center;
@@ -126,7 +126,7 @@ ElasticFit withoutCenter(const FitResult& fit, double center) {
 
 }  // namespace
 
-ElasticFit fitElastic(const CurveBranch& branch, double stiffness, const TipLaw& tip,
+ElasticFit fitElastic(const BranchSamples& branch, double stiffness, const TipLaw& tip,
                       double start) {
     const auto [far, deep] = std::minmax_element(branch.base.begin(), branch.base.end());
     const double center = std::clamp(start, *far, *deep);
@@ -154,9 +154,49 @@ ElasticFit fitElastic(const CurveBranch& branch, double stiffness, const TipLaw&
     return withoutCenter(fit, center);
 }
 
-CurveBranch windowed(const CurveBranch& branch, const std::vector<double>& force,
-                     const ForceWindow& window, double contact) {
-    CurveBranch result;
+ElasticFit fitElasticAt(const BranchSamples& branch, double stiffness, const TipLaw& tip,
+                        double contact) {
+    const ElasticProblem problem = problemOf(branch, stiffness, tip, contact, 1);
+    VectorXd whole = startOf(problem, 0.0);
+    if (!(whole[0] > 0.0)) {
+        throw CurveRefusal("no contact: the force does not rise beyond the given contact point");
+    }
+    const auto spread = [&](const VectorXd& p) {
+        whole << p[0], 0.0, p[1], p[2];
+        return whole;
+    };
+    MatrixXd derivatives(problem.base.size(), 4);
+    VectorXd start(3);
+    start << whole[0], whole[2], whole[3];
+    VectorXd scale(3);
+    const double range = branch.forceRange();
+    scale << whole[0], 1e-2 * range,
+        1e-2 * range / (problem.base.maxCoeff() - problem.base.minCoeff());
+    const FitResult fit =
+        leastSquares([&](const VectorXd& p, VectorXd& r) { problem.residuals(spread(p), r); },
+                     start, scale, branch.size(),
+                     [&](const VectorXd& p, MatrixXd& j) {
+                         problem.jacobian(spread(p), derivatives);
+                         j << derivatives.col(0), derivatives.rightCols(2);
+                     });
+    FitResult all = fit;
+    all.parameters = spread(fit.parameters);
+    all.covariance = MatrixXd::Zero(4, 4);
+    const std::array<Index, 3> places{0, 2, 3};
+    for (Index i = 0; i < 3; ++i) {
+        for (Index j = 0; j < 3; ++j) {
+            all.covariance(places[static_cast<std::size_t>(i)],
+                           places[static_cast<std::size_t>(j)]) = fit.covariance(i, j);
+        }
+    }
+    ElasticFit result = withoutCenter(all, contact);
+    result.contactGiven = true;
+    return result;
+}
+
+BranchSamples windowed(const BranchSamples& branch, const std::vector<double>& force,
+                       const ForceWindow& window, double contact) {
+    BranchSamples result;
     for (std::size_t i = 0; i < branch.size(); ++i) {
         const bool inside = force[i] >= window.low && force[i] <= window.high;
         if (branch.base[i] < contact || inside) {
@@ -170,7 +210,7 @@ CurveBranch windowed(const CurveBranch& branch, const std::vector<double>& force
     return result;
 }
 
-std::vector<double> simulatedForce(const CurveBranch& branch, double stiffness, const TipLaw& tip,
+std::vector<double> simulatedForce(const BranchSamples& branch, double stiffness, const TipLaw& tip,
                                    const ElasticFit& fit) {
     constexpr int kMaxSteps = 50;
     const double soft = fit.reducedModulus / stiffness;
@@ -199,7 +239,7 @@ std::vector<double> simulatedForce(const CurveBranch& branch, double stiffness, 
     return result;
 }
 
-std::vector<double> fittedForce(const CurveBranch& branch, double stiffness, const TipLaw& tip,
+std::vector<double> fittedForce(const BranchSamples& branch, double stiffness, const TipLaw& tip,
                                 const ElasticFit& fit) {
     std::vector<double> result(branch.size());
     for (std::size_t i = 0; i < branch.size(); ++i) {

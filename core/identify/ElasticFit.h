@@ -30,6 +30,7 @@ struct ElasticFit {
     Eigen::Matrix4d covariance = Eigen::Matrix4d::Zero();
     double rms = 0.0;  ///< of the residual [N]
     bool converged = false;
+    bool contactGiven = false;  ///< it was not fitted
 
     [[nodiscard]] double baselineAt(double base) const noexcept { return offset + (slope * base); }
     /// Indentation at the measured deflection [m].
@@ -40,20 +41,23 @@ struct ElasticFit {
 
 /// @param start base near the contact [m]  @param tip its table covers what the fit needs
 /// @throw CurveRefusal when no contact is found in the data
-[[nodiscard]] ElasticFit fitElastic(const CurveBranch& branch, double stiffness, const TipLaw& tip,
-                                    double start);
+[[nodiscard]] ElasticFit fitElastic(const BranchSamples& branch, double stiffness,
+                                    const TipLaw& tip, double start);
+/// The same with a given contact point. @param contact base at contact [m]
+[[nodiscard]] ElasticFit fitElasticAt(const BranchSamples& branch, double stiffness,
+                                      const TipLaw& tip, double contact);
 
 /// Returns the samples of a branch whose force, without baseline, is in the window or that come
 /// before contact. @param contact base at contact [m]
-[[nodiscard]] CurveBranch windowed(const CurveBranch& branch, const std::vector<double>& force,
-                                   const ForceWindow& window, double contact);
+[[nodiscard]] BranchSamples windowed(const BranchSamples& branch, const std::vector<double>& force,
+                                     const ForceWindow& window, double contact);
 
 /// Force at each base of a branch by the fit alone, base motion and lever: what the deflection was
 /// is not asked [N].
-[[nodiscard]] std::vector<double> simulatedForce(const CurveBranch& branch, double stiffness,
+[[nodiscard]] std::vector<double> simulatedForce(const BranchSamples& branch, double stiffness,
                                                  const TipLaw& tip, const ElasticFit& fit);
 /// Force of the fit at each indentation measured, with its baseline [N].
-[[nodiscard]] std::vector<double> fittedForce(const CurveBranch& branch, double stiffness,
+[[nodiscard]] std::vector<double> fittedForce(const BranchSamples& branch, double stiffness,
                                               const TipLaw& tip, const ElasticFit& fit);
 
 }  // namespace asperity

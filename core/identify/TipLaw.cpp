@@ -14,7 +14,7 @@ constexpr double kThreeSides = 0.887;
 constexpr double kMaxAngle = 89.0 * std::numbers::pi / 180.0;
 constexpr std::size_t kTipNodes = 256;
 
-void checkTip(const TipShape& tip, const SampleFilm& film) {
+void checkTip(const TipForm& tip, const SampleFilm& film) {
     if (hasRadius(tip.kind) && !(tip.radius >= 1e-12 && tip.radius <= 1.0)) {
         throw Error("the radius of a tip must be within 1e-12 to 1 m");
     }
@@ -26,7 +26,7 @@ void checkTip(const TipShape& tip, const SampleFilm& film) {
     }
 }
 
-double factorOf(const TipShape& tip) {
+double factorOf(const TipForm& tip) {
     switch (tip.kind) {
     case TipKind::Paraboloid:
         return 4.0 / 3.0 * std::sqrt(tip.radius);
@@ -51,7 +51,7 @@ IndentationPoint overUnitModulus(const std::optional<LawPoint>& point) {
 
 }  // namespace
 
-std::optional<double> exponentOf(const TipShape& tip) noexcept {
+std::optional<double> exponentOf(const TipForm& tip) noexcept {
     switch (tip.kind) {
     case TipKind::Sphere:
     case TipKind::Paraboloid:
@@ -65,7 +65,7 @@ std::optional<double> exponentOf(const TipShape& tip) noexcept {
     }
 }
 
-TipLaw::TipLaw(const TipShape& tip, const SampleFilm& film, double largest)
+TipLaw::TipLaw(const TipForm& tip, const SampleFilm& film, double largest)
     : tip_(tip), filmThickness_(film.thickness), factor_(factorOf(tip)) {
     checkTip(tip, film);
     if (film.thickness > 0.0) {

@@ -42,7 +42,7 @@ inline constexpr auto
            kind == TipKind::Pyramid4;
 }
 
-struct TipShape {
+struct TipForm {
     TipKind kind = TipKind::Paraboloid;
     double radius = 0.0;  ///< where the kind has one [m]
     double angle = 0.0;   ///< of cone or face to the axis, where the kind has one [rad]
@@ -50,7 +50,7 @@ struct TipShape {
 };
 
 /// Exponent of force over indentation of a small contact: 1.5 or 2; none: it varies.
-[[nodiscard]] std::optional<double> exponentOf(const TipShape& tip) noexcept;
+[[nodiscard]] std::optional<double> exponentOf(const TipForm& tip) noexcept;
 
 /// A film of the sample on a rigid base.
 struct SampleFilm {
@@ -69,9 +69,9 @@ public:
     /// @param largest indentation that the table covers [m]; beyond it a call takes longer
     /// @throw Error for a radius or an angle out of range, and for a film under another tip than a
     ///        paraboloid: its law is of that
-    TipLaw(const TipShape& tip, const SampleFilm& film, double largest);
+    TipLaw(const TipForm& tip, const SampleFilm& film, double largest);
 
-    [[nodiscard]] const TipShape& tip() const noexcept { return tip_; }
+    [[nodiscard]] const TipForm& tip() const noexcept { return tip_; }
     /// Force and stiffness at an indentation > 0; from the table, without the contact radius.
     [[nodiscard]] IndentationPoint at(double indentation) const noexcept {
         if (exponent_ == 2.0) {
@@ -100,7 +100,7 @@ private:
     [[nodiscard]] IndentationPoint tabulated(double indentation, double root) const noexcept;
     void tabulate(double largest);
 
-    TipShape tip_;
+    TipForm tip_;
     double filmThickness_ = 0.0;
     std::shared_ptr<const FilmTable> filmTable_;
     std::optional<AreaPunch> area_;
