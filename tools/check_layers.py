@@ -36,6 +36,7 @@ ARROWS = {
     "core/scene": "core/contact/displacement core/probe core/surface/deformation core/surface/imaging"
                   " core/surface/leveling core/surface/measure core/surface/synthetic",
     "core/identify": "core/contact/laws core/curves",
+    "core/identify/cycle": "core/identify",
     "core/deformation": "core/contact/halfspace core/scene",
     "core/haptics/cycle": "core/scene",
     "core/haptics/device": "core/realtime core/scene",
