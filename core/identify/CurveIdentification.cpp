@@ -264,7 +264,7 @@ ComparedBranch compared(const BranchSamples& branch, double stiffness, const Tip
 }
 
 /// Sum of squares of residuals and their number.
-struct SquareSum {
+struct RestSum {
     double squares = 0.0;
     double count = 0.0;
 
@@ -275,14 +275,14 @@ struct SquareSum {
     [[nodiscard]] double rms() const { return count > 0.0 ? std::sqrt(squares / count) : 0.0; }
 };
 
-struct BranchSquares {
-    SquareSum contact;
-    SquareSum all;
-    SquareSum forward;
+struct BranchRests {
+    RestSum contact;
+    RestSum all;
+    RestSum forward;
 };
 
-BranchSquares squaresOf(const ComparedBranch& branch) {
-    BranchSquares result;
+BranchRests restsOf(const ComparedBranch& branch) {
+    BranchRests result;
     for (std::size_t i = 0; i < branch.corrected.size(); ++i) {
         const double rest = branch.corrected[i] - branch.fitted[i];
         result.all.add(rest);
@@ -294,14 +294,14 @@ BranchSquares squaresOf(const ComparedBranch& branch) {
     return result;
 }
 
-SquareSum both(const SquareSum& one, const SquareSum& other) {
+RestSum both(const RestSum& one, const RestSum& other) {
     return {one.squares + other.squares, one.count + other.count};
 }
 
 void addResiduals(CurveIdentification& result) {
-    const BranchSquares approach = squaresOf(result.approach);
-    const BranchSquares retract = squaresOf(result.retract);
-    const auto add = [&](const char* key, const SquareSum& sum) {
+    const BranchRests approach = restsOf(result.approach);
+    const BranchRests retract = restsOf(result.retract);
+    const auto add = [&](const char* key, const RestSum& sum) {
         result.residuals.push_back({key, sum.rms() / result.forceRange});
     };
     add("rms_approach_contact", approach.contact);

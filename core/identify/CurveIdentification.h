@@ -64,6 +64,13 @@ struct FitCorrelation {
     double value = 0.0;
 };
 
+/// Another fit of the same curve.
+struct FitVariant {
+    std::string key;  ///< "rigid", "elastic", "one", "two"
+    std::vector<IdentifiedValue> parameters;
+    std::vector<FitNumber> residuals;
+};
+
 /// A branch as measured and as simulated. Arrays of one length; `time` may be empty.
 struct ComparedBranch {
     BranchSamples measured;          ///< calibrated, its baseline not taken off
@@ -80,6 +87,7 @@ struct CurveIdentification {
     std::vector<std::string> reasons;  ///< for the verdict, and what limits the values
     std::vector<IdentifiedValue> parameters;
     std::vector<FitNumber> residuals;  ///< rms, as shares of the force range
+    std::vector<FitVariant> variants;
     std::vector<FitNumber> tests;
     std::vector<FitNumber> contactPoints;  ///< base by each method [m]
     std::vector<FitCorrelation> correlations;

@@ -147,6 +147,12 @@ BranchSamples branchOf(const CurveSegment& segment, const LeverCalibrated& lever
     return branch;
 }
 
+void append(BranchSamples& all, const BranchSamples& more) {
+    all.time.insert(all.time.end(), more.time.begin(), more.time.end());
+    all.base.insert(all.base.end(), more.base.begin(), more.base.end());
+    all.force.insert(all.force.end(), more.force.begin(), more.force.end());
+}
+
 std::vector<CurveSegment>::const_iterator deepestApproach(const MeasuredForceCurve& curve) {
     auto found = curve.segments.end();
     for (auto segment = curve.segments.begin(); segment != curve.segments.end(); ++segment) {
@@ -227,7 +233,7 @@ void applyGain(PreparedCurve& curve, double gain, LeverRule rule) {
     const double factor = thermal ? 1.0 / gain : gain;
     curve.gain = gain;
     curve.stiffness *= thermal ? 1.0 / (gain * gain) : 1.0;
-    for (BranchSamples* branch : {&curve.approach, &curve.retract}) {
+    for (BranchSamples* branch : {&curve.approach, &curve.dwell, &curve.retract}) {
         branch->force = scaled(branch->force, factor);
     }
     curve.baseline.offset *= factor;
@@ -381,12 +387,16 @@ PreparedCurve prepareCurve(const MeasuredForceCurve& curve, const PreparationOpt
         });
     if (retract != curve.segments.end()) {
         result.retract = branchOf(*retract, lever, options);
+        for (auto pause = approach + 1; pause < retract; ++pause) {
+            append(result.dwell, branchOf(*pause, lever, options));
+        }
     }
     result.baseline = baselineOf(result.approach, options.tilt);
     const double deepest = deepestForce(result.approach, result.baseline);
     if (options.sign && deepest < -kTurned * result.baseline.noise) {
         result.turnedOver = true;
         turnOver(result.approach);
+        turnOver(result.dwell);
         turnOver(result.retract);
         result.baseline = baselineOf(result.approach, options.tilt);
     }

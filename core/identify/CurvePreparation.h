@@ -91,6 +91,7 @@ struct PreparationStep {
 /// The branches of a curve that identification works on, and what the steps before it found.
 struct PreparedCurve {
     BranchSamples approach;
+    BranchSamples dwell;      ///< pauses between both; often empty
     BranchSamples retract;    ///< empty: the curve has none
     double stiffness = 0.0;   ///< of the lever, corrected [N/m]
     double gain = 1.0;        ///< true over stored InvOLS as it was applied
