@@ -11,11 +11,11 @@ namespace asperity {
 enum class CurveSegmentKind : std::uint8_t { Approach, Pause, Retract, Modulation };
 
 template <>
-inline constexpr auto kEnumTable<CurveSegmentKind> = std::to_array<EnumRow<CurveSegmentKind>>(
-    {{CurveSegmentKind::Approach, "approach"},
-     {CurveSegmentKind::Pause, "pause"},
-     {CurveSegmentKind::Retract, "retract"},
-     {CurveSegmentKind::Modulation, "modulation"}});
+inline constexpr auto kEnumTable<CurveSegmentKind> =
+    std::to_array<EnumRow<CurveSegmentKind>>({{CurveSegmentKind::Approach, "approach"},
+                                              {CurveSegmentKind::Pause, "pause"},
+                                              {CurveSegmentKind::Retract, "retract"},
+                                              {CurveSegmentKind::Modulation, "modulation"}});
 
 /// One segment of a measured curve, in the order of time, as it was stored: no baseline is taken
 /// off. Arrays have one value a sample, or are empty: then the file does not say them. Finite.
