@@ -12,6 +12,8 @@
 #include "core/identify/SpringConstant.h"
 #include "core/io/FileBytes.h"
 #include "core/io/curves/ForceCurveFile.h"
+#include "core/io/curves/ThermalSpectrumFile.h"
+#include "core/io/curves/TipAreaFunction.h"
 #include "core/io/scene/ProbeFile.h"
 #include "core/io/scene/TomlFile.h"
 #include "core/probe/CantileverModes.h"
@@ -38,9 +40,18 @@ FolderContent batchFolder() {
     return {.marks = {"fits.csv"}, .own = {"fits.json"}, .guarded = {"fits.csv"}};
 }
 
-FittedCurve fitted(const std::string& file, const CurveFitOptions& options) {
-    FittedCurve curve{.file = file, .sha256 = sha256Of(FileBytes(file))};
-    curve.found = identifyElastic(readForceCurve(file), options);
+FittedCurve fitted(const std::string& path, const FitRequest& request) {
+    const FileBytes bytes(path);
+    const ForceCurveFile file(bytes, request.read);
+    CurveContents contents = file.contents(request.index);
+    FittedCurve curve{.file = path, .index = request.index, .sha256 = sha256Of(bytes)};
+    curve.heightChannel = std::move(contents.heightChannel);
+    curve.notes = file.notes();
+    curve.notes.insert(curve.notes.end(), contents.notes.begin(), contents.notes.end());
+    curve.found = identifyCurve(contents.curve, request.fit);
+    if (request.fit.compares && curve.found.verdict != FitVerdict::Refused) {
+        curve.comparison = compareCurve(contents.curve, request.fit);
+    }
     return curve;
 }
 
@@ -52,7 +63,7 @@ void printSummary(const FittedCurve& curve) {
 
 /// @throw Error where the curve was refused, after its files are written
 void fitOne(const FitRequest& request) {
-    const FittedCurve curve = fitted(request.curves.front(), request.fit);
+    const FittedCurve curve = fitted(request.curves.front(), request);
     const bool refused = curve.found.verdict == FitVerdict::Refused;
     OutputFolder out(request.out, fitFolder(), request.force);
     out.collect([&](const std::filesystem::path& folder) {
@@ -72,9 +83,9 @@ void fitOne(const FitRequest& request) {
 }
 
 /// What one file gives; one that cannot be read ends nothing.
-FittedCurve attempted(const std::string& file, const CurveFitOptions& options) {
+FittedCurve attempted(const std::string& file, const FitRequest& request) {
     try {
-        return fitted(file, options);
+        return fitted(file, request);
     } catch (const FileError& error) {
         return {.file = file, .sha256 = {}, .error = error.what()};
     }
@@ -87,7 +98,7 @@ void fitMany(const FitRequest& request) {
     ProgressLine line("fitting");
     shareOut(static_cast<int>(curves.size()), &line, [&](int index, const CancelCheck&) {
         const auto i = static_cast<std::size_t>(index);
-        curves[i] = attempted(request.curves[i], request.fit);
+        curves[i] = attempted(request.curves[i], request);
     });
     OutputFolder out(request.out, batchFolder(), request.force);
     out.collect([&](const std::filesystem::path& folder) {
@@ -124,12 +135,39 @@ double stiffnessBySader(const std::string& file) {
                           lever.qualityFactor);
 }
 
+double stiffnessBySpectrum(const std::string& file, double temperature) {
+    const ThermalSpectrum spectrum = readThermalSpectrum(file);
+    const ThermalOscillator lever =
+        fitThermalSpectrum(spectrum.frequency, spectrum.power, temperature);
+    std::cout << printable(file) << ": resonance " << lever.resonance << " Hz, quality factor "
+              << lever.quality << ", spring constant " << lever.stiffness << " N/m ± "
+              << lever.stiffnessStd << " (scatter)\n";
+    return lever.stiffness;
+}
+
+std::vector<AreaSample> areaOf(const std::string& file) {
+    const TipAreaFunction function = readTipAreaFunction(file);
+    std::vector<AreaSample> samples;
+    for (std::size_t i = 0; i < function.depth.size(); ++i) {
+        samples.push_back({function.depth[i], function.area[i]});
+    }
+    return samples;
+}
+
 void fit(FitRequest request) {
     requireOutputFolder(request.out, request.curves.size() > 1 ? batchFolder() : fitFolder(),
                         request.force);
+    PreparationOptions& steps = request.fit.curve.preparation;
     if (!request.probe.empty()) {
-        request.fit.preparation.stiffness = stiffnessBySader(request.probe);
-        request.fit.preparation.stiffnessSource = ValueSource::File;
+        steps.stiffness = stiffnessBySader(request.probe);
+        steps.stiffnessSource = ValueSource::File;
+    }
+    if (!request.spectrum.empty()) {
+        steps.stiffness = stiffnessBySpectrum(request.spectrum, request.temperature);
+        steps.stiffnessSource = ValueSource::Measured;
+    }
+    if (!request.area.empty()) {
+        request.fit.curve.tip->area = areaOf(request.area);
     }
     request.curves.size() > 1 ? fitMany(request) : fitOne(request);
 }

@@ -15,7 +15,7 @@ namespace {
 constexpr double kDegree = std::numbers::pi / 180.0;  // [rad]
 
 constexpr const char* kTipForms = "sphere:R, paraboloid:R, conesphere:R,ANGLE, cone:ANGLE, "
-                                  "pyramid3:ANGLE or pyramid4:ANGLE, such as sphere:5um";
+                                  "pyramid3:ANGLE, pyramid4:ANGLE or area:FILE, such as sphere:5um";
 
 /// An angle in radians, or with "deg" or "rad"; none where the text is neither.
 std::optional<double> parseAngle(const std::string& text) {
@@ -66,7 +66,7 @@ std::optional<ForceWindow> parseWindow(const std::string& text) {
 }
 
 void addLeverOptions(CLI::App& command, FitRequest& request) {
-    PreparationOptions& steps = request.fit.preparation;
+    PreparationOptions& steps = request.fit.curve.preparation;
     CLI::Option* const stiffness = addQuantity(command, "--stiffness", "N/m",
                                                "spring constant of the lever instead of the file's",
                                                [&steps](double value) { steps.stiffness = value; });
@@ -76,12 +76,21 @@ void addLeverOptions(CLI::App& command, FitRequest& request) {
                     "resonance and quality factor in air")
         ->check(notEmpty())
         ->excludes(stiffness);
+    command
+        .add_option("--thermal", request.spectrum,
+                    "thermal spectrum of the lever (.nid): spring constant by its fundamental mode")
+        ->check(notEmpty())
+        ->excludes(stiffness)
+        ->excludes(command.get_option("--sader"));
+    addQuantity(command, "--temperature", "K", "of the lever in that spectrum [default: 295]",
+                [&request](double value) { request.temperature = value; });
     addQuantity(command, "--invols", "m/V",
                 "inverse optical lever sensitivity instead of the file's, such as 50nm/V",
                 [&steps](double value) { steps.invols = value; });
     addChoice(command, "--lever", steps.lever, {"thermal", "fixed"},
-              "correct the InvOLS by the slope of a hard contact; the spring constant goes with it "
-              "(thermal: from a thermal spectrum with the same InvOLS) or stays (fixed)");
+              "correct the InvOLS, by the slope of a hard contact or as a parameter of an adhesive "
+              "law; the spring constant goes with it (thermal: from a thermal spectrum with the "
+              "same InvOLS) or stays (fixed)");
     command
         .add_option_function<std::vector<std::string>>(
             "--without",
@@ -99,7 +108,7 @@ void addLeverOptions(CLI::App& command, FitRequest& request) {
 }
 
 void addContactOptions(CLI::App& command, FitRequest& request) {
-    CurveFitOptions& fit = request.fit;
+    CurveFitOptions& fit = request.fit.curve;
     std::vector<std::string> methods;
     for (const ContactMethod method : kValues<ContactMethod>) {
         methods.emplace_back(keyOf(method));
@@ -118,23 +127,68 @@ void addContactOptions(CLI::App& command, FitRequest& request) {
                                                text + "'";
             },
             "FMIN:FMAX"));
+}
+
+/// The option of a term of the model: on or off.
+void addSwitch(CLI::App& command, const std::string& name, bool& value, const std::string& what) {
     command
         .add_option_function<std::string>(
-            "--branch",
-            [&fit](const std::string& branch) {
-                fit.fitsRetract = branch == "retract";
-                fit.judgesRetract = branch != "approach";
-            },
-            "both (default): the approach is fitted, the retract predicted, and the cycle judged; "
-            "approach: nothing else is looked at; retract: it is fitted, the approach predicted")
-        ->check(CLI::IsMember({"both", "approach", "retract"}));
+            name, [&value](const std::string& word) { value = word == "on"; }, what)
+        ->check(CLI::IsMember({"on", "off"}));
+}
+
+void addModelOptions(CLI::App& command, FitRequest& request) {
+    CycleFitOptions& fit = request.fit;
+    const auto keys = [](const auto& values) {
+        std::vector<std::string> list;
+        for (const auto value : values) {
+            list.emplace_back(keyOf(value));
+        }
+        return list;
+    };
+    addChoice(command, "--law", fit.law, keys(kValues<SampleLaw>),
+              "contact law (default: elastic; auto: by the Tabor number that is found)");
+    command
+        .add_option_function<std::string>(
+            "--adhesion", [&fit](const std::string& word) { fit.twoWorks = word == "two"; },
+            "one (default) work of adhesion, or two: on approach and on retract, with law jkr")
+        ->check(CLI::IsMember({"one", "two"}));
+    addSwitch(command, "--relaxation", fit.relaxation,
+              "a sample that relaxes as a standard linear solid, with law elastic");
+    addSwitch(command, "--drag", fit.drag, "drag of the tip by the wall, with law elastic");
+    addChoice(command, "--branch", fit.branch, keys(kValues<FittedBranch>),
+              "both (default), approach or retract: what is fitted; the other is predicted. An "
+              "elastic fit without relaxation and drag always takes one, by default the approach, "
+              "and with --branch approach looks at nothing else");
+    command.add_flag("--compare", fit.compares,
+                     "fit all models that the curve can carry, and rank them");
+}
+
+void addReadOptions(CLI::App& command, FitRequest& request) {
+    command.add_option("--index", request.index, "number of the curve in its file, from 0")
+        ->capture_default_str();
+    command.add_option("--height", request.read.height,
+                       "channel of the base instead of the best one; asperity info lists them");
+    command
+        .add_option_function<std::string>(
+            "--columns",
+            [&request](const std::string& text) { request.read.columns = givenColumns(text); },
+            "columns of a text table, such as base=1:um,deflection=2:nm,time=3:ms")
+        ->check(acceptedBy([](const std::string& text) { return givenColumns(text); }));
+    command.add_option("--skip", request.read.skippedLines, "lines before that table")
+        ->check(CLI::Range(0, 1000000));
 }
 
 void addSampleOptions(CLI::App& command, FitRequest& request) {
-    CurveFitOptions& fit = request.fit;
+    CurveFitOptions& fit = request.fit.curve;
     command
         .add_option_function<std::string>(
-            "--tip", [&fit](const std::string& text) { fit.tip = parseTip(text); },
+            "--tip",
+            [&](const std::string& text) {
+                const NamedTip tip = parseTip(text);
+                request.fit.curve.tip = tip.form;
+                request.area = tip.area;
+            },
             std::string("shape of the tip: ") + kTipForms +
                 "; angles are between face and axis; without it no modulus is given")
         ->check(acceptedBy([](const std::string& text) { return parseTip(text); }));
@@ -147,7 +201,7 @@ void addSampleOptions(CLI::App& command, FitRequest& request) {
 }
 
 void addDeviationOptions(CLI::App& command, FitRequest& request) {
-    CalibrationDeviations& off = request.fit.deviations;
+    CalibrationDeviations& off = request.fit.curve.deviations;
     const auto share = [&command](const char* name, double& value, const char* of) {
         command.add_option(name, value, std::string("relative standard deviation of ") + of)
             ->check(CLI::Range(0.0, 1.0))
@@ -167,11 +221,14 @@ void addDeviationOptions(CLI::App& command, FitRequest& request) {
 
 }  // namespace
 
-TipForm parseTip(const std::string& text) {
+NamedTip parseTip(const std::string& text) {
     const std::size_t colon = text.find(':');
     const auto kind = fromKey<TipKind>(text.substr(0, colon));
-    if (colon == std::string::npos || !kind || *kind == TipKind::Area) {
+    if (colon == std::string::npos || colon + 1 == text.size() || !kind) {
         throw Error(std::string("expected a tip as ") + kTipForms + ", not '" + text + "'");
+    }
+    if (*kind == TipKind::Area) {
+        return {.form = {.kind = *kind}, .area = text.substr(colon + 1)};
     }
     TipForm tip{.kind = *kind};
     const std::string values = text.substr(colon + 1);
@@ -189,7 +246,7 @@ TipForm parseTip(const std::string& text) {
         tip.angle = required(parseAngle(angle), angle, "an angle such as 20deg");
     }
     (void)TipLaw(tip, {}, 1e-6);  // refuses what is out of range
-    return tip;
+    return {.form = tip, .area = {}};
 }
 
 void addFitOptions(CLI::App& command, FitRequest& request) {
@@ -202,6 +259,8 @@ void addFitOptions(CLI::App& command, FitRequest& request) {
                     "folder for fit.json, curve.csv, simulated.csv and fit.png; of several curves "
                     "for fits.csv and fits.json");
     addForce(command, request.force);
+    addReadOptions(command, request);
+    addModelOptions(command, request);
     addSampleOptions(command, request);
     addLeverOptions(command, request);
     addContactOptions(command, request);

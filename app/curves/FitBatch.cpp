@@ -15,8 +15,9 @@ namespace asperity {
 namespace {
 
 /// Values of the table, each with its deviations.
-constexpr std::array kBatchKeys{"youngs_modulus_pa", "youngs_modulus_sqrt_radius_pa_m05",
-                                "contact_point_m", "stiffness_n_m"};
+constexpr std::array kBatchKeys{"youngs_modulus_pa",     "youngs_modulus_sqrt_radius_pa_m05",
+                                "work_of_adhesion_j_m2", "work_of_adhesion_radius_n",
+                                "contact_point_m",       "stiffness_n_m"};
 constexpr std::array kBatchResiduals{"rms_approach_contact", "rms_contact", "rms_forward_cycle"};
 
 /// The quantile of sorted values, linear between them.

@@ -60,6 +60,46 @@ Json stepsJson(const std::vector<PreparationStep>& steps) {
     return json;
 }
 
+Json optionalJson(const std::optional<double>& value) {
+    return value ? Json(*value) : Json(nullptr);
+}
+
+Json comparisonJson(const ModelComparison& comparison) {
+    Json json{{"best", comparison.best ? Json(keyOf(*comparison.best)) : Json(nullptr)},
+              {"reasons", comparison.reasons},
+              {"independent_samples", comparison.independentSamples},
+              {"models", Json::array()}};
+    for (const ComparedModel& model : comparison.ranked) {
+        json["models"].push_back({{"model", keyOf(model.model)},
+                                  {"rms", model.rms},
+                                  {"criterion", model.criterion},
+                                  {"rms_unseen_approach", optionalJson(model.unseenApproach)},
+                                  {"rms_unseen_retract", optionalJson(model.unseenRetract)},
+                                  {"not_identified", model.notIdentified}});
+    }
+    return json;
+}
+
+/// A line for each compared model, the best first.
+void addComparison(const ModelComparison& comparison, std::vector<std::string>& lines) {
+    lines.push_back(comparison.best ? std::string("  best model: ") + nameOf(*comparison.best)
+                                    : std::string("  best model: undecided"));
+    for (const ComparedModel& model : comparison.ranked) {
+        std::string line = formatted("    %-30s rms %.3f %%, criterion %.1f", nameOf(model.model),
+                                     100.0 * model.rms, model.criterion);
+        if (model.unseenApproach) {
+            line += formatted(", unseen approach %.3f %%", 100.0 * *model.unseenApproach);
+        }
+        if (model.unseenRetract) {
+            line += formatted(", unseen retract %.3f %%", 100.0 * *model.unseenRetract);
+        }
+        lines.push_back(line);
+    }
+    for (const std::string& reason : comparison.reasons) {
+        lines.push_back("    " + reason);
+    }
+}
+
 /// Calls write(branch key, branch) for each branch that the curve has.
 void forEachBranch(const CurveIdentification& found,
                    const std::function<void(const char*, const ComparedBranch&)>& write) {
@@ -134,6 +174,20 @@ nlohmann::ordered_json fitJson(const FittedCurve& curve) {
               {"force_range_n", found.forceRange},
               {"noise_n", found.noise},
               {"residuals", numbersJson(found.residuals)}};
+    if (!curve.heightChannel.empty()) {
+        json["height_channel"] = curve.heightChannel;
+    }
+    if (!curve.notes.empty()) {
+        json["notes"] = curve.notes;
+    }
+    json["variants"] = Json::object();
+    for (const FitVariant& variant : found.variants) {
+        json["variants"][variant.key] = {{"parameters", valuesJson(variant.parameters)},
+                                         {"residuals", numbersJson(variant.residuals)}};
+    }
+    if (curve.comparison) {
+        json["comparison"] = comparisonJson(*curve.comparison);
+    }
     json["correlations"] = Json::array();
     for (const FitCorrelation& pair : found.correlations) {
         json["correlations"].push_back(
@@ -219,6 +273,9 @@ std::vector<std::string> fitSummary(const FittedCurve& curve) {
     }
     for (const std::string& reason : curve.found.reasons) {
         lines.push_back("  " + reason);
+    }
+    if (curve.comparison) {
+        addComparison(*curve.comparison, lines);
     }
     return lines;
 }

@@ -1,21 +1,26 @@
 #pragma once
 
-#include "core/identify/CurveIdentification.h"
+#include "core/identify/cycle/CycleIdentification.h"
 
 #include <cstddef>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
+#include <vector>
 
 namespace asperity {
 
 /// A curve of a file that was fitted.
 struct FittedCurve {
-    std::string file;        ///< as the user gave it
-    std::size_t index = 0;   ///< in the file
-    std::string sha256;      ///< of the file
-    std::string error = {};  ///< why it could not be read; empty: it was
+    std::string file;                     ///< as the user gave it
+    std::size_t index = 0;                ///< in the file
+    std::string sha256;                   ///< of the file
+    std::string error = {};               ///< why it could not be read; empty: it was
+    std::string heightChannel = {};       ///< that the base was read from
+    std::vector<std::string> notes = {};  ///< of the reader
     CurveIdentification found = {};
+    std::optional<ModelComparison> comparison = {};
 };
 
 /// Returns what fit.json says of a curve.
