@@ -150,7 +150,7 @@ std::vector<double> simulatedSeparation(const CurveIdentification& found,
 
 std::string summaryOf(const IdentifiedValue& value) {
     std::string text = value.key + " " + formatSi(value.value, value.unit.c_str());
-    if (value.std > 0.0) {
+    if (value.std > 0.0 && std::isfinite(value.std)) {
         text += " ± " + formatSi(value.std, value.unit.c_str()) + " (noise)";
     }
     if (value.stdCalibration > 0.0) {

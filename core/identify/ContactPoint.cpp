@@ -1,12 +1,7 @@
 #include "core/identify/ContactPoint.h"
 
-#include "core/identify/LeastSquares.h"
-
-#include <Eigen/Dense>
-
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <limits>
 
 namespace asperity {
@@ -71,41 +66,79 @@ std::optional<double> byDeviation(const BranchSamples& approach, const std::vect
     return i > half ? std::optional(approach.base[i]) : std::nullopt;
 }
 
-/// Returns where, between the second sample and the peak, the sum of squares of a model is least.
-std::optional<double> bestBreak(const ThinnedBranch& branch,
-                                const std::function<double(double)>& squares) {
+/// Returns the sample, between the second one and the peak, from which on a model has the least sum
+/// of squares: of few, then of all around the best.
+template <class Squares>
+std::optional<double> bestBreak(const ThinnedBranch& branch, const Squares& squares) {
+    constexpr std::size_t kStep = 6;
+    constexpr std::size_t kFirst = 2;
     const std::size_t peak = branch.peak();
-    std::size_t best = 0;
-    double least = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 2; i + 4 < peak; ++i) {
-        const double found = squares(branch.base[i]);
-        if (found < least) {
-            least = found;
-            best = i;
-        }
+    if (peak < kFirst + 5) {
+        return std::nullopt;
     }
+    const std::size_t last = peak - 5;
+    std::size_t best = kFirst;
+    double least = std::numeric_limits<double>::infinity();
+    const auto search = [&](std::size_t from, std::size_t to, std::size_t step) {
+        for (std::size_t i = from; i <= to; i += step) {
+            const double found = squares(branch.base[i]);
+            if (found < least) {
+                least = found;
+                best = i;
+            }
+        }
+    };
+    search(kFirst, last, kStep);
+    const std::size_t middle = best;
+    search(std::max(kFirst, middle - std::min(middle, kStep)), std::min(last, middle + kStep), 1);
     // At an end of the data the contact is outside of it.
-    return best > 2 && best + 5 < peak ? std::optional(branch.base[best]) : std::nullopt;
+    return best > kFirst && best < last ? std::optional(branch.base[best]) : std::nullopt;
 }
 
-/// Sum of squares about c0 + c1 * before(x) + c2 * after(x), c0 .. c2 fitted.
-double squaresAbout(const ThinnedBranch& branch, double contact, bool tilted, double exponent) {
-    Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
-    Eigen::Vector3d right = Eigen::Vector3d::Zero();
-    double total = 0.0;
-    const double scale = branch.base[branch.peak()] - contact;
-    for (std::size_t i = 0; i <= branch.peak(); ++i) {
+/// Least sum of squares about c0 + c1 x + c2 p(x) up to the peak, x from the contact on and
+/// p(x) = x^exponent beyond it, else 0. @param tilted false: c1 = 0
+double squaresAbout(const ThinnedBranch& branch, std::size_t peak, double contact, bool tilted,
+                    double exponent) {
+    const double scale = branch.base[peak] - contact;
+    double n = 0.0;
+    double f = 0.0;
+    double x1 = 0.0;
+    double p1 = 0.0;
+    double xx = 0.0;
+    double xp = 0.0;
+    double pp = 0.0;
+    double xf = 0.0;
+    double pf = 0.0;
+    double ff = 0.0;
+    for (std::size_t i = 0; i <= peak; ++i) {
         const double x = (branch.base[i] - contact) / scale;
-        const double power = exponent == 1.0 ? x : std::pow(std::max(0.0, x), exponent);
-        const Eigen::Vector3d row(1.0, tilted ? x : 0.0, x > 0.0 ? power : 0.0);
-        normal += row * row.transpose();
-        right += branch.force[i] * row;
-        total += branch.force[i] * branch.force[i];
+        const double beyond = std::max(0.0, x);
+        const double p = exponent == 1.0   ? beyond
+                         : exponent == 2.0 ? beyond * beyond
+                                           : beyond * std::sqrt(beyond);
+        n += 1.0;
+        f += branch.force[i];
+        x1 += x;
+        p1 += p;
+        xx += x * x;
+        xp += x * p;
+        pp += p * p;
+        xf += x * branch.force[i];
+        pf += p * branch.force[i];
+        ff += branch.force[i] * branch.force[i];
     }
+    // About the means: two unknowns are left.
+    xx -= x1 * x1 / n;
+    xp -= x1 * p1 / n;
+    pp -= p1 * p1 / n;
+    xf -= x1 * f / n;
+    pf -= p1 * f / n;
+    ff -= f * f / n;
     if (!tilted) {
-        normal(1, 1) = 1.0;
+        return ff - (pf * pf / pp);
     }
-    return total - right.dot(normal.ldlt().solve(right));
+    const double determinant = (xx * pp) - (xp * xp);
+    return ff - (((pp * xf * xf) - (2.0 * xp * xf * pf) + (xx * pf * pf)) / determinant);
 }
 
 std::optional<double> byGradient(const ThinnedBranch& branch) {
@@ -137,11 +170,15 @@ std::optional<double> contactPoint(ContactMethod method, const BranchSamples& ap
         return byDeviation(approach, force, noise);
     }
     const ThinnedBranch branch = thinned(approach, force);
+    const std::size_t peak = branch.peak();
     switch (method) {
     case ContactMethod::LinePower:
-        return bestBreak(branch, [&](double x) { return squaresAbout(branch, x, true, exponent); });
+        return bestBreak(branch, [&](double x) {
+            return squaresAbout(branch, peak, x, true, exponent > 1.75 ? 2.0 : 1.5);
+        });
     case ContactMethod::ConstantLine:
-        return bestBreak(branch, [&](double x) { return squaresAbout(branch, x, false, 1.0); });
+        return bestBreak(branch,
+                         [&](double x) { return squaresAbout(branch, peak, x, false, 1.0); });
     case ContactMethod::Gradient:
         return byGradient(branch);
     default:

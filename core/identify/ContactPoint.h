@@ -28,7 +28,7 @@ inline constexpr auto kEnumTable<ContactMethod> =
 
 /// Returns the base [m] at which the approach touches the sample; none where the method finds no
 /// contact, or one outside the data. @param method any but Model  @param force without baseline [N]
-/// @param noise of one sample [N]  @param exponent of force over indentation
+/// @param noise of one sample [N]  @param exponent of force over indentation, 1.5 or 2
 [[nodiscard]] std::optional<double> contactPoint(ContactMethod method,
                                                  const BranchSamples& approach,
                                                  const std::vector<double>& force, double noise,

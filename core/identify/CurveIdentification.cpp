@@ -11,7 +11,9 @@ namespace asperity {
 
 namespace {
 
-constexpr std::size_t kPerturbedSamples = 500;  ///< of fits with another calibration
+// Fits with another calibration have fewer samples, but not too few of them in contact.
+constexpr std::size_t kPerturbedSamples = 200;
+constexpr std::size_t kPerturbedContact = 30;
 
 /// What the steps of an elastic identification share.
 struct ElasticCase {
@@ -106,8 +108,7 @@ BranchSamples samplesToFit(const ElasticCase& elastic) {
     return windowed(branch, force, *elastic.options.window, elastic.deviation);
 }
 
-BranchSamples everyNth(const BranchSamples& branch, std::size_t most) {
-    const std::size_t step = std::max<std::size_t>(1, branch.size() / most);
+BranchSamples everyNth(const BranchSamples& branch, std::size_t step) {
     BranchSamples result;
     for (std::size_t i = 0; i < branch.size(); i += step) {
         result.base.push_back(branch.base[i]);
@@ -128,15 +129,19 @@ struct CalibrationEffect {
 };
 
 /// Fits few samples again with each calibration one standard deviation off.
-CalibrationEffect calibrationEffect(const ElasticCase& elastic, const BranchSamples& samples) {
+/// @param inContact number of samples in contact
+CalibrationEffect calibrationEffect(const ElasticCase& elastic, const BranchSamples& samples,
+                                    const ElasticFit& fit, std::size_t inContact) {
     const CalibrationDeviations& off = elastic.options.deviations;
-    const BranchSamples few = everyNth(samples, kPerturbedSamples);
+    const std::size_t step =
+        std::min(samples.size() / kPerturbedSamples, inContact / kPerturbedContact);
+    const BranchSamples few = everyNth(samples, std::max<std::size_t>(1, step));
     const double stiffness = elastic.curve.stiffness;
-    const ElasticFit own = fitOf(elastic, few, stiffness, lawOf(elastic, elastic.tip));
+    const ElasticFit own = refitElastic(few, stiffness, lawOf(elastic, elastic.tip), fit);
     CalibrationEffect effect;
     effect.add(off.stiffness, 0.0);  // force and stiffness go together
     const auto compare = [&](const BranchSamples& branch, double k, const TipForm& tip) {
-        const ElasticFit other = fitOf(elastic, branch, k, lawOf(elastic, tip));
+        const ElasticFit other = refitElastic(branch, k, lawOf(elastic, tip), own);
         effect.add((other.reducedModulus / own.reducedModulus) - 1.0, other.contact - own.contact);
     };
     const double gain = 1.0 + off.invols;
@@ -329,12 +334,9 @@ void judge(const CurveFitOptions& options, const std::vector<FitConcern>& found,
     const bool cycle = options.judgesRetract && !result.retract.corrected.empty();
     const double contact = residualOf(result, cycle ? "rms_contact" : "rms_approach_contact");
     const double all = residualOf(result, cycle ? "rms_forward_cycle" : "rms_forward_approach");
-    const double worst = std::max(contact, all);
     const bool isDoubtful =
         std::any_of(found.begin(), found.end(), [](const auto& c) { return c.againstModel; });
-    result.verdict = worst <= kMatchedResidual && !isDoubtful ? FitVerdict::Matched
-                     : worst <= kPartlyResidual               ? FitVerdict::Partly
-                                                              : FitVerdict::NotMatched;
+    result.verdict = verdictOf(contact, all, isDoubtful);
     const char* const what = cycle ? "cycle" : "approach alone, whose fit predicts nothing";
     result.reasons.push_back(formatted("residual of the %s: %.2f %% of the force range in contact, "
                                        "%.2f %% of all samples simulated from the base motion",
@@ -400,7 +402,7 @@ void identify(const ElasticCase& elastic, CurveIdentification& result) {
         throw CurveRefusal(formatted("%zu samples in contact, and a fit needs at least %zu",
                                      tests.samples, kMinContactSamples));
     }
-    addValues(elastic, fit, calibrationEffect(elastic, samples), result);
+    addValues(elastic, fit, calibrationEffect(elastic, samples, fit, tests.samples), result);
     result.forceRange = elastic.curve.forceRange();
     result.approach = compared(elastic.curve.approach, stiffness, law, fit);
     if (elastic.retract.size() > 0) {
@@ -416,6 +418,17 @@ const IdentifiedValue* CurveIdentification::find(const std::string& key) const n
     const auto found = std::find_if(parameters.begin(), parameters.end(),
                                     [&](const IdentifiedValue& v) { return v.key == key; });
     return found != parameters.end() ? &*found : nullptr;
+}
+
+FitVerdict verdictOf(double contact, double cycle, bool isDoubtful) noexcept {
+    constexpr double kMatched = 0.02;
+    constexpr double kPartly = 0.04;
+    constexpr double kPartlyContact = 0.08;
+    if (contact <= kMatched && cycle <= kMatched && !isDoubtful) {
+        return FitVerdict::Matched;
+    }
+    return contact <= kPartlyContact && cycle <= kPartly ? FitVerdict::Partly
+                                                         : FitVerdict::NotMatched;
 }
 
 CurveIdentification identifyElastic(const MeasuredForceCurve& curve,

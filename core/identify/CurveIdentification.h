@@ -18,8 +18,8 @@ namespace asperity {
 
 /// How well a curve and its simulation agree. Source: docs/measured.md.
 enum class FitVerdict : std::uint8_t {
-    Matched,     ///< the residual of the cycle is at most 2 % of the force range
-    Partly,      ///< at most 4 %, or a test says that the model lacks something
+    Matched,     ///< the residuals are at most 2 % of the force range
+    Partly,      ///< at most 4 %, in contact 8 %, or a test says that the model lacks something
     NotMatched,  ///< above
     Refused,     ///< nothing can be identified
 };
@@ -110,8 +110,8 @@ struct CurveIdentification {
 inline constexpr double kMinRangeOverNoise = 10.0;
 inline constexpr std::size_t kMinContactSamples = 20;
 
-/// Largest residuals of a cycle that is matched, or partly so, as shares of its force range.
-inline constexpr double kMatchedResidual = 0.02;
-inline constexpr double kPartlyResidual = 0.04;
+/// Returns the verdict on residuals in contact and of the cycle, as shares of its force range.
+/// @param isDoubtful something speaks against the model
+[[nodiscard]] FitVerdict verdictOf(double contact, double cycle, bool isDoubtful) noexcept;
 
 }  // namespace asperity

@@ -194,6 +194,17 @@ ElasticFit fitElasticAt(const BranchSamples& branch, double stiffness, const Tip
     return result;
 }
 
+ElasticFit refitElastic(const BranchSamples& branch, double stiffness, const TipLaw& tip,
+                        const ElasticFit& near) {
+    if (near.contactGiven) {
+        return fitElasticAt(branch, stiffness, tip, near.contact);
+    }
+    const ElasticProblem problem = problemOf(branch, stiffness, tip, near.contact, 1);
+    VectorXd start(4);
+    start << near.reducedModulus, 0.0, near.baselineAt(near.contact), near.slope;
+    return withoutCenter(solve(problem, start), near.contact);
+}
+
 BranchSamples windowed(const BranchSamples& branch, const std::vector<double>& force,
                        const ForceWindow& window, double contact) {
     BranchSamples result;

@@ -47,6 +47,10 @@ struct ElasticFit {
 [[nodiscard]] ElasticFit fitElasticAt(const BranchSamples& branch, double stiffness,
                                       const TipLaw& tip, double contact);
 
+/// The same from a fit near it: of other samples, with another calibration.
+[[nodiscard]] ElasticFit refitElastic(const BranchSamples& branch, double stiffness,
+                                      const TipLaw& tip, const ElasticFit& near);
+
 /// Returns the samples of a branch whose force, without baseline, is in the window or that come
 /// before contact. @param contact base at contact [m]
 [[nodiscard]] BranchSamples windowed(const BranchSamples& branch, const std::vector<double>& force,

@@ -129,23 +129,15 @@ Complex hydrodynamicFunction(double reynolds) {
 
 ThermalOscillator fitThermalSpectrum(const std::vector<double>& frequency,
                                      const std::vector<double>& power, double temperature) {
-    constexpr int kRounds = 4;  // of weights from the fit before
     const PeakSamples samples = samplesAround(frequency, power);
     VectorXd start(4);
     start << std::log(samples.resonance), std::log(samples.quality), std::log(samples.peak),
         std::log(std::max(samples.power.minCoeff(), 1e-6 * samples.peak));
-    VectorXd weight = oscillatorPower(samples.frequency, start).cwiseInverse();
-    FitResult fit;
-    for (int round = 0; round < kRounds; ++round) {
-        const VectorXd scale = VectorXd::Constant(4, 0.1);
-        fit = leastSquares(
-            [&](const VectorXd& p, VectorXd& r) {
-                r = (oscillatorPower(samples.frequency, p) - samples.power).cwiseProduct(weight);
-            },
-            start, scale, static_cast<std::size_t>(samples.power.size()));
-        start = fit.parameters;
-        weight = oscillatorPower(samples.frequency, start).cwiseInverse();
-    }
+    const FitResult fit = leastSquares(
+        [&](const VectorXd& p, VectorXd& r) {
+            r = (oscillatorPower(samples.frequency, p) - samples.power) / samples.peak;
+        },
+        start, VectorXd::Constant(4, 0.1), static_cast<std::size_t>(samples.power.size()));
     ThermalOscillator result;
     result.resonance = std::exp(fit.parameters[0]);
     result.resonanceStd = result.resonance * fit.std(0);

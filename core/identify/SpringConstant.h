@@ -14,17 +14,13 @@ struct ThermalOscillator {
     double stiffness = 0.0;     ///< k_B T over the mean square of the motion [N/m]
     double stiffnessStd = 0.0;  ///< [N/m]
     double background = 0.0;    ///< white [m^2/Hz]
-    double misfit = 0.0;        ///< rms of measured over fitted power, less 1
+    double misfit = 0.0;        ///< rms of measured less fitted power, over that of the peak
 };
 
-/// Correction of a stiffness from the fundamental mode of a rectangular lever whose deflection a
-/// detector measures by its slope, with an InvOLS from a static load; a vendor's program may leave
-/// it out. Source: Butt, Jaschke (1995).
-inline constexpr double kSlopeDetectionFactor = 0.817;
-
-/// Fits P(f) = background + P0 f0^4 / ((f^2 - f0^2)^2 + (f f0 / Q)^2) around the highest peak, with
-/// deviations in proportion to the power, as an averaged spectrum has them. The mean square of the
-/// motion is the oscillator's, pi/2 P0 f0 Q. Source: Hutter, Bechhoefer (1993).
+/// Fits P(f) = background + P0 f0^4 / ((f^2 - f0^2)^2 + (f f0 / Q)^2) around the highest peak. All
+/// samples count alike, so that the peak decides, which has nearly all of the motion, and not its
+/// skirts: those of real levers are not symmetric. The mean square of the motion is the
+/// oscillator's, pi/2 P0 f0 Q. Source: Hutter, Bechhoefer (1993).
 /// @param frequency rising, > 0 [Hz]  @param power one-sided power density [m^2/Hz]
 /// @param temperature [K]
 /// @throw Error where there is no peak, or fewer than 20 samples around it

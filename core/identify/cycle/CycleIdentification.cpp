@@ -338,14 +338,13 @@ void addDoubts(const BoundedFit& fit, CurveIdentification& result) {
     }
 }
 
+/// @param isDoubtful a term of the model is not seen in the curve
 void judgeCycle(const CycleResiduals& rms, const CycleFigures& measured, const CycleFigures& found,
-                CurveIdentification& result) {
-    const double worst = std::max({rms.contact, rms.cycle, rms.forwardCycle});
+                bool isDoubtful, CurveIdentification& result) {
     const double loop = std::abs((found.loopEnergy / measured.loopEnergy) - 1.0);
     const bool loopAgrees = loop <= kLoopMargin;
-    result.verdict = worst <= kMatchedResidual && loopAgrees ? FitVerdict::Matched
-                     : worst <= kPartlyResidual              ? FitVerdict::Partly
-                                                             : FitVerdict::NotMatched;
+    result.verdict =
+        verdictOf(rms.contact, std::max(rms.cycle, rms.forwardCycle), isDoubtful || !loopAgrees);
     result.reasons.push_back(formatted(
         "residual: %.2f %% of the force range in contact, %.2f %% of the cycle without the jumps, "
         "%.2f %% with them, %.2f %% simulated from the base motion",
@@ -415,7 +414,7 @@ void identifyAdhesive(const CycleCase& given, CurveIdentification& result) {
             const CycleFigures simulation =
                 simulatedFigures(given.cycle, run.fit.events, AdhesiveCycle(found), run.forces);
             addFigures(measured, simulation, result.tests);
-            judgeCycle(run.rms, measured, simulation, result);
+            judgeCycle(run.rms, measured, simulation, false, result);
             addDoubts(run.fit.bounded, result);
         }
     }
@@ -446,7 +445,8 @@ void identifyRelaxing(const CycleCase& given, CurveIdentification& result) {
     addBranches(given, simulated(fit, given.cycle), 1.0, fit.parameters.contactPoint,
                 given.cycle.stiffness, result);
     addFigures(fit.measured, fit.simulated, result.tests);
-    judgeCycle(fit.residuals, fit.measured, fit.simulated, result);
+    judgeCycle(fit.residuals, fit.measured, fit.simulated, !fit.bounded.notIdentified().empty(),
+               result);
     addDoubts(fit.bounded, result);
 }
 
