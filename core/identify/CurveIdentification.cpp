@@ -423,7 +423,7 @@ const IdentifiedValue* CurveIdentification::find(const std::string& key) const n
 FitVerdict verdictOf(double contact, double cycle, bool isDoubtful) noexcept {
     constexpr double kMatched = 0.02;
     constexpr double kPartly = 0.04;
-    constexpr double kPartlyContact = 0.08;
+    constexpr double kPartlyContact = 0.06;
     if (contact <= kMatched && cycle <= kMatched && !isDoubtful) {
         return FitVerdict::Matched;
     }

@@ -19,7 +19,7 @@ namespace asperity {
 /// How well a curve and its simulation agree. Source: docs/measured.md.
 enum class FitVerdict : std::uint8_t {
     Matched,     ///< the residuals are at most 2 % of the force range
-    Partly,      ///< at most 4 %, in contact 8 %, or a test says that the model lacks something
+    Partly,      ///< at most 4 %, in contact 6 %, or a test says that the model lacks something
     NotMatched,  ///< above
     Refused,     ///< nothing can be identified
 };
