@@ -160,12 +160,11 @@ def write_adhesive(folder, name, approach_work, retract_work):
 def write_relaxing(folder, name, duration, drag):
     fine = 8
     solid = Solid(7.5e-6, 0.5, 1000.0, 1500.0, 0.1, drag, 0.5e-6)
-    count = SAMPLES * fine
-    bases = ramp(-4e-6, 2e-6, count) + ramp(2e-6, -4e-6, count)
-    times = ramp(0.0, 2.0 * duration, 2 * count)
+    count = (SAMPLES - 1) * fine + 1
+    bases = ramp(-4e-6, 2e-6, count) + ramp(2e-6, -4e-6, count)[1:]
+    times = ramp(0.0, 2.0 * duration, len(bases))
     forces = solid.cycle(0.02, times, bases)
-    pick = range(fine // 2, 2 * count, fine)
-    write(folder / name, [times[i] for i in pick], [bases[i] for i in pick], [forces[i] for i in pick], 0.02, SAMPLES)
+    write(folder / name, times[::fine], bases[::fine], forces[::fine], 0.02, SAMPLES)
 
 
 def main():

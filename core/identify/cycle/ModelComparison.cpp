@@ -57,13 +57,13 @@ CycleBranch reduced(const CycleBranch& branch, std::size_t from, std::size_t to)
     return {few.time, few.base, few.force};
 }
 
-/// The part of the cycle about its contact, with few samples.
-MeasuredCycle reducedCycle(const MeasuredCycle& cycle) {
+/// The part of the cycle about its contact and its pull-off, with few samples.
+MeasuredCycle reducedCycle(const MeasuredCycle& cycle, double tipRadius) {
     const CycleEvents events = cycleEvents(cycle);
-    const double contact = cycle.approach.base[events.contactBegin];
+    const double end = cycle.retract.base[events.contactEnd - 1];
     const double top = cycle.approach.base.back();
-    const double off = std::min(contact, cycle.retract.base[events.contactEnd - 1]);
-    const double begin = off - (top - off);
+    const double begin =
+        std::min(windowBegin(cycle, events, tipRadius), end - (0.25 * (top - end)));
     const auto& down = cycle.approach.base;
     const auto& up = cycle.retract.base;
     const auto first =
@@ -107,7 +107,7 @@ class Comparison {
 public:
     Comparison(const MeasuredCycle& cycle, const ComparisonOptions& options)
         : options_(options)
-        , cycle_(reducedCycle(cycle))
+        , cycle_(reducedCycle(cycle, options.tipRadius))
         , events_(cycleEvents(cycle_))
         , range_(cycle_.forceRange())
         , timed_(!cycle.approach.time.empty() && !cycle.retract.time.empty()) {}
@@ -197,6 +197,7 @@ Comparison::Fitted Comparison::withTime(CycleModel model, FittedBranch branch) c
     options.drag = model != CycleModel::Relaxation;
     options.branch = branch;
     options.forward = true;
+    options.wholeCycle = true;
     const RelaxationFit fit = relaxationFit(cycle_, options);
     return {missesOf(simulated(fit, cycle_)), fit.bounded.notIdentified()};
 }
@@ -230,17 +231,28 @@ double independent(const std::vector<double>& misses) {
     return static_cast<double>(misses.size()) / autocorrelationFactor(all);
 }
 
+/// The best, or its special case where that is hardly worse: chance alone makes an addition look
+/// better that often.
+const ComparedModel& simplestOfTheBest(const std::vector<ComparedModel>& ranked) {
+    constexpr double kHardly = 6.0;
+    for (const ComparedModel& model : ranked) {
+        if (model.criterion < kHardly && extends(ranked.front().model, model.model)) {
+            return model;
+        }
+    }
+    return ranked.front();
+}
+
 void decide(ModelComparison& comparison) {
     constexpr double kSignificant = 10.0;
     constexpr double kClearly = 1.5;
-    const ComparedModel& best = comparison.ranked.front();
+    const ComparedModel& best = simplestOfTheBest(comparison.ranked);
     comparison.best = best.model;
-    for (std::size_t i = 1; i < comparison.ranked.size(); ++i) {
-        const ComparedModel& other = comparison.ranked[i];
-        if (extends(other.model, best.model)) {
+    for (const ComparedModel& other : comparison.ranked) {
+        if (other.model == best.model || extends(other.model, best.model)) {
             continue;
         }
-        const bool close = other.criterion < kSignificant;
+        const bool close = other.criterion - best.criterion < kSignificant;
         const bool predicts = best.unseenApproach && other.unseenApproach &&
                               *best.unseenApproach > kClearly * *other.unseenApproach;
         if (close || predicts) {

@@ -59,8 +59,9 @@ struct ModelComparison {
 
 /// Fits all explanations that the cycle can carry to the same samples, those by a jump left out,
 /// and ranks them by Schwarz's information criterion (BIC) with the number of independent samples.
-/// Undecided where the second is not worse by more than 10, unless it is the best with additions,
-/// or predicts unseen branches clearly better. Sources: Schwarz (1978); Kass, Raftery (1995).
+/// A special case of the best that is worse by less than 6 counts as the best. Undecided where
+/// another one, but for the best with additions, is not worse by more than 10 or predicts an unseen
+/// branch clearly better. Sources: Schwarz (1978); Kass, Raftery (1995).
 /// @throw Error where the cycle has no contact
 [[nodiscard]] ModelComparison compareModels(const MeasuredCycle& cycle,
                                             const ComparisonOptions& options);

@@ -230,24 +230,23 @@ void describe(RelaxationFit& fit, double noise) {
     fit.simulated = cycleFigures(forward, events);
 }
 
-}  // namespace
-
-ContactSamples relaxationWindow(const MeasuredCycle& cycle, double tipRadius, std::size_t bins,
-                                std::size_t& turn) {
+/// The samples of a fit; `turn` becomes the first after the approach.
+ContactSamples windowSamples(const MeasuredCycle& cycle, const RelaxationFitOptions& options,
+                             std::size_t bins, std::size_t& turn) {
     for (const CycleBranch* branch : {&cycle.approach, &cycle.dwell, &cycle.retract}) {
         if (branch->time.size() != branch->base.size()) {
             throw Error("relaxation and drag need the times of the curve");
         }
     }
-    const CycleEvents events = cycleEvents(cycle);
-    const double contact = cycle.approach.base[events.contactBegin];
-    const double way = contact - cycle.approach.base.front();
-    const double begin = contact - std::min(0.5 * way, 0.5 * tipRadius);
     const auto& down = cycle.approach.base;
-    const auto first =
-        std::find_if(down.begin(), down.end(), [&](double base) { return base >= begin; });
     const auto& up = cycle.retract.base;
-    const auto last = std::find_if(up.begin(), up.end(), [&](double base) { return base < begin; });
+    auto first = down.begin();
+    auto last = up.end();
+    if (!options.wholeCycle) {
+        const double begin = windowBegin(cycle, cycleEvents(cycle), options.tipRadius);
+        first = std::find_if(first, down.end(), [&](double base) { return base >= begin; });
+        last = std::find_if(up.begin(), last, [&](double base) { return base < begin; });
+    }
     ContactSamples all =
         binned(cycle.approach, static_cast<std::size_t>(first - down.begin()), down.size(), bins);
     turn = all.size();
@@ -256,10 +255,18 @@ ContactSamples relaxationWindow(const MeasuredCycle& cycle, double tipRadius, st
     return all;
 }
 
+}  // namespace
+
+double windowBegin(const MeasuredCycle& cycle, const CycleEvents& events, double tipRadius) {
+    const double contact = cycle.approach.base[events.contactBegin];
+    const double way = contact - cycle.approach.base.front();
+    return contact - std::min(0.5 * way, 0.5 * tipRadius);
+}
+
 RelaxationFit relaxationFit(const MeasuredCycle& cycle, const RelaxationFitOptions& options) {
     RelaxationFit result;
     result.stiffness = cycle.stiffness;
-    result.samples = relaxationWindow(cycle, options.tipRadius, options.bins, result.turn);
+    result.samples = windowSamples(cycle, options, options.bins, result.turn);
     AdhesiveFitOptions elastic;
     elastic.law = options.sphere ? ContactLaw::Sneddon : ContactLaw::Hertz;
     elastic.tipRadius = options.tipRadius;
@@ -285,11 +292,16 @@ RelaxationFit relaxationFit(const MeasuredCycle& cycle, const RelaxationFitOptio
         }
     }
     if (options.forward) {
-        result.bounded = problem.solve(result.parameters, true);
-        result.parameters = problem.with(result.parameters, result.bounded.values);
+        constexpr std::size_t kForwardBins = 500;
+        result.samples = windowSamples(cycle, options, kForwardBins, result.turn);
     }
-    result.fitted = problem.fitted(result.parameters);
-    result.forward = problem.forward(result.parameters);
+    const RelaxationProblem last(options, result, range);
+    if (options.forward) {
+        result.bounded = last.solve(result.parameters, true);
+        result.parameters = last.with(result.parameters, result.bounded.values);
+    }
+    result.fitted = last.fitted(result.parameters);
+    result.forward = last.forward(result.parameters);
     describe(result, cycle.noise);
     return result;
 }

@@ -16,9 +16,10 @@ struct RelaxationFitOptions {
     bool relaxation = true;     ///< of the sample
     bool drag = true;           ///< by the wall
     std::size_t bins = 160;     ///< of each branch
+    bool wholeCycle = false;    ///< rather than from windowBegin() on
     FittedBranch branch = FittedBranch::Both;
-    /// Continue with the force over the base motion alone: slower, but noise of the force then is
-    /// no noise of the indentation.
+    /// Continue with the force over the base motion alone, and with more samples: slower, but noise
+    /// of the force then is no noise of the indentation.
     bool forward = false;
 };
 
@@ -36,11 +37,10 @@ struct RelaxationFit {
     CycleFigures simulated;       ///< from the base motion alone
 };
 
-/// The part of a cycle that such a fit sees: from half of the way before contact on, or from half a
-/// tip radius, since beyond a wall's drag is no longer that of a narrow gap.
-/// @throw Error where the cycle has no times or no contact
-[[nodiscard]] ContactSamples relaxationWindow(const MeasuredCycle& cycle, double tipRadius,
-                                              std::size_t bins, std::size_t& turn);
+/// Base position at which the part of a cycle about its contact begins [m]: half of the way before
+/// contact, or half a tip radius, since beyond a wall's drag is no longer that of a narrow gap.
+[[nodiscard]] double windowBegin(const MeasuredCycle& cycle, const CycleEvents& events,
+                                 double tipRadius);
 
 /// Fits the force over the measured indentation. Source: docs/theory.md 7.7.
 /// @throw Error where the cycle has no times or no contact
