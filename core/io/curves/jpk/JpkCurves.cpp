@@ -38,6 +38,20 @@ struct JpkCurveEntries {
     std::map<long long, bool> segments;  ///< by their number; whether it has a header
 };
 
+/// What the segments before leave to the next one.
+struct SegmentStart {
+    double time = 0.0;        ///< at its begin [s]
+    std::uint64_t bytes = 0;  ///< that its members may have
+};
+
+/// A segment in the archive.
+struct JpkSegment {
+    std::string folder;                     ///< "index/12/segments/0/"
+    std::string location;                   ///< for messages
+    std::unique_ptr<JpkProperties> header;  ///< not null
+    std::vector<std::string> channels;      ///< by name
+};
+
 /// Takes "12/" off the front; empty: there is no number.
 std::optional<long long> takeFolderNumber(std::string_view& path) {
     const std::size_t slash = path.find('/');
@@ -100,25 +114,23 @@ public:
     [[nodiscard]] CurveContents read(std::size_t index) const override {
         const JpkCurveEntries& entries = curves_[index];
         CurveContents contents;
-        double time = 0.0;
-        for (const auto& [number, hasHeader] : entries.segments) {
-            const std::string folder =
-                entries.folder + std::string(kSegments) + std::to_string(number) + "/";
-            if (hasHeader) {
-                addSegment(contents, folder, time);
-            } else {
-                contents.notes.push_back(folder + " has no header and was left out");
-            }
+        SegmentStart start{0.0, most_};
+        const std::vector<JpkSegment> segments = segmentsOf(entries, contents);
+        contents.heights = commonHeights(segments);
+        contents.heightChannel = chosenHeight(contents.heights, wanted_, file_);
+        for (const JpkSegment& segment : segments) {
+            addSegment(contents, segment, start);
         }
         finishCurve(contents, file_ + (entries.folder.empty() ? "" : ": " + entries.folder));
         return contents;
     }
 
 private:
-    /// Samples of real files are packed to between all and a tenth of their bytes.
+    /// Members of one curve may have so many bytes together: real ones are packed to between all
+    /// and a tenth of them, and a small archive can hold zeros that take a thousand times its size.
     static std::uint64_t mostBytesOf(const ByteSource& bytes) {
         constexpr std::uint64_t kAlwaysAllowed = std::uint64_t{1} << 20U;
-        constexpr std::uint64_t kUsualPacking = 64;
+        constexpr std::uint64_t kUsualPacking = 16;
         return std::max(kAlwaysAllowed, kUsualPacking * bytes.size());
     }
 
@@ -190,21 +202,43 @@ private:
             archive_.decoded(*entry, std::min(kMostHeader, most_)), shared);
     }
 
-    void addSegment(CurveContents& contents, const std::string& folder, double& time) const {
-        const auto header = propertiesAt(folder + std::string(kSegmentHeader), shared_.get());
-        const std::string location = file_ + ": " + folder.substr(0, folder.size() - 1);
-        CurveSegment segment;
-        segment.kind = kindOf(*header);
-        const std::vector<std::string> channels = wordsOf(header->text("channels.list"));
-        addLever(contents, segment, *header, folder, location, channels);
-        addHeight(contents, segment, *header, folder, location, channels);
-        trim(segment, *header, contents, folder);
-        const std::size_t points = segment.base.size();
-        const double duration = header->number("force-segment-header.duration").value_or(0.0);
-        if (duration > 0.0 && points > 0) {
-            setUniformTimes(segment, time, duration, points);
+    /// Those that have a header and channels.
+    [[nodiscard]] std::vector<JpkSegment> segmentsOf(const JpkCurveEntries& entries,
+                                                     CurveContents& contents) const {
+        std::vector<JpkSegment> segments;
+        for (const auto& [number, hasHeader] : entries.segments) {
+            const std::string folder =
+                entries.folder + std::string(kSegments) + std::to_string(number) + "/";
+            auto header = hasHeader
+                              ? propertiesAt(folder + std::string(kSegmentHeader), shared_.get())
+                              : nullptr;
+            std::vector<std::string> channels;
+            if (header != nullptr) {
+                channels = wordsOf(header->text("channels.list"));
+            }
+            if (channels.empty()) {
+                contents.notes.push_back(folder + " names no channels and was left out");
+                continue;
+            }
+            segments.push_back({folder, file_ + ": " + folder.substr(0, folder.size() - 1),
+                                std::move(header), std::move(channels)});
         }
-        time += std::max(duration, 0.0);
+        return segments;
+    }
+
+    void addSegment(CurveContents& contents, const JpkSegment& source, SegmentStart& start) const {
+        CurveSegment segment;
+        segment.kind = kindOf(*source.header);
+        addLever(contents.curve, segment, source, start);
+        addHeight(contents.heightChannel, segment, source, start);
+        trim(segment, *source.header, contents, source.folder);
+        const std::size_t points = segment.base.size();
+        const double duration =
+            source.header->number("force-segment-header.duration").value_or(0.0);
+        if (duration > 0.0 && points > 0) {
+            setUniformTimes(segment, start.time, duration, points);
+        }
+        start.time += std::max(duration, 0.0);
         contents.curve.segments.push_back(std::move(segment));
     }
 
@@ -245,17 +279,18 @@ private:
         }
     }
 
-    [[nodiscard]] std::vector<double> samplesOf(const JpkChannel& channel,
-                                                const std::string& folder,
-                                                const std::string& location) const {
-        const std::string name = folder + std::string(channel.dataFile());
+    [[nodiscard]] std::vector<double> samplesOf(const JpkChannel& channel, const JpkSegment& source,
+                                                SegmentStart& start) const {
+        const std::string& location = source.location;
+        const std::string name = source.folder + std::string(channel.dataFile());
         const ZipEntry* const entry = channel.dataFile().empty() ? nullptr : entryAt(name);
         if (entry == nullptr) {
             throw InputError(location, "channel " + channel.name(),
                              "the archive has no member '" + name + "'");
         }
         const SampleType type = channel.sampleType();
-        const std::string content = archive_.decoded(*entry, most_);
+        const std::string content = archive_.decoded(*entry, start.bytes);
+        start.bytes -= std::min<std::uint64_t>(start.bytes, content.size());
         if (content.size() % sizeOf(type) != 0) {
             throw InputError(location, "channel " + channel.name(),
                              std::to_string(content.size()) + " bytes are no whole samples of " +
@@ -275,14 +310,13 @@ private:
     }
 
     /// The deflection in every slot that the file defines, each to the array of its unit.
-    void addLever(CurveContents& contents, CurveSegment& segment, const JpkProperties& header,
-                  const std::string& folder, const std::string& location,
-                  const std::vector<std::string>& channels) const {
-        if (std::ranges::count(channels, kLeverChannel) == 0) {
-            throw InputError(location, "", "it has no channel vDeflection");
+    void addLever(MeasuredForceCurve& curve, CurveSegment& segment, const JpkSegment& source,
+                  SegmentStart& start) const {
+        if (std::ranges::count(source.channels, kLeverChannel) == 0) {
+            throw InputError(source.location, "", "it has no channel vDeflection");
         }
-        const JpkChannel channel(header, std::string(kLeverChannel), location);
-        const std::vector<double> samples = samplesOf(channel, folder, location);
+        const JpkChannel channel(*source.header, std::string(kLeverChannel), source.location);
+        const std::vector<double> samples = samplesOf(channel, source, start);
         for (const std::string_view slot :
              {channel.baseSlot(), std::string_view("distance"), std::string_view("force")}) {
             const std::optional<JpkScaling> scaling = channel.scalingTo(slot);
@@ -296,7 +330,7 @@ private:
             array =
                 scaled(samples, {unit.factor * scaling->multiplier, unit.factor * scaling->offset});
         }
-        takeCalibration(contents.curve, channel);
+        takeCalibration(curve, channel);
     }
 
     static void takeCalibration(MeasuredForceCurve& curve, const JpkChannel& channel) {
@@ -310,22 +344,33 @@ private:
     }
 
     /// A height grows away from the sample.
-    void addHeight(CurveContents& contents, CurveSegment& segment, const JpkProperties& header,
-                   const std::string& folder, const std::string& location,
-                   const std::vector<std::string>& channels) const {
-        contents.heights = heightsAmong(channels);
-        contents.heightChannel = chosenHeight(contents.heights, wanted_, location);
-        const JpkChannel channel(header, contents.heightChannel, location);
+    void addHeight(const std::string& name, CurveSegment& segment, const JpkSegment& source,
+                   SegmentStart& start) const {
+        const JpkChannel channel(*source.header, name, source.location);
         const std::string slot = channel.shownSlot();
         const std::optional<JpkScaling> scaling = channel.scalingTo(slot);
         const PhysicalUnit unit = parseUnit(channel.unitOf(slot));
         if (!scaling || unit.base != "m") {
-            throw InputError(location, "channel " + channel.name(),
+            throw InputError(source.location, "channel " + channel.name(),
                              "the file gives no conversion of it to a length");
         }
         segment.base =
-            scaled(samplesOf(channel, folder, location),
+            scaled(samplesOf(channel, source, start),
                    {unit.factor * scaling->multiplier, unit.factor * scaling->offset}, -1.0);
+    }
+
+    /// The heights that all segments have: a base that changes its channel would jump.
+    static std::vector<std::string> commonHeights(const std::vector<JpkSegment>& segments) {
+        std::vector<std::string> heights;
+        if (!segments.empty()) {
+            heights = heightsAmong(segments.front().channels);
+        }
+        std::erase_if(heights, [&](const std::string& height) {
+            return std::ranges::any_of(segments, [&](const JpkSegment& segment) {
+                return std::ranges::count(segment.channels, height) == 0;
+            });
+        });
+        return heights;
     }
 
     /// The known ones in their order, then all others that are called a height.

@@ -17,6 +17,9 @@ public:
     /// @param text ISO-8859-1
     /// @param shared header that references are to; null: there is none; must outlive this
     explicit JpkProperties(std::string text, const JpkProperties* shared = nullptr);
+    JpkProperties(const JpkProperties&) = delete;  // its entries are views of its text
+    JpkProperties& operator=(const JpkProperties&) = delete;
+    ~JpkProperties() = default;
 
     /// The value of a key, its own or one that a reference inserts; empty: there is none.
     [[nodiscard]] std::optional<std::string_view> find(std::string_view key) const {

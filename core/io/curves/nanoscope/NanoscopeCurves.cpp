@@ -29,8 +29,11 @@ struct ForceScale {
 
 class NanoscopeCurves final : public StoredCurves {
 public:
-    explicit NanoscopeCurves(const ByteSource& bytes)
-        : bytes_(bytes), sections_(readNanoscopeHeader(nanoscopeStart(bytes), bytes.name())) {
+    NanoscopeCurves(const ByteSource& bytes, const CurveReadOptions& options)
+        : bytes_(bytes)
+        , sections_(readNanoscopeHeader(nanoscopeStart(bytes), bytes.name()))
+        , heights_{"ramp"}
+        , height_(chosenHeight(heights_, options.height, bytes.name())) {
         const NanoscopeSection& list = deflectionList();
         readCounts(list);
         readScales(list);
@@ -66,6 +69,8 @@ public:
 
     [[nodiscard]] CurveContents read(std::size_t index) const override {
         CurveContents contents;
+        contents.heights = heights_;
+        contents.heightChannel = height_;
         contents.curve.stiffness = stiffness_;
         contents.curve.invols = invols_;
         const std::vector<double> samples = samplesOf(index);
@@ -294,6 +299,8 @@ private:
 
     const ByteSource& bytes_;
     std::vector<NanoscopeSection> sections_;
+    std::vector<std::string> heights_;
+    std::string height_;
     std::size_t approachPoints_ = 0;
     std::size_t retractPoints_ = 0;
     double perCount_ = 0.0;       ///< [V]
@@ -319,7 +326,9 @@ bool recognizesNanoscopeCurves(const ByteSource& bytes) {
 const CurveFormat kNanoscopeCurveFormat = {
     .name = "Bruker NanoScope force curves",
     .recognizes = recognizesNanoscopeCurves,
-    .open = [](const ByteSource& bytes, const CurveReadOptions& /*options*/)
-        -> std::unique_ptr<StoredCurves> { return std::make_unique<NanoscopeCurves>(bytes); }};
+    .open = [](const ByteSource& bytes,
+               const CurveReadOptions& options) -> std::unique_ptr<StoredCurves> {
+        return std::make_unique<NanoscopeCurves>(bytes, options);
+    }};
 
 }  // namespace asperity

@@ -20,7 +20,8 @@ constexpr std::string_view kSpectrumFit = "Spectrum Fit";
 
 /// "179.8kHz", "27.13 N/m", "442": in SI; 0: the file does not say it.
 double factIn(const HeaderFields& info, const std::string& key) {
-    const std::optional<LeadingNumber> number = parseLeadingNumber(info.text(key));
+    const std::string text = info.text(key);
+    const std::optional<LeadingNumber> number = parseLeadingNumber(text);
     if (!number || !std::isfinite(number->value)) {
         return 0.0;
     }

@@ -279,6 +279,10 @@ bool hasCurveTitles(const ByteSource& bytes) {
 
 CurveContents readTextCurve(const ByteSource& bytes, const CurveReadOptions& options,
                             const std::optional<CurveTable>& given) {
+    if (!options.height.empty()) {
+        throw InputError(bytes.name(), "",
+                         "a text table has no height channels to choose from: name its columns");
+    }
     TextLines lines(bytes);
     for (int i = 0; i < options.skippedLines && lines.next(); ++i) {
     }

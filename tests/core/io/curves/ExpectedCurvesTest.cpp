@@ -177,6 +177,16 @@ TEST(ExpectedCurves, HaveTheHeightThatIsAskedFor) {
     EXPECT_NEAR(piezo.curve.segments[0].base[0], -0.580608 * 4.9574279773415606e-05, 1e-15);
 }
 
+TEST(ExpectedCurves, HaveTheHeightsThatAllTheirSegmentsHave) {
+    ASPERITY_NEEDS_SHARED_DATA();
+    const CurveContents contents =
+        ForceCurveFile(
+            sharedData("curves/original/fmt-jpk-cc_pr14-polymergel-2021.06.30.jpk-force"))
+            .contents(0);
+    EXPECT_EQ(contents.heights, (std::vector<std::string>{"measuredHeight", "height"}))
+        << "the pause has no capacitiveSensorHeight";
+}
+
 TEST(ThermalSpectrum, OfNanosurfHasTheFitOfItsProgram) {
     ASPERITY_NEEDS_SHARED_DATA();
     const ThermalSpectrum spectrum = readThermalSpectrum(sharedData("curves/original/thermal.nid"));

@@ -80,6 +80,10 @@ TEST(TextCurve, RefusesColumnsInWords) {
                 HasSubstr("a.txt: line 3: expected numbers in the named columns, found 'end'"));
     EXPECT_THAT(refusalOf([] { (void)textCurve("1 2\n2 3\n", named("base=1,force=3")); }),
                 HasSubstr("no point"));
+    CurveReadOptions options;
+    options.height = "z";
+    EXPECT_THAT(refusalOf([&] { (void)textCurve("z [nm],force [nN]\n1,2\n2,3\n", options); }),
+                HasSubstr("no height channels to choose from"));
 }
 
 TEST(TextCurve, KeepsTimesAndSignals) {
