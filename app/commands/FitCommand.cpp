@@ -107,8 +107,10 @@ void fitMany(const FitRequest& request) {
     });
     out.commit();
     for (const FittedCurve& curve : curves) {
-        const std::string reason = curve.error.empty() ? curve.found.reasons.front() : curve.error;
-        std::cout << printable(curve.file + ": " + nameOf(curve.found.verdict) + ", " + reason)
+        std::cout << printable(curve.error.empty()
+                                   ? curve.file + ": " + nameOf(curve.found.verdict) + ", " +
+                                         curve.found.reasons.front()
+                                   : curve.error)
                   << '\n';
     }
     const std::vector<BatchStatistic> statistics = batchStatistics(curves);

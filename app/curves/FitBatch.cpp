@@ -21,7 +21,7 @@ constexpr std::array kBatchKeys{"youngs_modulus_pa",     "youngs_modulus_sqrt_ra
 constexpr std::array kBatchResiduals{"rms_approach_contact", "rms_contact", "rms_forward_cycle"};
 
 /// The quantile of sorted values, linear between them.
-double quantile(const std::vector<double>& sorted, double share) {
+double sortedQuantile(const std::vector<double>& sorted, double share) {
     const double position = share * static_cast<double>(sorted.size() - 1);
     const auto low = static_cast<std::size_t>(position);
     const std::size_t high = std::min(low + 1, sorted.size() - 1);
@@ -80,8 +80,9 @@ std::vector<BatchStatistic> batchStatistics(const std::vector<FittedCurve>& curv
     for (std::size_t i = 0; i < result.size(); ++i) {
         std::sort(values[i].begin(), values[i].end());
         result[i].count = values[i].size();
-        result[i].median = quantile(values[i], 0.5);
-        result[i].spread = 0.5 * (quantile(values[i], 0.84) - quantile(values[i], 0.16));
+        result[i].median = sortedQuantile(values[i], 0.5);
+        result[i].spread =
+            0.5 * (sortedQuantile(values[i], 0.84) - sortedQuantile(values[i], 0.16));
     }
     return result;
 }

@@ -150,6 +150,11 @@ std::vector<FitConcern> concerns(const ContactTests& tests, const TipForm& tip, 
     if (isKnown && tip.kind == TipKind::Sphere && tests.largestIndentation > tip.radius) {
         result.push_back({"the indentation exceeds the radius of the sphere"});
     }
+    if (!tip.area.empty() && tests.largestIndentation > tip.area.back().height) {
+        result.push_back({formatted("the indentation of %.3g m exceeds the height of the area "
+                                    "function, %.3g m",
+                                    tests.largestIndentation, tip.area.back().height)});
+    }
     if (std::abs(tests.contactShare) > kContactMargin) {
         result.push_back({formatted("the contact by deviation would change the modulus by %.0f %%",
                                     100.0 * std::abs(tests.contactShare)),

@@ -113,6 +113,9 @@ TEST(ContactTests, SayWhatSpeaksAgainstTheModel) {
     EXPECT_EQ(count({.exponent = 1.5, .radiusRatio = 0.6}, false), 0);
     EXPECT_EQ(count({.exponent = 1.5, .contactShare = 0.2}), 0);
     EXPECT_EQ(concerns({.exponent = 1.5, .contactShare = 0.2}, tip, true).size(), 1U);
+    const TipForm area{.kind = TipKind::Area, .area = {{0.0, 0.0}, {1e-8, 1e-15}}};
+    EXPECT_EQ(concerns({.largestIndentation = 2e-8}, area, true).size(), 1U);
+    EXPECT_TRUE(concerns({.largestIndentation = 5e-9}, area, true).empty());
 }
 
 TEST(CurveIdentification, RefusesWithAReason) {
