@@ -20,7 +20,7 @@ struct ForceWindow {
 ///
 /// F = E* g(d) + b0 + b1 x_b with the indentation d = x_b - (F - b0 - b1 x_b) / k - x0 of the
 /// measured deflection, so that the fit is in the space of the base and a noisy deflection does not
-/// bias a steep contact. Source: docs/theory.md 5.2.
+/// bias a steep contact. Source: docs/measured.md.
 struct ElasticFit {
     double reducedModulus = 0.0;  ///< E* [Pa]
     double contact = 0.0;         ///< base at contact x0 [m]
