@@ -197,7 +197,7 @@ void addSampleOptions(CLI::App& command, FitRequest& request) {
         ->capture_default_str();
     addQuantity(command, "--film", "m",
                 "thickness of the sample, a film on a rigid base, under a paraboloid",
-                [&fit](double value) { fit.film.thickness = value; });
+                [&fit](double value) { fit.filmThickness = value; });
 }
 
 void addDeviationOptions(CLI::App& command, FitRequest& request) {

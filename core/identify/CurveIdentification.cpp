@@ -71,7 +71,9 @@ ElasticCase caseOf(const MeasuredForceCurve& measured, const CurveFitOptions& op
 TipLaw lawOf(const ElasticCase& elastic, const TipForm& tip) {
     const auto& base = elastic.fitted().base;
     const double deepest = *std::max_element(base.begin(), base.end());
-    return {tip, elastic.options.film, 2.0 * std::max(deepest - elastic.deviation, 1e-12)};
+    const SampleFilm film{.thickness = elastic.options.filmThickness,
+                          .poissonRatio = elastic.options.poissonRatio};
+    return {tip, film, 2.0 * std::max(deepest - elastic.deviation, 1e-12)};
 }
 
 double exponentFor(const TipForm& tip) { return exponentOf(tip).value_or(2.0); }
@@ -200,8 +202,8 @@ void addGiven(const ElasticCase& elastic, CurveIdentification& result) {
     if (options.tip && hasAngle(elastic.tip.kind)) {
         given("tip_angle_rad", elastic.tip.angle, options.deviations.tipAngle, "rad");
     }
-    if (options.film.thickness > 0.0) {
-        given("film_thickness_m", options.film.thickness, 0.0, "m");
+    if (options.filmThickness > 0.0) {
+        given("film_thickness_m", options.filmThickness, 0.0, "m");
     }
     given("poisson_ratio", options.poissonRatio, 0.0, "");
 }

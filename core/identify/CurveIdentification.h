@@ -43,7 +43,7 @@ struct CalibrationDeviations {
 struct CurveFitOptions {
     PreparationOptions preparation;
     std::optional<TipForm> tip;  ///< none: only products with the tip's radius are identified
-    SampleFilm film;
+    double filmThickness = 0.0;  ///< of the sample on a rigid base [m]; 0: a half-space
     double poissonRatio = 0.5;
     ContactMethod contact = ContactMethod::Model;
     std::optional<ForceWindow> window;  ///< of the forces fitted; none: all

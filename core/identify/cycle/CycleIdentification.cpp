@@ -38,7 +38,7 @@ void requireRoundTip(const CycleFitOptions& options) {
         throw Error("adhesion, relaxation and drag need --tip sphere:R or paraboloid:R; cones, "
                     "pyramids and area functions are elastic");
     }
-    if (options.curve.film.thickness > 0.0) {
+    if (options.curve.filmThickness > 0.0) {
         throw Error("a film goes with the elastic law alone");
     }
     if (options.curve.contact != ContactMethod::Model || options.curve.window) {
@@ -503,10 +503,16 @@ ModelComparison compareCurve(const MeasuredForceCurve& curve, const CycleFitOpti
     if (!options.curve.tip) {
         throw Error("a comparison of models needs the tip: --tip sphere:R or paraboloid:R");
     }
-    const CycleCase given = cycleCase(curve, options);
-    return compareModels(given.cycle, {.tipRadius = given.tipRadius(),
-                                       .sphere = given.isSphere(),
-                                       .poissonRatio = options.curve.poissonRatio});
+    try {
+        const CycleCase given = cycleCase(curve, options);
+        return compareModels(given.cycle, {.tipRadius = given.tipRadius(),
+                                           .sphere = given.isSphere(),
+                                           .poissonRatio = options.curve.poissonRatio});
+    } catch (const Error& error) {  // no contact
+        ModelComparison nothing;
+        nothing.reasons = {error.what()};
+        return nothing;
+    }
 }
 
 }  // namespace asperity

@@ -46,8 +46,8 @@ inline constexpr double kRigidModulus = 70e9;
 [[nodiscard]] CurveIdentification identifyCurve(const MeasuredForceCurve& curve,
                                                 const CycleFitOptions& options);
 
-/// Compares the models that a curve can carry. @throw Error where there is no contact, or no sphere
-/// or paraboloid is named
+/// Compares the models that a curve can carry; none, with the reason, where it has no contact.
+/// @throw Error where no sphere or paraboloid is named
 [[nodiscard]] ModelComparison compareCurve(const MeasuredForceCurve& curve,
                                            const CycleFitOptions& options);
 

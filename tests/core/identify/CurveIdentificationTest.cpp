@@ -97,6 +97,19 @@ TEST(CurveIdentification, TakesTheContactOfAnotherMethod) {
     EXPECT_NEAR(found.find("contact_point_m")->value, given.contact, 1e-7);
 }
 
+TEST(CurveIdentification, FilmOnARigidBaseIsSofterThanItSeems) {
+    const SyntheticCurve given = noisyCurve();
+    CurveFitOptions options = optionsFor(given);
+    const double half = identifyElastic(given.curve(), options).find("e_star_pa")->value;
+    options.filmThickness = 5e-6;
+    const CurveIdentification found = identifyElastic(given.curve(), options);
+    EXPECT_LT(found.find("e_star_pa")->value, 0.8 * half);
+    EXPECT_EQ(found.find("film_thickness_m")->value, 5e-6);
+    options.poissonRatio = 0.3;  // it gives way to the sides
+    EXPECT_GT(identifyElastic(given.curve(), options).find("e_star_pa")->value,
+              1.1 * found.find("e_star_pa")->value);
+}
+
 TEST(ContactTests, SayWhatSpeaksAgainstTheModel) {
     const TipForm tip{.kind = TipKind::Paraboloid, .radius = 1e-6};
     const auto count = [&](const ContactTests& tests, bool isKnown = true) {
