@@ -42,13 +42,16 @@ ThinnedBranch thinned(const BranchSamples& approach, const std::vector<double>& 
 std::optional<double> byDeviation(const BranchSamples& approach, const std::vector<double>& force,
                                   double noise) {
     constexpr double kDeparture = 6.0;
+    constexpr double kRounding = 1e-9;
     constexpr std::size_t kWindows = 400;
     const auto peak =
         static_cast<std::size_t>(std::max_element(force.begin(), force.end()) - force.begin());
     // Three samples at least: one that stands out is no contact.
     const std::size_t half = std::max<std::size_t>(1, approach.size() / (2 * kWindows));
     const double width = static_cast<double>((2 * half) + 1);
-    if (peak <= 2 * half || !(force[peak] > kDeparture * noise)) {
+    // Without noise a force is zero only to the digits of its file.
+    const double least = std::max(kDeparture * noise, kRounding * force[peak]);
+    if (peak <= 2 * half || !(force[peak] > least)) {
         return std::nullopt;
     }
     std::size_t i = peak - half;
@@ -56,10 +59,10 @@ std::optional<double> byDeviation(const BranchSamples& approach, const std::vect
     for (std::size_t j = i - half; j <= i + half; ++j) {
         sum += force[j];
     }
-    if (!(sum / width > kDeparture * noise)) {
+    if (!(sum / width > least)) {
         return std::nullopt;
     }
-    while (i > half && sum / width > kDeparture * noise) {
+    while (i > half && sum / width > least) {
         --i;
         sum += force[i - half] - force[i + half + 1];
     }

@@ -1,8 +1,5 @@
 #include "core/identify/CurvePreparation.h"
 
-#include "core/FormattedText.h"
-#include "core/identify/ContactPoint.h"
-
 #include <algorithm>
 #include <cmath>
 
@@ -202,6 +199,25 @@ std::vector<double> forceAbove(const BranchSamples& branch, const CurveBaseline&
     return result;
 }
 
+/// Base at which the smoothed force first leaves the noise of a line, in either direction: the last
+/// one where it never does.
+double departureOf(const BranchSamples& approach, const std::vector<double>& force,
+                   const CurveBaseline& line) {
+    constexpr double kDeparture = 6.0;
+    constexpr double kRounding = 1e-9;  // of the range: numbers of a file have few digits
+    constexpr std::size_t kWindows = 400;
+    const std::size_t width = 3 + (approach.size() / kWindows);
+    const double least = std::max(kDeparture * line.noise, kRounding * approach.forceRange());
+    double sum = 0.0;
+    for (std::size_t i = 0; i < force.size(); ++i) {
+        sum += force[i] - (i >= width ? force[i - width] : 0.0);
+        if (i >= width && std::abs(sum) > least * static_cast<double>(width)) {
+            return approach.base[i - width];
+        }
+    }
+    return *std::max_element(approach.base.begin(), approach.base.end());
+}
+
 /// Force above the baseline where the base is deepest.
 double deepestForce(const BranchSamples& approach, const CurveBaseline& line) {
     const auto deepest = std::max_element(approach.base.begin(), approach.base.end());
@@ -335,12 +351,8 @@ double PreparedCurve::forceRange() const {
 CurveBaseline baselineOf(const BranchSamples& approach, bool tilt) {
     const auto [far, deep] = std::minmax_element(approach.base.begin(), approach.base.end());
     const CurveBaseline first = lineUpTo(approach, *far + (kFarThird * (*deep - *far)), tilt);
-    // Forces of either sign end the part before contact.
-    const std::vector<double> force = forceAbove(approach, first, 0.0);
-    std::vector<double> size(force.size());
-    std::transform(force.begin(), force.end(), size.begin(), [](double f) { return std::abs(f); });
-    const auto contact = contactPoint(ContactMethod::Deviation, approach, size, first.noise);
-    const double nearEnd = contact ? *far + (kFreeShare * (*contact - *far)) : *deep;
+    const double departure = departureOf(approach, forceAbove(approach, first, 0.0), first);
+    const double nearEnd = *far + (kFreeShare * (departure - *far));
     return nearEnd > first.nearEnd ? lineUpTo(approach, nearEnd, tilt) : first;
 }
 
@@ -348,15 +360,20 @@ double retractOffset(const BranchSamples& retract, const CurveBaseline& baseline
     if (retract.size() == 0) {
         return 0.0;
     }
-    const double far = *std::min_element(retract.base.begin(), retract.base.end());
-    const double end = far + (0.5 * (baseline.nearEnd - far));
+    // From the far end inwards, until the force leaves the level there: a neck may hold the tip
+    // farther out than the approach was attracted.
+    constexpr double kLevel = 6.0;
+    constexpr double kRounding = 1e-9;
+    const double level = std::max(kLevel * baseline.noise, kRounding * retract.forceRange());
     double sum = 0.0;
     double count = 0.0;
-    for (std::size_t i = 0; i < retract.size(); ++i) {
-        if (retract.base[i] <= end) {
-            sum += retract.force[i] - baseline.at(retract.base[i]);
-            count += 1.0;
+    for (std::size_t i = retract.size(); i-- > 0 && retract.base[i] <= baseline.nearEnd;) {
+        const double above = retract.force[i] - baseline.at(retract.base[i]);
+        if (count > 0.0 && std::abs(above - (sum / count)) > level) {
+            break;
         }
+        sum += above;
+        count += 1.0;
     }
     return count >= static_cast<double>(kMinSamples) ? sum / count : 0.0;
 }

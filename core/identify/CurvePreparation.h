@@ -115,7 +115,8 @@ struct PreparedCurve {
 /// Fits the part of the approach before contact; the retract's offset is 0.
 /// @param tilt false: a constant
 [[nodiscard]] CurveBaseline baselineOf(const BranchSamples& approach, bool tilt);
-/// Mean of the retract above the line where both are far from contact [N]; 0: it does not reach it.
+/// Mean of the retract above the line at its far end, as far as it is level there [N]; 0: it is
+/// not.
 [[nodiscard]] double retractOffset(const BranchSamples& retract, const CurveBaseline& baseline);
 [[nodiscard]] ContactSlope contactSlope(const PreparedCurve& curve);
 

@@ -157,6 +157,24 @@ TEST(ContactPoint, EachMethodFindsIt) {
     expect(ContactMethod::Gradient, 0.15e-6);
 }
 
+TEST(CurvePreparation, BaselineEndsBeforeAnAttraction) {
+    SyntheticCurve given = noisy();
+    given.noise = 0.0;  // rounding is no noise either
+    given.drag = 0.0;
+    MeasuredForceCurve measured = given.curve();
+    for (CurveSegment& segment : measured.segments) {
+        segment.deflection.clear();
+        for (std::size_t i = 0; i < segment.base.size(); ++i) {
+            const double beyond = segment.base[i] - given.contact;
+            segment.force[i] -= beyond > -1e-6 && beyond < 0.5e-6 ? 2e-9 : 0.0;
+        }
+    }
+    const PreparedCurve curve = prepareCurve(measured, {});
+    EXPECT_LT(curve.baseline.nearEnd, given.contact - 1e-6);
+    EXPECT_NEAR(curve.baseline.at(given.contact), given.offset, 1e-15);
+    EXPECT_LT(curve.baseline.noise, 1e-6 * curve.forceRange());
+}
+
 TEST(ContactPoint, IsNotFoundInNoise) {
     SyntheticCurve given = noisy();
     given.end = -1e-6;
