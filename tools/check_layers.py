@@ -35,6 +35,8 @@ ARROWS = {
     "core/probe": "core/contact/laws core/surface/sample",
     "core/scene": "core/contact/displacement core/probe core/surface/deformation core/surface/imaging"
                   " core/surface/leveling core/surface/measure core/surface/synthetic",
+    "core/identify": "core/contact/laws core/curves",
+    "core/identify/cycle": "core/identify",
     "core/deformation": "core/contact/halfspace core/scene",
     "core/haptics/cycle": "core/scene",
     "core/haptics/device": "core/realtime core/scene",
@@ -66,6 +68,11 @@ ARROWS = {
     "core/io/heightmap/park": "core/io/heightmap/tiff",
     "core/io/heightmap/x3p": "core/io/heightmap core/io/zip",
     "core/io/curves": "core/curves core/io/heightmap",
+    "core/io/curves/igor": "core/io/curves core/io/heightmap/igor",
+    "core/io/curves/jpk": "core/io/curves core/io/zip",
+    "core/io/curves/nanoscope": "core/io/curves core/io/heightmap/nanoscope",
+    "core/io/curves/nanosurf": "core/io/curves core/io/heightmap/nanosurf",
+    "core/io/curves/text": "core/io/curves core/io/zip",
     "core/io/materials": "core/io/heightmap core/scene",
     "core/io/loading": "core/io/materials",
     "core/io/scene": "core/haptics core/io/tables",
@@ -89,6 +96,7 @@ ARROWS = {
     "app/recording": "app/runs core/io/heightmap core/io/zip",
     "app/loading": "app/recording core/io/loading",
     "app/charts": "core/io vtkplugins/pictures",
+    "app/curves": "app/charts app/program core/identify/cycle core/io/tables",
     "app/reports": "app/charts app/runs core/io/fields core/studies core/studies/extremes ui/view",
     "app/reports/page": "app/charts",
     "app/reports/run": "app/reports app/reports/page",
@@ -105,7 +113,7 @@ ARROWS = {
     "app/window/lab": "app/window/curve app/window/device app/window/export app/window/fidelity"
                       " app/window/map app/window/measure app/window/recording app/window/scene"
                       " app/window/session app/window/study",
-    "app/commands": "app/reports/run app/window/lab",
+    "app/commands": "app/curves app/reports/run app/window/lab",
     "app": "app/commands",  # main
     "tools/samples": "app",
     "tools/screenshots": "app",

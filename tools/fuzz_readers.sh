@@ -16,6 +16,13 @@ export ASAN_OPTIONS=quarantine_size_mb=16
 # The real files that a reader takes.
 real_files() {
     case $1 in
+    igorcurve) echo "../curves/original/*.ibw" ;;
+    jpkcurve) echo "../curves/original/*.jpk-*" ;;
+    nanoscopecurve) echo "../curves/original/*.spm" ;;
+    nanosurfcurve) echo "../curves/original/*.nid" ;;
+    ntmdttextcurve) echo "../curves/original/fmt-ntmdt*" ;;
+    textcurve) echo "../curves/original/*.csv" ;;
+    zippedtextcurve) echo "../curves/original/*.zip" ;;
     exr | gsf) echo "derived/*.$1" ;;
     gwy) echo "gwy/* derived/*.gwy" ;;
     jpk) echo "jpk/*-image jpk/*.jpk" ;;

@@ -45,6 +45,8 @@ void addBundleCommand(CLI::App& program);
 void addReportCommand(CLI::App& program);
 /// Adds `asperity compare`: by how much the normal force of a run differs from that of another.
 void addCompareCommand(CLI::App& program);
+/// Adds `asperity fit`: what measured force curves say of sample and lever, simulated beside them.
+void addFitCommand(CLI::App& program);
 /// Adds `asperity loop`: the real-time loop in wall time beside a bare loop in the same run.
 void addLoopCommand(CLI::App& program);
 /// Adds `asperity bench`: all measurements of speed with their goals, beside other programs.
@@ -55,12 +57,12 @@ void addDevicesCommand(CLI::App& program);
 
 /// The subcommands, in the order in which the help lists them.
 inline constexpr auto kCommands = std::to_array<void (*)(CLI::App& program)>({
-    addExploreCommand, addInfoCommand,     addConvertCommand,  addMeasureCommand,
-    addContactCommand, addCurveCommand,    addMapCommand,      addDecoupleCommand,
-    addProjectCommand, addTradeOffCommand, addExtremesCommand, addExperimentCommand,
-    addReplayCommand,  addRenderCommand,   addFilmCommand,     addBundleCommand,
-    addReportCommand,  addCompareCommand,  addLoopCommand,     addBenchCommand,
-    addDevicesCommand,
+    addExploreCommand,    addInfoCommand,    addConvertCommand,  addMeasureCommand,
+    addContactCommand,    addCurveCommand,   addFitCommand,      addMapCommand,
+    addDecoupleCommand,   addProjectCommand, addTradeOffCommand, addExtremesCommand,
+    addExperimentCommand, addReplayCommand,  addRenderCommand,   addFilmCommand,
+    addBundleCommand,     addReportCommand,  addCompareCommand,  addLoopCommand,
+    addBenchCommand,      addDevicesCommand,
 });
 
 }  // namespace asperity

@@ -182,6 +182,12 @@ double lastPullOf(const AlignedBranch& branch, double noise) {
 }  // namespace
 
 AlignedForceCurve alignedCurve(const MeasuredForceCurve& curve, double stiffness) {
+    if (!curve.segments.empty() &&
+        std::ranges::all_of(curve.segments,
+                            [](const CurveSegment& segment) { return segment.force.empty(); })) {
+        throw Error("this curve has no force: the lever's spring constant or its optical "
+                    "sensitivity is missing");
+    }
     const auto approach = mainApproach(curve);
     if (approach == curve.segments.end()) {
         throw Error("this curve has no approach of at least 20 points");

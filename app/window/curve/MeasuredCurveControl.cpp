@@ -105,8 +105,10 @@ void MeasuredCurveControl::ask() {
     const QString file =
         askWhatToOpen(&host_.widget(), {.kind = FileKind::Curve,
                                         .title = tr("Draw a measured force–distance curve"),
-                                        .filters = tr("Text tables: distance and force with units "
-                                                      "(*.csv *.txt *.tsv *.dat);;All files (*)")});
+                                        .filters = tr("Force curves (*.jpk-force *.jpk-force-map "
+                                                      "*.jpk-qi-data *.jpk-qi-series *.ibw *.spm "
+                                                      "*.nid *.csv *.txt *.tsv *.dat *.zip);;"
+                                                      "All files (*)")});
     if (!file.isEmpty()) {
         load(file.toStdString());
     }

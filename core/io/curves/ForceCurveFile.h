@@ -1,9 +1,11 @@
 #pragma once
 
-#include "core/curves/AlignedForceCurve.h"
+#include "core/io/ByteReader.h"
+#include "core/io/curves/StoredCurves.h"
 
-#include <cstdint>
+#include <cstddef>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -11,44 +13,53 @@
 
 namespace asperity {
 
-/// Reads a force-distance curve from a text: a table below a line that names a distance and a force
-/// with their units, such as "Z (nm), Force (nN)", "base_m,force_N", "Time (s) Load (uN) ... Piezo
-/// (nm)" or, with a pair of columns for each branch, "Extend Z-Sense(nm),Extend Force(nN),Retract
-/// ...". Cells are parted by tabs, semicolons or commas; in the first two cases the decimal
-/// separator may be a comma. Text above that line is left out, but for the spring constant.
-///
-/// Whatever its sign in the file, the base grows towards the sample, which is where the force is
-/// largest. A column `segment` or `branch` parts the segments; without it the curve turns at its
-/// largest force.
-/// Source: docs/measuring.md, docs/formats.md.
-/// @throw InputError where it is no such text, with what is missing: the signal is in volts, no
-///        line names both columns, a cell is no number, ...
-[[nodiscard]] MeasuredForceCurve readForceCurve(const std::filesystem::path& path);
+/// An open file of force-distance curves: one, or the thousands of a map, read one by one. Any
+/// threads. Whatever the sign in the file, the base grows towards the sample.
+/// Source: docs/formats.md 21.
+class ForceCurveFile {
+public:
+    /// Opens a file by its content. Columns that the user names are those of a text table.
+    /// @throw InputError when it holds no curve that can be read, with what it is; when anything is
+    ///        missing or does not fit together
+    explicit ForceCurveFile(const std::filesystem::path& path,
+                            const CurveReadOptions& options = {});
+    /// The same of a content that is in memory already. @param bytes must outlive this
+    explicit ForceCurveFile(const ByteSource& bytes, const CurveReadOptions& options = {});
 
-/// Quantity in a column of a force-distance curve.
-enum class CurveQuantity : std::uint8_t {
-    Other,
-    Base,         ///< of the lever, either sign
-    Separation,   ///< growing away from the sample
-    Indentation,  ///< growing into it
-    Deflection,
-    Force,
-    Voltage,  ///< a signal that is not calibrated
-    Segment,  ///< names the branch
+    [[nodiscard]] std::size_t count() const { return curves_->count(); }
+    /// @throw InputError where there is no curve of this index, or it is damaged
+    [[nodiscard]] CurveContents contents(std::size_t index) const;
+    [[nodiscard]] MeasuredForceCurve curve(std::size_t index) const {
+        return contents(index).curve;
+    }
+    /// The file type, for people.
+    [[nodiscard]] std::string_view format() const { return format_; }
+    /// Notes on the file as a whole.
+    [[nodiscard]] const std::vector<std::string>& notes() const { return curves_->notes(); }
+    /// Position of a curve; empty: the file does not say it.
+    [[nodiscard]] std::optional<CurvePosition> position(std::size_t index) const;
+    [[nodiscard]] CurveGrid grid() const { return curves_->grid(); }
+    /// Place of a curve in the grid; empty: it lies on none.
+    [[nodiscard]] std::optional<CurveCell> cell(std::size_t index) const;
+    /// Returns whether the file holds an image, too, which is opened as a scan.
+    [[nodiscard]] bool hasImage() const { return curves_->hasImage(); }
+
+private:
+    void open(const ByteSource& bytes, const CurveReadOptions& options);
+    void requireIndex(std::size_t index) const;
+
+    std::unique_ptr<const ByteSource> file_;
+    std::string name_;
+    std::string_view format_;
+    std::unique_ptr<const StoredCurves> curves_;
 };
 
-/// One column as its title says.
-struct CurveColumn {
-    CurveQuantity quantity = CurveQuantity::Other;
-    double factor = 1.0;   ///< to the SI unit
-    int rank = 0;          ///< of several with the same quantity, the highest is meant
-    bool retract = false;  ///< the title says that it belongs to the retract
-};
+/// Returns whether a content is of a type of force curves that is read here.
+[[nodiscard]] bool holdsForceCurves(const ByteSource& bytes);
 
-/// "Extend Z-Sense(nm)", "Force [nN]", "base_m".
-[[nodiscard]] CurveColumn curveColumn(std::string_view title);
-
-/// The cells of a line. Parted by tabs, else by semicolons, else by commas; quotes are taken off.
-[[nodiscard]] std::vector<std::string> curveCells(std::string_view line);
+/// Reads one curve of a file. @throw InputError as ForceCurveFile
+[[nodiscard]] MeasuredForceCurve readForceCurve(const std::filesystem::path& path,
+                                                std::size_t index = 0,
+                                                const CurveReadOptions& options = {});
 
 }  // namespace asperity

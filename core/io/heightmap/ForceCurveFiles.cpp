@@ -1,3 +1,5 @@
+#include "core/io/heightmap/ForceCurveFiles.h"
+
 #include "core/Error.h"
 #include "core/io/ByteReader.h"
 #include "core/io/TextValue.h"
@@ -55,6 +57,7 @@ bool isParkPinPoint(std::string_view start) { return start.starts_with("PS-PPT/"
 struct ForceCurveMark {
     std::string_view program;  ///< whose curves they are
     bool (*isOn)(std::string_view start);
+    bool isRead = false;  ///< as curves
 };
 
 constexpr std::array<ForceCurveMark, 6> kMarks = {{
@@ -62,7 +65,7 @@ constexpr std::array<ForceCurveMark, 6> kMarks = {{
     {"NanoScope, exported as text", isNanoscopeText},
     {"Nanonis spectroscopy, .dat", isNanonisSpectroscopy},
     {"Park PinPoint, .ps-ppt", isParkPinPoint},
-    {"AFM Workshop", isAfmWorkshop},
+    {"AFM Workshop", isAfmWorkshop, true},
     {"a table of afmformats, .tab", isCurveTable},
 }};
 
@@ -108,13 +111,19 @@ const ForceCurveMark* markOn(const ByteSource& bytes) {
 
 StoredScan refuse(const ByteSource& bytes) {
     const ForceCurveMark* const mark = markOn(bytes);
+    const bool isRead = mark != nullptr && mark->isRead;
     throw InputError(bytes.name(), "",
                      "this file holds force curves" +
                          (mark == nullptr ? "" : " (" + std::string(mark->program) + ")") +
-                         " and no image");
+                         " and no image" + std::string(isRead ? kCurvePointer : ""));
 }
 
 }  // namespace
+
+std::string forceCurveProgram(const ByteSource& bytes) {
+    const ForceCurveMark* const mark = markOn(bytes);
+    return mark == nullptr ? std::string() : std::string(mark->program);
+}
 
 const HeightMapFormat kForceCurveFormat = {
     .name = "force curves",

@@ -27,38 +27,13 @@ void convert(const char* stored, ByteOrder order, std::span<double> numbers) {
     }
 }
 
-void convert(SampleType type, ByteOrder order, const char* stored, std::span<double> numbers) {
-    switch (type) {
-    case SampleType::Int8:
-        return convert<std::int8_t>(stored, order, numbers);
-    case SampleType::UInt8:
-        return convert<std::uint8_t>(stored, order, numbers);
-    case SampleType::Int16:
-        return convert<std::int16_t>(stored, order, numbers);
-    case SampleType::UInt16:
-        return convert<std::uint16_t>(stored, order, numbers);
-    case SampleType::Int32:
-        return convert<std::int32_t>(stored, order, numbers);
-    case SampleType::UInt32:
-        return convert<std::uint32_t>(stored, order, numbers);
-    case SampleType::Int64:
-        return convert<std::int64_t>(stored, order, numbers);
-    case SampleType::UInt64:
-        return convert<std::uint64_t>(stored, order, numbers);
-    case SampleType::Float32:
-        return convert<float>(stored, order, numbers);
-    case SampleType::Float64:
-        return convert<double>(stored, order, numbers);
-    }
-}
-
 void readSamples(const ByteSource& bytes, const SampleLayout& layout, int row, RowRoom& room,
                  double* numbers) {
     const int stored = layout.bottomFirst ? layout.size.rows - 1 - row : row;
     room.bytes.resize(layout.rowBytes());
     bytes.read(layout.offset + static_cast<std::uint64_t>(stored) * layout.rowBytes(), room.bytes);
     const std::span<double> whole(numbers, static_cast<std::size_t>(layout.size.columns));
-    convert(layout.type, layout.order, room.bytes.data(), whole);
+    convertSamples(layout.type, layout.order, room.bytes.data(), whole);
     if (layout.rightFirst) {
         std::ranges::reverse(whole);
     }
@@ -241,6 +216,32 @@ void readRows(SharedRows& rows, const ScanMap& map, RowRoom& room, Progress* pro
 }
 
 }  // namespace
+
+void convertSamples(SampleType type, ByteOrder order, const char* stored,
+                    std::span<double> numbers) {
+    switch (type) {
+    case SampleType::Int8:
+        return convert<std::int8_t>(stored, order, numbers);
+    case SampleType::UInt8:
+        return convert<std::uint8_t>(stored, order, numbers);
+    case SampleType::Int16:
+        return convert<std::int16_t>(stored, order, numbers);
+    case SampleType::UInt16:
+        return convert<std::uint16_t>(stored, order, numbers);
+    case SampleType::Int32:
+        return convert<std::int32_t>(stored, order, numbers);
+    case SampleType::UInt32:
+        return convert<std::uint32_t>(stored, order, numbers);
+    case SampleType::Int64:
+        return convert<std::int64_t>(stored, order, numbers);
+    case SampleType::UInt64:
+        return convert<std::uint64_t>(stored, order, numbers);
+    case SampleType::Float32:
+        return convert<float>(stored, order, numbers);
+    case SampleType::Float64:
+        return convert<double>(stored, order, numbers);
+    }
+}
 
 std::size_t sizeOf(SampleType type) {
     switch (type) {

@@ -11,6 +11,7 @@
 #include <functional>
 #include <memory>
 #include <mutex>
+#include <span>
 #include <string>
 #include <utility>
 
@@ -32,6 +33,10 @@ enum class SampleType : std::uint8_t {
 [[nodiscard]] std::size_t sizeOf(SampleType type);  ///< [bytes]
 
 enum class ByteOrder : std::uint8_t { Little, Big };
+
+/// Converts stored samples to numbers. @param stored sizeOf(type) bytes for each of them
+void convertSamples(SampleType type, ByteOrder order, const char* stored,
+                    std::span<double> numbers);
 
 /// Layout of the samples of an image in a file: row after row without gaps.
 struct SampleLayout {

@@ -21,8 +21,8 @@ TEST(Usage, EverySubcommandHasHelp) {
     const auto overview = test::runProgram("--help");
     EXPECT_EQ(overview.exitCode, 0);
     for (const std::string command :
-         {"explore", "info", "convert", "contact", "curve", "decouple", "tradeoff", "extremes",
-          "replay", "report", "loop", "bench", "devices"}) {
+         {"explore", "info", "convert", "contact", "curve", "fit", "decouple", "tradeoff",
+          "extremes", "replay", "report", "loop", "bench", "devices"}) {
         EXPECT_NE(overview.output.find("\n  " + command + " "), std::string::npos) << command;
         const auto run = test::runProgram(command + " --help");
         EXPECT_EQ(run.exitCode, 0);

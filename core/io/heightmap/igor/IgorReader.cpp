@@ -1,5 +1,6 @@
 #include "core/Error.h"
 #include "core/io/TextValue.h"
+#include "core/io/heightmap/ForceCurveFiles.h"
 #include "core/io/heightmap/HeightMapFormat.h"
 #include "core/io/heightmap/PhysicalUnit.h"
 #include "core/io/heightmap/ScanImage.h"
@@ -17,7 +18,6 @@ namespace asperity {
 namespace {
 
 constexpr std::string_view kImageFooter = "MFP3D";
-constexpr std::string_view kForceFooter = "Force";
 
 class IgorReader {
 public:
@@ -57,23 +57,20 @@ public:
 private:
     /// Asylum's force curves have a column for each signal: Raw, Defl, ZSnsr.
     void refuseCurves() const {
-        const std::vector<std::string>& columns = wave_.labels[1];
-        constexpr std::array<std::string_view, 4> kSignals{"Raw", "Defl", "ZSnsr", "LVDT"};
-        const bool named = std::ranges::any_of(columns, [&](const std::string& column) {
-            return std::ranges::count(kSignals, column) != 0;
-        });
-        if (wave_.footer.ends_with(kForceFooter) || named) {
+        if (isAsylumCurve(wave_)) {
             std::string list;
-            for (const std::string& column : columns) {
+            for (const std::string& column : wave_.labels[1]) {
                 list += column.empty() ? "" : (list.empty() ? " (" : ", ") + column;
             }
             throw InputError(bytes_.name(), "",
                              "this Asylum file holds force curves" +
-                                 (list.empty() ? list : list + ")") + ", no image");
+                                 (list.empty() ? list : list + ")") + ", no image" +
+                                 std::string(kCurvePointer));
         }
         if (wave_.counts[1] == 0) {
             throw InputError(bytes_.name(), "dimensions",
-                             "this Igor wave has one dimension: a curve, no image");
+                             "this Igor wave has one dimension: a curve, no image" +
+                                 std::string(kCurvePointer));
         }
     }
 

@@ -9,8 +9,8 @@
 #include <utility>
 
 // Igor binary wave: a header of 64 bytes, one of 320 for the wave, the numbers, then formula, note,
-// units and labels. Source: docs/formats.md 6.
-// Channels of Asylum Research instruments. Source: docs/formats.md 6.
+// units and labels; of version 2, 16 and 110 bytes, the numbers and the note. Source:
+// docs/formats.md 6. Channels of Asylum Research instruments. Source: docs/formats.md 6.
 
 namespace asperity {
 
@@ -23,6 +23,7 @@ constexpr std::size_t kLabel = 32;
 constexpr std::uint64_t kWaveMaxText = std::uint64_t{1} << 18U;
 constexpr std::uint64_t kFooter = 1024;
 constexpr int kImageVersion = 5;
+constexpr int kCurveVersion = 2;
 
 // Offsets in the first header and, from 64 on, in that of the wave.
 constexpr std::size_t kWaveSize = 4;
@@ -42,6 +43,19 @@ constexpr std::size_t kDimensionUnits = kFileHeader + 152;
 constexpr std::size_t kShortUnit = 4;
 constexpr std::size_t kWaveNameLength = 32;
 
+// Offsets in a file of version 2: its headers have 16 and 110 bytes.
+constexpr std::size_t kOldFileHeader = 16;
+constexpr std::size_t kOldHeaders = kOldFileHeader + 110;
+constexpr std::size_t kOldWaveSize = 2;
+constexpr std::size_t kOldNoteSize = 6;
+constexpr std::size_t kOldType = kOldFileHeader;
+constexpr std::size_t kOldName = kOldFileHeader + 6;
+constexpr std::size_t kOldNameLength = 20;
+constexpr std::size_t kOldUnit = kOldFileHeader + 34;
+constexpr std::size_t kOldNumbers = kOldFileHeader + 42;
+constexpr std::size_t kOldStep = kOldFileHeader + 48;
+constexpr std::size_t kOldPadding = 16;  ///< behind the numbers
+
 constexpr int kComplex = 1;
 
 /// The first bytes of a file in its own byte order; the version's low byte is never 0.
@@ -52,7 +66,9 @@ public:
         , order_(bytes_.empty() || bytes_[0] != '\0' ? ByteOrder::Little : ByteOrder::Big) {}
 
     [[nodiscard]] ByteOrder order() const { return order_; }
-    [[nodiscard]] bool isWhole() const { return bytes_.size() == kHeaders; }
+    [[nodiscard]] bool isWhole() const {
+        return bytes_.size() >= (version() == kCurveVersion ? kOldHeaders : kHeaders);
+    }
 
     template <typename Number>
     [[nodiscard]] Number at(std::size_t offset) const {
@@ -108,6 +124,10 @@ public:
     IgorWave read() {
         requireSound();
         wave_.order = header_.order();
+        if (header_.version() == kCurveVersion) {
+            readCurve();
+            return std::move(wave_);
+        }
         wave_.name = header_.text(kWaveName, kWaveNameLength);
         readDimensions();
         readNumbers();
@@ -118,20 +138,57 @@ public:
 private:
     void requireSound() const {
         const int version = header_.version();
-        if (version >= 1 && version <= 3) {
+        if (version == 1 || version == 3) {
             fail("byte 0", "this Igor wave has version " + std::to_string(version) +
                                ": a curve or other numbers in one dimension, no image");
         }
-        if (version != kImageVersion) {
-            fail("byte 0", "expected an Igor binary wave of version 5");
+        if (version != kImageVersion && version != kCurveVersion) {
+            fail("byte 0", "expected an Igor binary wave of version 5 or 2");
         }
+        const std::size_t headers = version == kCurveVersion ? kOldHeaders : kHeaders;
         if (!header_.isWhole()) {
-            fail("header", "it has " + std::to_string(kHeaders) +
+            fail("header", "it has " + std::to_string(headers) +
                                " bytes, but the file has fewer; it is truncated");
         }
-        if (!header_.sumsToZero(kHeaders)) {
+        if (!header_.sumsToZero(headers)) {
             fail("header", "its checksum is wrong; the file is damaged");
         }
+    }
+
+    /// Version 2 holds one dimension.
+    void readCurve() {
+        wave_.name = header_.text(kOldName, kOldNameLength);
+        wave_.unit = header_.text(kOldUnit, kShortUnit);
+        wave_.steps[0] = header_.at<double>(kOldStep);
+        wave_.starts[0] = header_.at<double>(kOldStep + sizeof(double));
+        wave_.type = typeOf(header_.at<std::int16_t>(kOldType));
+        wave_.offset = kOldHeaders;
+        const auto count = header_.at<std::int32_t>(kOldNumbers);
+        const std::uint64_t numbers = count < 0 ? 0 : static_cast<std::uint64_t>(count);
+        const std::uint64_t expected = kOldHeaders - kOldFileHeader + numbers * sizeOf(wave_.type);
+        if (count < 0 || size(kOldWaveSize) < expected) {
+            fail("header", "the wave has " + std::to_string(size(kOldWaveSize)) +
+                               " bytes, but its " + std::to_string(count) + " numbers need " +
+                               std::to_string(expected));
+        }
+        wave_.counts[0] = count;
+        end_ = kOldFileHeader;
+        skip(std::max(size(kOldWaveSize), expected + kOldPadding), "the wave");
+        wave_.note = textIn(skip(size(kOldNoteSize), "the note"));
+    }
+
+    [[nodiscard]] SampleType typeOf(int code) const {
+        if (code == 0) {
+            fail("type", "this Igor wave holds texts, no numbers");
+        }
+        if ((code & kComplex) != 0) {
+            fail("type", "this Igor wave holds complex numbers; only real ones can be heights");
+        }
+        const std::optional<SampleType> type = sampleType(code);
+        if (!type) {
+            fail("type", "no type of numbers has the code " + std::to_string(code));
+        }
+        return *type;
     }
 
     void readDimensions() {
@@ -145,20 +202,9 @@ private:
     }
 
     void readNumbers() {
-        const int code = header_.at<std::int16_t>(kType);
-        if (code == 0) {
-            fail("type", "this Igor wave holds texts, no image");
-        }
-        if ((code & kComplex) != 0) {
-            fail("type", "this Igor wave holds complex numbers; only real ones can be heights");
-        }
-        const std::optional<SampleType> type = sampleType(code);
-        if (!type) {
-            fail("type", "no type of numbers has the code " + std::to_string(code));
-        }
-        wave_.type = *type;
+        wave_.type = typeOf(header_.at<std::int16_t>(kType));
         wave_.offset = kHeaders;
-        const std::uint64_t expected = kWaveHeader + countOfNumbers() * sizeOf(*type);
+        const std::uint64_t expected = kWaveHeader + countOfNumbers() * sizeOf(wave_.type);
         const std::uint64_t stated = size(kWaveSize);
         if (stated < expected) {
             fail("header", "the wave has " + std::to_string(stated) +
@@ -308,7 +354,7 @@ std::string signalOf(std::string_view label) {
 bool startsAsIgorWave(const ByteSource& bytes) {
     // Version and, by it, the length that the checksum is over.
     constexpr std::array<std::pair<int, std::size_t>, 4> kSums{
-        {{1, 118}, {2, 126}, {3, 130}, {kImageVersion, kHeaders}}};
+        {{1, 118}, {kCurveVersion, kOldHeaders}, {3, 130}, {kImageVersion, kHeaders}}};
     const WaveHeader header(bytes);
     const auto* const sum =
         std::ranges::find(kSums, header.version(), [](const auto& each) { return each.first; });
@@ -333,6 +379,15 @@ std::map<std::string, std::string> parseAsylumNote(const std::string& note) {
         }
     }
     return fields;
+}
+
+bool isAsylumCurve(const IgorWave& wave) {
+    constexpr std::string_view kForceFooter = "Force";
+    constexpr std::array<std::string_view, 4> kSignals{"Raw", "Defl", "ZSnsr", "LVDT"};
+    return wave.footer.ends_with(kForceFooter) ||
+           std::ranges::any_of(wave.labels[1], [&](const std::string& column) {
+               return std::ranges::count(kSignals, column) != 0;
+           });
 }
 
 bool isAsylumLabel(const std::string& label) {

@@ -13,7 +13,8 @@
 
 namespace asperity {
 
-/// A wave of an Igor binary file of version 5, without its numbers. Dimension 0 runs fastest.
+/// A wave of an Igor binary file of version 5 or 2, without its numbers. Dimension 0 runs fastest;
+/// in version 2 there is no other one.
 struct IgorWave {
     static constexpr std::size_t kDimensions = 4;
 
@@ -37,14 +38,16 @@ struct IgorWave {
 /// Returns whether a file starts as an Igor binary wave of any version, damaged or not.
 [[nodiscard]] bool startsAsIgorWave(const ByteSource& bytes);
 
-/// @throw InputError when the wave has one dimension, texts or complex numbers, or anything does
-/// not
-///        fit together
+/// @throw InputError when the wave holds texts or complex numbers, or anything does not fit
+/// together
 [[nodiscard]] IgorWave readIgorWave(const ByteSource& bytes);
 
 /// Returns the entries in the note of an Asylum Research wave, by key.
 /// @param note `key: value` lines that end with CR; of several with one key the first one counts
 [[nodiscard]] std::map<std::string, std::string> parseAsylumNote(const std::string& note);
+
+/// Returns whether a wave holds a force curve of Asylum Research, with a column for each signal.
+[[nodiscard]] bool isAsylumCurve(const IgorWave& wave);
 
 /// Returns whether a label names an image of an Asylum file: "HeightTrace", "PhaseRetraceMod1".
 [[nodiscard]] bool isAsylumLabel(const std::string& label);

@@ -1,4 +1,5 @@
 #include "core/Error.h"
+#include "core/io/heightmap/ForceCurveFiles.h"
 #include "core/io/heightmap/HeightMapFormat.h"
 #include "core/io/heightmap/SampleRows.h"
 #include "core/io/heightmap/jpk/JpkSlot.h"
@@ -39,8 +40,8 @@ StoredScan readJpkArchive(const ByteSource& bytes) {
     const auto image = std::ranges::find_if(archive.entries(), isImage);
     if (image == archive.entries().end()) {
         throw InputError(bytes.name(), "",
-                         "this JPK archive holds force curves alone and no image; the archive of "
-                         "a map (.jpk-force-map, .jpk-qi-data) holds one");
+                         "this JPK archive holds force curves alone and no image" +
+                             std::string(kCurvePointer));
     }
     const std::shared_ptr<const ByteSource> content = archive.source(*image, mostBytesOf(bytes));
     if (!isJpkImage(*content)) {
@@ -51,7 +52,8 @@ StoredScan readJpkArchive(const ByteSource& bytes) {
         channel.readRow = keeping(std::move(channel.readRow), content);
     }
     if (std::ranges::any_of(archive.entries(), belongsToCurves)) {
-        scan.notes.emplace_back("the archive also holds force curves, which are not read");
+        scan.notes.emplace_back("the archive also holds force curves: 'asperity info' lists "
+                                "them, 'asperity fit' evaluates them");
     }
     scan.provenance.push_back({"image", image->name, "the zip archive's directory"});
     return scan;

@@ -2,6 +2,7 @@
 
 #include "core/Error.h"
 
+#include <charconv>
 #include <cmath>
 
 namespace asperity {
@@ -83,8 +84,12 @@ std::optional<CiaoValue> parseCiaoValue(std::string_view value) {
         }
         result.bracket = trimmed(*inside);
     }
-    if (text.starts_with('(') && !takeBracket(text, '(', ')')) {
-        return std::nullopt;
+    if (text.starts_with('(')) {
+        const std::optional<std::string_view> inside = takeBracket(text, '(', ')');
+        if (!inside) {
+            return std::nullopt;
+        }
+        result.hardScale = trimmed(*inside);
     }
     if (text.size() > 1 && text.starts_with('"') && text.ends_with('"')) {
         text = text.substr(1, text.size() - 2);
@@ -96,6 +101,31 @@ std::optional<CiaoValue> parseCiaoValue(std::string_view value) {
         result.unit = number->rest;
     }
     return result;
+}
+
+std::string nanoscopeStart(const ByteSource& bytes) {
+    return bytes.startUntil(
+        [](std::string_view start) { return nanoscopeHeaderSize(start) != std::string_view::npos; },
+        kMaxNanoscopeHeader);
+}
+
+const std::string* nanoscopeEntry(const std::vector<NanoscopeSection>& sections,
+                                  std::string_view key) {
+    for (const NanoscopeSection& section : sections) {
+        if (const std::string* const text = section.find(key)) {
+            return text;
+        }
+    }
+    return nullptr;
+}
+
+int nanoscopeSampleBytes(std::string_view version) {
+    constexpr unsigned kFirstWideVersion = 0x09200000;
+    const bool hasPrefix = version.starts_with("0x") || version.starts_with("0X");
+    unsigned number = 0;
+    (void)std::from_chars(version.data() + (hasPrefix ? 2 : 0), version.data() + version.size(),
+                          number, 16);
+    return number >= kFirstWideVersion ? 4 : 2;
 }
 
 std::size_t nanoscopeHeaderSize(std::string_view bytes) {

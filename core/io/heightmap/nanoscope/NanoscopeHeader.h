@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/io/ByteReader.h"
 #include "core/io/TextValue.h"
 
 #include <algorithm>
@@ -33,6 +34,7 @@ struct NanoscopeSection {
 /// `S [internal name] "name on the screen"`.
 struct CiaoValue {
     std::string bracket;           ///< soft scale or internal name; may be empty
+    std::string hardScale;         ///< "0.000375 V/LSB"; may be empty
     std::string text;              ///< after the brackets, without quotes
     std::optional<double> number;  ///< at the start of the text; always finite
     std::string unit;              ///< after the number
@@ -54,6 +56,16 @@ void takeNanoscopeLine(std::string_view line, std::vector<NanoscopeSection>& sec
 /// @throw InputError when the header has no end or its line ends were changed by a transfer
 [[nodiscard]] std::vector<NanoscopeSection> readNanoscopeHeader(std::string_view bytes,
                                                                 const std::string& file);
+
+/// Returns the front of a file with its whole header, where it has one.
+[[nodiscard]] std::string nanoscopeStart(const ByteSource& bytes);
+
+/// Returns an entry, whatever section it is in: the first one counts; null: there is none.
+[[nodiscard]] const std::string* nanoscopeEntry(const std::vector<NanoscopeSection>& sections,
+                                                std::string_view key);
+
+/// Returns the bytes of a sample by the header's version, whatever "Bytes/pixel" says.
+[[nodiscard]] int nanoscopeSampleBytes(std::string_view version);
 
 // Names of the sections of a NanoScope header, in lower case. NanoScope E and others have other
 // names for the same lists. Source: docs/formats.md 3.

@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <string_view>
 #include <utility>
@@ -90,7 +89,6 @@ std::optional<OldScale> scaleOfKind(const OldKind& kind, const NanoscopeSection&
 }
 
 /// From this version on samples have 32 bits, whatever "Bytes/pixel" says.
-constexpr unsigned kFirstWideVersion = 0x09200000;
 
 /// The unit of a value after its sensitivity: "m/V" times "V" is "m".
 std::string productUnit(const std::string& sensitivity, const std::string& hard) {
@@ -382,13 +380,7 @@ std::string NanoscopeImage::ofFile(const std::string& key) const {
 }
 
 /// The oldest files have no version.
-int NanoscopeImage::storedSampleBytes() const {
-    const std::string text = ofFile("Version");
-    const std::size_t start = text.starts_with("0x") || text.starts_with("0X") ? 2 : 0;
-    unsigned version = 0;
-    (void)std::from_chars(text.data() + start, text.data() + text.size(), version, 16);
-    return version >= kFirstWideVersion ? 4 : 2;
-}
+int NanoscopeImage::storedSampleBytes() const { return nanoscopeSampleBytes(ofFile("Version")); }
 
 std::optional<double> NanoscopeImage::scanLength(const std::string& key) const {
     const std::string* text = findIn(kNanoscopeScanLists, key);

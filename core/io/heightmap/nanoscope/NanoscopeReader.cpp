@@ -1,5 +1,6 @@
 #include "core/Error.h"
 #include "core/io/TextValue.h"
+#include "core/io/heightmap/ForceCurveFiles.h"
 #include "core/io/heightmap/HeightMapFormat.h"
 #include "core/io/heightmap/SampleRows.h"
 #include "core/io/heightmap/ScanImage.h"
@@ -29,13 +30,7 @@ constexpr char kHeaderPadding = '\x1A';
 class NanoscopeReader {
 public:
     explicit NanoscopeReader(const ByteSource& bytes)
-        : bytes_(bytes)
-        , file_(bytes.name())
-        , start_(bytes.startUntil(
-              [](std::string_view start) {
-                  return nanoscopeHeaderSize(start) != std::string_view::npos;
-              },
-              kMaxNanoscopeHeader)) {}
+        : bytes_(bytes), file_(bytes.name()), start_(nanoscopeStart(bytes)) {}
 
     StoredScan read() {
         if (start_.starts_with(kTextMagic)) {
@@ -62,12 +57,8 @@ public:
 private:
     /// Returns a value of the whole header, whatever list it is in; empty: there is none.
     [[nodiscard]] std::string anywhere(const std::string& key) const {
-        for (const NanoscopeSection& section : sections_) {
-            if (const std::string* const text = section.find(key)) {
-                return *text;
-            }
-        }
-        return {};
+        const std::string* const text = nanoscopeEntry(sections_, key);
+        return text == nullptr ? std::string() : *text;
     }
 
     /// Refuses profiles of trenches: lines of different lengths.
@@ -83,11 +74,14 @@ private:
     void requireAnyImage() {
         if (result_.channels.empty()) {
             throw InputError(file_, holdsForceCurves() ? "" : "header",
-                             holdsForceCurves() ? "this NanoScope file holds force curves, no image"
-                                                : "it lists no image ('Ciao image list')");
+                             holdsForceCurves()
+                                 ? "this NanoScope file holds force curves, no image" +
+                                       std::string(kCurvePointer)
+                                 : "it lists no image ('Ciao image list')");
         }
         if (holdsForceCurves()) {
-            result_.notes.emplace_back("the file holds force curves, too, which are not read");
+            result_.notes.emplace_back("the file holds force curves, too: 'asperity info' lists "
+                                       "them, 'asperity fit' evaluates them");
         }
     }
 

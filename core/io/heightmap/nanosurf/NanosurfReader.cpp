@@ -1,16 +1,16 @@
 #include "core/Error.h"
 #include "core/io/TextValue.h"
+#include "core/io/heightmap/ForceCurveFiles.h"
 #include "core/io/heightmap/HeaderFields.h"
 #include "core/io/heightmap/HeightMapFormat.h"
 #include "core/io/heightmap/PhysicalUnit.h"
 #include "core/io/heightmap/SampleRows.h"
 #include "core/io/heightmap/ScanImage.h"
 #include "core/io/heightmap/WholeImages.h"
+#include "core/io/heightmap/nanosurf/NanosurfHeader.h"
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <optional>
 #include <utility>
 
 // Nanosurf .nid and .ezd: text sections of `key=value`, then the samples of all listed channels,
@@ -20,45 +20,16 @@ namespace asperity {
 
 namespace {
 
-constexpr std::string_view kNanosurfMagic = "[DataSet]";
-constexpr std::string_view kNanosurfHeaderEnd = "\r\n#!";
-
-/// One that [DataSet] lists, by group and index in it.
-using ChannelKey = std::pair<long long, long long>;
-
-/// "Gr1-Ch2" → 1, 2; empty for every other key.
-std::optional<ChannelKey> parseChannelKey(std::string_view key) {
-    const std::size_t dash = key.find("-Ch");
-    if (!key.starts_with("Gr") || dash == std::string_view::npos) {
-        return std::nullopt;
-    }
-    const std::optional<long long> group = parseInteger(key.substr(2, dash - 2));
-    const std::optional<long long> channel = parseInteger(key.substr(dash + 3));
-    return group && channel ? std::optional(ChannelKey{*group, *channel}) : std::nullopt;
-}
-
-/// Meaning of a count of the samples.
-struct Scale {
-    double minimum = 0.0;  ///< value of the lowest count
-    double perCount = 1.0;
-    double lowestCount = 0.0;
-};
-
 class NanosurfReader {
 public:
     explicit NanosurfReader(const ByteSource& bytes) : bytes_(bytes), file_(bytes.name()) {}
 
     StoredScan read() {
-        if (bytes_.startsWith("[DataSet]\n")) {
-            throw InputError(file_, "line 1",
-                             "it ends with a bare line feed: a transfer in text mode has damaged "
-                             "the file");
-        }
-        const HeaderText header = headerText(bytes_, kNanosurfHeaderEnd);
-        sections_ = sectionsOf(header.text, '=', file_);
+        NanosurfHeader header = readNanosurfHeader(bytes_);
+        sections_ = std::move(header.sections);
         offset_ = header.end;
         takeSharedTexts();
-        const std::vector<const HeaderFields*> channels = listedChannels();
+        const std::vector<const HeaderFields*> channels = nanosurfChannels(sections_, file_);
         quota_ = TextQuota::ofEach(channels.size());
         for (const HeaderFields* const channel : channels) {
             addChannel(*channel);
@@ -69,11 +40,12 @@ public:
                              curves_.empty()
                                  ? "it lists no image"
                                  : "this Nanosurf file holds force curves or spectra, no image (" +
-                                       curveList() + ")");
+                                       curveList() + ")" + std::string(kCurvePointer));
         }
         if (!curves_.empty()) {
             result_.notes.push_back(
-                "the file also holds force curves or spectra, which are not read: " + curveList());
+                "the file also holds force curves or spectra, which 'asperity info' lists: " +
+                curveList());
         }
         if (const std::string* const version = sections_.at("DataSet").find("Version")) {
             result_.provenance.push_back({"format version", *version, "[DataSet] Version"});
@@ -82,33 +54,6 @@ public:
     }
 
 private:
-    /// In the order in which their samples are stored.
-    [[nodiscard]] std::vector<const HeaderFields*> listedChannels() const {
-        const auto list = sections_.find("DataSet");
-        if (list == sections_.end()) {
-            throw InputError(file_, "header", "it has no section [DataSet]");
-        }
-        std::map<ChannelKey, const HeaderFields*> channels;
-        for (const auto& [key, name] : list->second.all()) {
-            const std::optional<ChannelKey> channel = parseChannelKey(key);
-            if (!channel) {
-                continue;
-            }
-            const auto section = sections_.find(name);
-            if (section == sections_.end()) {
-                list->second.fail(key, "there is no section [" + name + "]");
-            }
-            channels.emplace(*channel, &section->second);
-        }
-        requireImages(channels.size(), file_, "[DataSet]");
-        std::vector<const HeaderFields*> ordered;
-        ordered.reserve(channels.size());
-        for (const auto& [channel, section] : channels) {
-            ordered.push_back(section);
-        }
-        return ordered;
-    }
-
     void addChannel(const HeaderFields& section) {
         const std::string frame = section.text("Frame");
         const bool scans = lowerCase(frame).find("scan") != std::string::npos;
@@ -119,7 +64,7 @@ private:
         const SampleLayout samples{.size = checkedImageSize(section.integer("Points"),
                                                             section.integer("Lines"), file_,
                                                             section.location() + " Points, Lines"),
-                                   .type = typeOf(section),
+                                   .type = nanosurfSampleType(section),
                                    .offset = offset_,
                                    .bottomFirst = true};
         offset_ += samples.bytes();
@@ -139,7 +84,7 @@ private:
                          "found " + std::to_string(points) + " x " + std::to_string(lines));
         }
         const auto count = static_cast<std::uint64_t>(points * lines);
-        const std::uint64_t length = count * sizeOf(typeOf(section));
+        const std::uint64_t length = count * sizeOf(nanosurfSampleType(section));
         offset_ += length;
         long long& curves = curves_[frame.empty() ? "no frame" : frame];
         curves = std::max(curves, lines);
@@ -152,31 +97,6 @@ private:
             list += (list.empty() ? "'" : ", '") + frame + "' (" + std::to_string(count) + ")";
         }
         return list;
-    }
-
-    [[nodiscard]] static SampleType typeOf(const HeaderFields& section) {
-        requireWord(section, "SaveMode", "Binary");
-        requireWord(section, "SaveSign", "Signed");
-        requireWord(section, "SaveOrder", "Intel");
-        switch (section.integer("SaveBits")) {
-        case 8:
-            return SampleType::Int8;
-        case 16:
-            return SampleType::Int16;
-        case 32:
-            return SampleType::Int32;
-        default:
-            section.fail("SaveBits",
-                         "expected 8, 16 or 32, found '" + section.text("SaveBits") + "'");
-        }
-    }
-
-    static void requireWord(const HeaderFields& section, const std::string& key,
-                            std::string_view expected) {
-        const std::string word = section.text(key);
-        if (word != expected) {
-            section.fail(key, "expected " + std::string(expected) + ", found '" + word + "'");
-        }
     }
 
     [[nodiscard]] StoredChannel imageOf(const HeaderFields& section, const SampleLayout& samples) {
@@ -199,28 +119,13 @@ private:
         const PhysicalUnit unit = parseUnit(section.text("Dim2Unit"));
         channel.unit = unit.base;
         settleSize(channel, section.location() + " Dim0Range and Dim1Range");
-        const Scale scale = scaleOf(section, samples.type);
+        const NanosurfScale scale = nanosurfScale(section, samples.type);
         channel.provenance.push_back(scaleProvenance(
             scale.perCount * unit.factor, unit.base,
             section.location() + " Dim2Range over the counts of SaveBits, from Dim2Min on"));
         return {.channel = std::move(channel),
                 .factor = unit.factor,
-                .readRow =
-                    replaced(rowsOf(bytes_, samples), samples.size.columns, [scale](double count) {
-                        return scale.minimum + scale.perCount * (count - scale.lowestCount);
-                    })};
-    }
-
-    [[nodiscard]] static Scale scaleOf(const HeaderFields& section, SampleType type) {
-        const std::optional<double> minimum = section.number("Dim2Min");
-        const std::optional<double> range = section.number("Dim2Range");
-        if (!minimum || !range || !std::isfinite(*minimum) || !std::isfinite(*range)) {
-            section.fail("Dim2Min, Dim2Range", "expected two finite numbers");
-        }
-        const int bits = 8 * static_cast<int>(sizeOf(type));
-        return {.minimum = *minimum,
-                .perCount = std::ldexp(*range, -bits),
-                .lowestCount = -std::ldexp(1.0, bits - 1)};
+                .readRow = replaced(rowsOf(bytes_, samples), samples.size.columns, scale)};
     }
 
     /// Takes the texts on the whole scan.

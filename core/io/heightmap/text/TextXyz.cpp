@@ -1,5 +1,6 @@
 #include "core/Error.h"
 #include "core/io/TextValue.h"
+#include "core/io/heightmap/ForceCurveFiles.h"
 #include "core/io/heightmap/HeightMapFormat.h"
 #include "core/io/heightmap/SampleRows.h"
 #include "core/io/heightmap/ScanImage.h"
@@ -110,7 +111,8 @@ private:
             throw InputError(file_, "",
                              "three columns of numbers, the first in equal steps, are a curve and "
                              "no height map: NT-MDT exports force curves so, approach beside "
-                             "retract");
+                             "retract" +
+                                 std::string(kCurvePointer));
         }
         const std::optional<GridAxis> x = gridAxis(points_, 0);
         const std::optional<GridAxis> y = gridAxis(points_, 1);

@@ -83,15 +83,30 @@ TEST(ForceCurveFile, ReadsAfmWorkshopsTableInPairsOfColumns) {
 }
 
 TEST(ForceCurveFile, RefusesWhatItCannotReadInWords) {
+    ScratchFolder folder;
+    EXPECT_TRUE(holds(refusalOf(folder.write("a.dat", std::string("\x01\x00\x02", 3))),
+                      "holds binary data of no known format of force curves"));
+    EXPECT_TRUE(holds(refusalOf(folder.write("a.txt", "a letter\n")), "no line names"));
+    EXPECT_TRUE(holds(refusalOf(folder.write(
+                          "a.dat", "Experiment\tZ spectroscopy\t\nX (m)\t1\n\n[DATA]\n1\t2\n")),
+                      "force curves (Nanonis spectroscopy, .dat), which are not read"));
+}
+
+TEST(ForceCurveFile, RefusesAThermalSpectrumByName) {
     ASPERITY_NEEDS_SHARED_DATA();
-    const std::filesystem::path folder = test::sharedData("curves/original");
-    EXPECT_TRUE(holds(refusalOf(folder / "fmt-afm-workshop-fd_single_2021-01-15.csv"), "in volts"));
-    EXPECT_TRUE(holds(refusalOf(folder / "fmt-ntmdt-txt-fd_2015_01_17_gel4-0_1_mQ_adh_6B_Curve_DFL_"
-                                         "Height_51.txt"),
-                      "no line names"));
-    EXPECT_TRUE(holds(refusalOf(folder / "fmt-jpk-fd_spot3-0192.jpk-force"), "binary data"));
-    EXPECT_TRUE(holds(refusalOf(folder / "fmt-igor-fd_SiN_FD_plot.ibw"), "binary data"));
-    EXPECT_FALSE(refusalOf(folder / "20200904_Egel4-Z1.0_00025.spm").empty());
+    EXPECT_TRUE(
+        holds(refusalOf(test::sharedData("curves/original/thermal.nid")), "a thermal spectrum"));
+}
+
+TEST(ForceCurveFile, SaysWhichCurvesThereAre) {
+    ScratchFolder folder;
+    const auto file = folder.write("a.csv", "z [nm],force [nN]\n1,2\n2,3\n");
+    try {
+        static_cast<void>(readForceCurve(file, 3));
+        FAIL();
+    } catch (const InputError& error) {
+        EXPECT_TRUE(holds(error.what(), "there is no curve 3: the file holds one")) << error.what();
+    }
 }
 
 TEST(ForceCurveFile, AlignsTheCurvesWhoseContactIsKnown) {
@@ -110,7 +125,8 @@ TEST(ForceCurveFile, AlignsTheCurvesWhoseContactIsKnown) {
 TEST(ForceCurveFile, ReadsTabsAndDecimalCommas) {
     ScratchFolder folder;
     const MeasuredForceCurve curve = readForceCurve(folder.write(
-        "a.txt", "Kurve 12\nZ (nm)\tForce (nN)\n100,5\t0,25\n50,25\t0,5\n10\t9,75\n60\t-1\n"));
+        "a.txt",
+        "Kurve 12\nZ (nm)\tForce (nN)\n100,5\t0,25\n50,25\t0,5\n10\t9,75\n60\t-1\n70\t0\n"));
     ASSERT_EQ(curve.segments.size(), 2U);
     EXPECT_EQ(curve.segments[0].kind, CurveSegmentKind::Approach);
     EXPECT_EQ(curve.segments[1].kind, CurveSegmentKind::Retract);
@@ -139,7 +155,7 @@ TEST(ForceCurveFile, TakesLeverAndColumnsOfChiaro) {
                                    "(nm)\tAuxiliary\n"
                                    "0\t-0.000308\t0\t-16.2\t64.97\t0\n"
                                    "1\t0.02\t100\t1052\t2000\t0\n"
-                                   "2\t0.01\t10\t526\t1000\t0\n"));
+                                   "2\t0.01\t10\t526\t1000\t0\n3\t0\t0\t0\t900\t0\n"));
     EXPECT_DOUBLE_EQ(curve.stiffness, 0.019);
     ASSERT_EQ(curve.segments.size(), 2U);
     EXPECT_DOUBLE_EQ(curve.segments[0].force[1], 0.02e-6);
@@ -154,7 +170,8 @@ TEST(ForceCurveFile, TakesOurOwnForceLog) {
         "time_s,base_x_m,base_y_m,base_z_m,est_fx_n,est_fy_n,est_fz_n,gap_m,indentation_m,branch\n"
         "0,1e-6,2e-6,9e-9,7,7,0,9e-9,-9e-9,approach\n"
         "1,1e-6,2e-6,-1e-9,7,7,5e-9,1e-10,1e-10,approach\n"
-        "2,1e-6,2e-6,3e-9,7,7,-6e-9,3e-9,-3e-9,retract\n"));
+        "2,1e-6,2e-6,3e-9,7,7,-6e-9,3e-9,-3e-9,retract\n"
+        "3,1e-6,2e-6,4e-9,7,7,0,4e-9,-4e-9,retract\n"));
     ASSERT_EQ(curve.segments.size(), 2U);
     EXPECT_DOUBLE_EQ(curve.segments[0].base[1], 1e-9);
     EXPECT_DOUBLE_EQ(curve.segments[1].force[0], -6e-9);

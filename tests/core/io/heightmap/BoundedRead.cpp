@@ -31,9 +31,9 @@ enum class Answer : int {
     Other = 4
 };
 
-Answer answerTo(std::string_view bytes) {
+Answer answerTo(std::string_view bytes, const ReadDamaged& read) {
     try {
-        (void)readHeightMapBytes(bytes, "damaged");
+        read(bytes);
         return Answer::Read;
     } catch (const InputError& error) {
         constexpr std::string_view kName = "damaged: ";
@@ -109,13 +109,19 @@ std::string failureOf(int status) {
 }  // namespace
 
 BoundedRead readBounded(std::string_view bytes, std::uint64_t most) {
+    return readBounded(bytes, most, [](std::string_view content) {
+        (void)readHeightMapBytes(content, "damaged");
+    });
+}
+
+BoundedRead readBounded(std::string_view bytes, std::uint64_t most, const ReadDamaged& read) {
     malloc_trim(0);  // what is free here would hide what the process uses of it
     const Ended idle = inProcess([] { return Answer::Read; });
     const rlim_t limit = addressSpace() + most;
     const Ended ended = inProcess([&] {
         const rlimit room{limit, limit};
         setrlimit(RLIMIT_AS, &room);
-        return answerTo(bytes);
+        return answerTo(bytes, read);
     });
     return {.isRead = WIFEXITED(ended.status) && WEXITSTATUS(ended.status) == 0,
             .failure = failureOf(ended.status),

@@ -170,11 +170,13 @@ TEST(IgorReader, OneDimensionIsACurve) {
     IgorWaveText wave;
     wave.counts = {6, 0, 0, 0};
     EXPECT_THAT(refusalOfIgor(igorFile(wave)), HasSubstr("a curve, no image"));
-    std::string old(126, '\0');
+    std::string old(126, '\0');  // version 2 of no numbers
     old[0] = 2;
-    old[2] = static_cast<char>(-2);
-    old[3] = static_cast<char>(-1);
-    EXPECT_THAT(refusalOfIgor(old), HasSubstr("version 2: a curve"));
+    old[2] = 110;  // bytes of the wave
+    old[16] = 2;   // float32
+    old[14] = static_cast<char>(-(2 + 110 + 2));
+    old[15] = static_cast<char>(-1);  // the sum of all is 0
+    EXPECT_THAT(refusalOfIgor(old), HasSubstr("one dimension: a curve, no image"));
 }
 
 TEST(IgorReader, TextsAndComplexNumbersAreRefused) {

@@ -1,0 +1,122 @@
+#include "core/io/tables/CsvTable.h"
+#include "tests/app/ProgramRun.h"
+#include "tests/support/ReferenceTable.h"
+#include "tests/support/ScratchFolder.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <iomanip>
+#include <nlohmann/json.hpp>
+#include <string>
+
+namespace asperity {
+namespace {
+
+class FitCommand : public ::testing::Test {
+protected:
+    /// Writes an elastic cycle of a paraboloid of 5 um on a lever of 0.05 N/m, E* 5 kPa.
+    std::string curveFile(const std::string& name) {
+        const std::filesystem::path path = scratch.file(name);
+        std::ofstream file(path);
+        file << "segment,base_m,deflection_m,force_N\n" << std::setprecision(12);
+        for (const bool retracts : {false, true}) {
+            for (int i = 0; i <= 500; ++i) {
+                const double way = -3e-6 + (5e-6 * (retracts ? 500 - i : i) / 500.0);
+                const double force = forceAt(way) + (1e-12 * ((i * 7919) % 13 - 6));
+                file << (retracts ? "retract," : "approach,") << 1e-6 + way << ','
+                     << force / kStiffness << ',' << force << '\n';
+            }
+        }
+        return path.string();
+    }
+
+    static double forceAt(double way) {
+        double low = 0.0;
+        double high = std::max(way, 0.0);
+        for (int i = 0; i < 100; ++i) {
+            const double depth = 0.5 * (low + high);
+            const double law = 4.0 / 3.0 * 5e3 * std::sqrt(5e-6) * std::pow(depth, 1.5);
+            (depth + (law / kStiffness) < way ? low : high) = depth;
+        }
+        return kStiffness * (std::max(way, 0.0) - low);
+    }
+
+    [[nodiscard]] nlohmann::json json(const std::string& name) const {
+        std::ifstream file(scratch.file("out") / name);
+        return nlohmann::json::parse(file);
+    }
+    [[nodiscard]] test::ProgramRun fit(const std::string& arguments) const {
+        return test::runProgram("fit " + arguments + " --out " + scratch.file("out").string());
+    }
+
+    static constexpr double kStiffness = 0.05;  // [N/m]
+    test::ScratchFolder scratch;
+};
+
+TEST_F(FitCommand, WritesNumbersTablesAndFigure) {
+    const auto run = fit(curveFile("a.csv") + " --tip paraboloid:5um --nu 0.5");
+    EXPECT_EQ(run.exitCode, 0) << run.output;
+    const auto result = json("fit.json");
+    EXPECT_EQ(result["verdict"], "matched");
+    const auto& modulus = result["parameters"]["youngs_modulus_pa"];
+    EXPECT_NEAR(modulus["value"].get<double>(), 3750.0, 40.0);
+    EXPECT_GT(modulus["std"].get<double>(), 0.0);
+    EXPECT_GT(modulus["std_calibration"].get<double>(), 375.0);
+    EXPECT_EQ(modulus["unit"], "Pa");
+    EXPECT_EQ(modulus["source"], "fitted");
+    EXPECT_EQ(result["parameters"]["stiffness_n_m"]["source"], "file");
+    EXPECT_EQ(result["parameters"]["tip_radius_m"]["source"], "assumed");
+    EXPECT_EQ(result["sha256"].get<std::string>().size(), 64U);
+    EXPECT_LT(result["residuals"]["rms_forward_cycle"].get<double>(), 0.02);
+    EXPECT_EQ(readCsv(scratch.file("out") / "curve.csv").rows(), 1002U);
+    EXPECT_EQ(readCsv(scratch.file("out") / "simulated.csv").rows(), 1002U);
+    EXPECT_GT(std::filesystem::file_size(scratch.file("out") / "fit.png"), 1000U);
+    EXPECT_EQ(fit(curveFile("a.csv") + " --tip paraboloid:5um").exitCode, 1);  // no --force
+}
+
+TEST_F(FitCommand, RefusesWithItsFile) {
+    const std::string bare = scratch.file("bare.csv").string();
+    {
+        std::ofstream file(bare);
+        file << "segment,base_m,force_N\n";
+        for (int i = 0; i < 100; ++i) {
+            file << "approach," << 1e-8 * i << ',' << 1e-12 * ((i * 7919) % 13) << '\n';
+        }
+    }
+    const auto run = fit(bare + " --tip sphere:5um");
+    EXPECT_EQ(run.exitCode, 1);
+    EXPECT_NE(run.output.find("--stiffness"), std::string::npos) << run.output;
+    EXPECT_EQ(json("fit.json")["verdict"], "refused");
+    EXPECT_FALSE(std::filesystem::exists(scratch.file("out") / "curve.csv"));
+}
+
+TEST_F(FitCommand, OfManyCurvesABadOneEndsNothing) {
+    const auto run =
+        fit(curveFile("a.csv") + " " + curveFile("b.csv") + " missing.csv --tip sphere:5um");
+    EXPECT_EQ(run.exitCode, 0) << run.output;
+    const CsvTable table = readCsv(scratch.file("out") / "fits.csv");
+    ASSERT_EQ(table.rows(), 3U);
+    EXPECT_EQ(table.text(0, "verdict"), "matched");
+    EXPECT_EQ(table.text(2, "verdict"), "unreadable");
+    EXPECT_NE(table.text(2, "flags").find("missing.csv"), std::string::npos);
+    const auto statistics = json("fits.json")["statistics"]["youngs_modulus_pa"];
+    EXPECT_EQ(statistics["count"], 2);
+    EXPECT_EQ(fit("missing.csv other.csv --force").exitCode, 1);
+}
+
+TEST_F(FitCommand, TellsUsageFromFiles) {
+    EXPECT_EQ(fit("missing.csv").exitCode, 3);
+    const std::string curve = curveFile("a.csv");
+    for (const char* wrong : {"--tip sphere", "--tip cone:5um", "--tip sphere:5V",
+                              "--tip conesphere:5um", "--tip ball:1", "--nu 0.6", "--stiffness 0",
+                              "--range 5nN:1nN", "--law hertz", "--lever soft", "--columns base"}) {
+        EXPECT_EQ(fit(curve + " " + wrong).exitCode, 2) << wrong;
+    }
+}
+
+}  // namespace
+}  // namespace asperity
