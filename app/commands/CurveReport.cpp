@@ -1,10 +1,12 @@
 #include "app/commands/CurveReport.h"
 
 #include "app/commands/TextTable.h"
+#include "app/program/JsonText.h"
 #include "core/Error.h"
 #include "core/PrintableText.h"
 #include "core/io/FileBytes.h"
 #include "core/io/curves/CurveSegments.h"
+#include "core/io/curves/ThermalSpectrumFile.h"
 
 #include <algorithm>
 #include <cmath>
@@ -173,12 +175,74 @@ void printCurve(const ForceCurveFile& file, std::size_t index) {
     }
 }
 
-}  // namespace
-
+/// Empty: the file is of no type of curves.
 std::optional<ForceCurveFile> openCurves(const std::string& file, const CurveFileOptions& options) {
     const bool isThere = nameTable(options) || holdsForceCurves(FileBytes(file));
     return isThere ? std::optional<ForceCurveFile>(std::in_place, file, options.read)
                    : std::nullopt;
+}
+
+Json spectrumJson(const ThermalSpectrum& spectrum) {
+    return {{"points", spectrum.power.size()},
+            {"highest_frequency_hz", spectrum.frequency.back()},
+            {"averages", known(spectrum.averages)},
+            {"resonance_hz", known(spectrum.resonance)},
+            {"quality_factor", known(spectrum.quality)},
+            {"stiffness_n_m", known(spectrum.stiffness)}};
+}
+
+void printSpectrum(const ThermalSpectrum& spectrum) {
+    std::cout << "Nanosurf .nid thermal spectrum: " << spectrum.power.size() << " points up to "
+              << quantityText(spectrum.frequency.back(), "Hz") << '\n'
+              << "  fit of its program: resonance " << quantityText(spectrum.resonance, "Hz")
+              << ", quality factor " << quantityText(spectrum.quality, "") << ", spring constant "
+              << quantityText(spectrum.stiffness, "N/m") << '\n';
+}
+
+/// Prints what a file holds that has no image. @param facts for JSON, print for people
+template <class Facts, class Print>
+void printWithoutImage(const std::string& file, bool json, const char* key, const Facts& facts,
+                       const Print& print) {
+    if (json) {
+        std::cout << jsonText(Json{{"file", pathText(file)},
+                                   {"sha256", sha256Of(FileBytes(file))},
+                                   {key, facts()}})
+                  << '\n';
+        return;
+    }
+    std::cout << printable(file) << '\n';
+    print();
+}
+
+}  // namespace
+
+std::optional<ForceCurveFile> curvesBeside(const std::string& file,
+                                           const CurveFileOptions& options) {
+    try {
+        std::optional<ForceCurveFile> curves = openCurves(file, options);
+        return curves && curves->hasImage() ? std::move(curves) : std::nullopt;
+    } catch (const InputError& error) {
+        std::cerr << "note: its force curves cannot be read: " << error.what() << '\n';
+        return std::nullopt;
+    }
+}
+
+bool showWithoutImage(const std::string& file, const CurveFileOptions& options, bool json) {
+    if (const std::optional<ForceCurveFile> curves = openCurves(file, options)) {
+        printWithoutImage(
+            file, json, "force_curves", [&] { return curvesJson(*curves, options); },
+            [&] { printCurves(*curves, options); });
+        return true;
+    }
+    const FileBytes bytes(file);
+    if (!holdsThermalSpectrum(bytes)) {
+        return false;
+    }
+    const ThermalSpectrum spectrum = readThermalSpectrum(bytes);
+    printWithoutImage(
+        file, json, "thermal_spectrum", [&] { return spectrumJson(spectrum); },
+        [&] { printSpectrum(spectrum); });
+    return true;
 }
 
 nlohmann::ordered_json curvesJson(const ForceCurveFile& file, const CurveFileOptions& options) {
@@ -213,23 +277,6 @@ void printCurves(const ForceCurveFile& file, const CurveFileOptions& options) {
     for (const std::string& note : file.notes()) {
         std::cout << "- " << printable(note) << '\n';
     }
-}
-
-nlohmann::ordered_json spectrumJson(const ThermalSpectrum& spectrum) {
-    return {{"points", spectrum.power.size()},
-            {"highest_frequency_hz", spectrum.frequency.back()},
-            {"averages", known(spectrum.averages)},
-            {"resonance_hz", known(spectrum.resonance)},
-            {"quality_factor", known(spectrum.quality)},
-            {"stiffness_n_m", known(spectrum.stiffness)}};
-}
-
-void printSpectrum(const ThermalSpectrum& spectrum) {
-    std::cout << "Nanosurf .nid thermal spectrum: " << spectrum.power.size() << " points up to "
-              << quantityText(spectrum.frequency.back(), "Hz") << '\n'
-              << "  fit of its program: resonance " << quantityText(spectrum.resonance, "Hz")
-              << ", quality factor " << quantityText(spectrum.quality, "") << ", spring constant "
-              << quantityText(spectrum.stiffness, "N/m") << '\n';
 }
 
 std::vector<std::string> missingIn(const MeasuredForceCurve& curve) {

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "app/commands/CurveFileOptions.h"
-#include "core/curves/ThermalSpectrum.h"
 #include "core/io/curves/ForceCurveFile.h"
 
 #include <nlohmann/json.hpp>
@@ -10,10 +9,13 @@
 
 namespace asperity {
 
-/// Opens the force curves of a file; empty: it is of no type of curves.
-/// @throw InputError where it is one that cannot be read
-[[nodiscard]] std::optional<ForceCurveFile> openCurves(const std::string& file,
-                                                       const CurveFileOptions& options);
+/// Opens the curves that a file holds beside its image; empty: none. Damaged ones are told on
+/// standard error, and end nothing.
+[[nodiscard]] std::optional<ForceCurveFile> curvesBeside(const std::string& file,
+                                                         const CurveFileOptions& options);
+/// Prints a file of force curves or of a thermal spectrum, for people or as JSON.
+/// @return whether it is one @throw InputError where it is one that cannot be read
+bool showWithoutImage(const std::string& file, const CurveFileOptions& options, bool json);
 
 /// Facts on the curves of a file, in SI: all of them, or the one that is meant. A curve that cannot
 /// be read has its reason instead. @throw InputError where there is no curve of the index
@@ -21,9 +23,6 @@ namespace asperity {
                                                 const CurveFileOptions& options);
 /// The same for people, of the first curves of many. @throw the same
 void printCurves(const ForceCurveFile& file, const CurveFileOptions& options);
-
-[[nodiscard]] nlohmann::ordered_json spectrumJson(const ThermalSpectrum& spectrum);
-void printSpectrum(const ThermalSpectrum& spectrum);
 
 /// Returns what a fit needs and the curve lacks: "spring constant"; empty: nothing.
 [[nodiscard]] std::vector<std::string> missingIn(const MeasuredForceCurve& curve);

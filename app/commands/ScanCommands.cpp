@@ -12,8 +12,6 @@
 #include "core/Error.h"
 #include "core/PrintableText.h"
 #include "core/SiFormat.h"
-#include "core/io/FileBytes.h"
-#include "core/io/curves/ThermalSpectrumFile.h"
 #include "core/io/heightmap/HeightStatistics.h"
 #include "core/io/heightmap/PhysicalUnit.h"
 #include "core/io/heightmap/ScanFile.h"
@@ -268,44 +266,33 @@ void printForPeople(const Report& shown) {
     }
 }
 
-/// Prints what a file holds that has no image. @param facts for JSON, print for people
-template <class Facts, class Print>
-void printWithoutImage(const InfoOptions& options, const char* key, const Facts& facts,
-                       const Print& print) {
-    if (options.json) {
-        std::cout << jsonText(nlohmann::ordered_json{{"file", pathText(options.file)},
-                                                     {"sha256", sha256Of(FileBytes(options.file))},
-                                                     {key, facts()}})
-                  << '\n';
-        return;
-    }
-    std::cout << printable(options.file) << '\n';
-    print();
-}
-
-/// A file may hold an image, force curves, or both.
-void showInfo(const InfoOptions& options) {
-    const std::optional<ForceCurveFile> curves = openCurves(options.file, options.curves);
-    if (curves && !curves->hasImage()) {
-        printWithoutImage(
-            options, "force_curves", [&] { return curvesJson(*curves, options.curves); },
-            [&] { printCurves(*curves, options.curves); });
-        return;
-    }
-    if (const FileBytes bytes(options.file); holdsThermalSpectrum(bytes)) {
-        const ThermalSpectrum spectrum = readThermalSpectrum(bytes);
-        printWithoutImage(
-            options, "thermal_spectrum", [&] { return spectrumJson(spectrum); },
-            [&] { printSpectrum(spectrum); });
-        return;
-    }
-    const ScanFile file(options.file, options.scale);
+void showScan(const ScanFile& file, const InfoOptions& options) {
+    const std::optional<ForceCurveFile> curves = curvesBeside(options.file, options.curves);
     const Report shown = reportOf(file, curves ? &*curves : nullptr, options);
     if (options.json) {
         printJson(shown);
     } else {
         printForPeople(shown);
     }
+}
+
+/// A file may hold an image, force curves, or both. Exported images may have titles like curves:
+/// only what is no image is taken as curves alone.
+void showInfo(const InfoOptions& options) {
+    if (nameTable(options.curves)) {
+        (void)showWithoutImage(options.file, options.curves, options.json);
+        return;
+    }
+    std::unique_ptr<const ScanFile> scan;
+    try {
+        scan = std::make_unique<const ScanFile>(options.file, options.scale);
+    } catch (const InputError&) {
+        if (!showWithoutImage(options.file, options.curves, options.json)) {
+            throw;
+        }
+        return;
+    }
+    showScan(*scan, options);
 }
 
 struct MeasureOptions {

@@ -17,6 +17,7 @@ namespace {
 using testing::AllOf;
 
 using testing::HasSubstr;
+using testing::Not;
 using testing::SizeIs;
 
 std::string original(const std::string& name) {
@@ -73,6 +74,15 @@ TEST(CurveInfo, OfASpectrumHasTheFitOfItsProgram) {
     EXPECT_THAT(test::runProgram("info " + original("thermal.nid")).output,
                 AllOf(HasSubstr("thermal spectrum"), HasSubstr("180 kHz"), HasSubstr("442"),
                       HasSubstr("27.1 N/m")));
+}
+
+/// NanoScope Analysis writes images as text with titles that curves have, too.
+TEST(CurveInfo, LeavesExportedImagesToTheReadersOfImages) {
+    ASPERITY_NEEDS_SHARED_DATA();
+    const std::string image =
+        test::sharedData("afm/cases/nanoscope_analysis_ascii_header.txt").string();
+    EXPECT_THAT(test::runProgram("info " + image).output,
+                AllOf(HasSubstr("6 x 4"), Not(HasSubstr("curve"))));
 }
 
 TEST(CurveInfo, RefusesImagesOfCurvesWithAPointer) {

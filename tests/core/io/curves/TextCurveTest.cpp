@@ -112,6 +112,17 @@ TEST(TextCurve, OfNtMdtRunsFromTheFarEnd) {
     EXPECT_THAT(contents.notes, Contains(HasSubstr("names no units")));
 }
 
+TEST(TextCurve, OfNtMdtIsNoGridOfPoints) {
+    std::string points;
+    std::string curve;
+    for (int i = 0; i < 30; ++i) {
+        points += std::to_string(i % 15) + "\t" + std::to_string(i / 15) + "\t1.5\n";
+        curve += std::to_string(i) + "\t" + std::to_string(i / 15) + "\t1.5\n";
+    }
+    EXPECT_FALSE(holdsForceCurves(MemoryBytes(points, "a.txt")));
+    EXPECT_TRUE(holdsForceCurves(MemoryBytes(curve, "a.txt")));
+}
+
 TEST(TextCurve, OfAfmWorkshopInVoltsIsASignal) {
     ASPERITY_NEEDS_SHARED_DATA();
     const ForceCurveFile file(
