@@ -1,4 +1,5 @@
 #include "app/commands/Commands.h"
+#include "app/commands/ConvertCurve.h"
 #include "app/commands/ConvertMap.h"
 #include "app/commands/ConvertTargets.h"
 #include "app/commands/LevelingOption.h"
@@ -56,10 +57,17 @@ void refuseToOverwriteInputs(const ConvertOptions& options, const ConvertedFile&
     }
 }
 
+Converted convertFile(const ConvertOptions& options, const ConvertedFile& file) {
+    if (isCurveTable(file.output)) {
+        return convertCurve(options, file);
+    }
+    return options.all ? convertAll(options, file) : convertMap(options, file);
+}
+
 void convertOne(const ConvertOptions& options, const ConvertedFile& file) {
     refuseToOverwriteInputs(options, file);
     requireWritableTargets(options, file);
-    const Converted converted = options.all ? convertAll(options, file) : convertMap(options, file);
+    const Converted converted = convertFile(options, file);
     for (const std::string& note : converted.notes) {
         std::cerr << "note: " << printable(file.input) << ": " << printable(note) << '\n';
     }
@@ -212,7 +220,7 @@ void convertRun(const std::string& run, const std::string& out, RunFormat format
 void convertOne(const ConvertOptions& options) {
     const ConvertedFile file{options.input, options.others.front()};
     requireWritableTargets(options, file);
-    const Converted converted = options.all ? convertAll(options, file) : convertMap(options, file);
+    const Converted converted = convertFile(options, file);
     for (const std::string& note : converted.notes) {
         std::cerr << "note: " << printable(note) << '\n';
     }
@@ -250,7 +258,10 @@ void addRunFormat(CLI::App& command, std::optional<RunFormat>& format) {
 }
 
 void addFiles(CLI::App& command, ConvertOptions& options) {
-    command.add_option("IN", options.input, "height-map file, or the folder of a run")->required();
+    command
+        .add_option("IN", options.input,
+                    "height-map file, file of force curves, or the folder of a run")
+        ->required();
     command.add_option("OUT", options.others,
                        "file to write; its extension names the format (with --out-dir: more files "
                        "to read)");
@@ -320,13 +331,14 @@ void addConvertCommand(CLI::App& program) {
     auto options = std::make_shared<ConvertOptions>();
     CLI::App* command = program.add_subcommand(
         "convert", "Write height maps of files in another format: " + targetExtensions() +
-                       "; or the tables of a run");
+                       "; a force curve as .csv; or the tables of a run");
     addFiles(*command, *options);
     addScaleOptions(*command, options->scale);
     command->add_option("--channel", options->channel,
                         "name of the channel (default: the topography)");
     addFormatOptions(*command, *options);
     addLevelingOptions(*command, options->leveling, options->levelPoints, "default none");
+    addCurveFileOptions(*command, options->curves);
     CLI::Option* residual = addResidual(*command, *options);
     CLI::Option* erode = addErosion(*command, *options);
     residual->excludes(erode);

@@ -1,5 +1,6 @@
 #include "app/commands/ConvertTargets.h"
 
+#include "app/commands/ConvertCurve.h"
 #include "app/commands/ProgressLine.h"
 #include "app/exports/SurfaceFile.h"
 #include "core/Error.h"
@@ -74,6 +75,10 @@ std::string targetExtensions() { return extensionsOf(surfaceFormats()); }
 
 void requireTarget(const ConvertOptions& options, const std::string& option,
                    const std::string& file) {
+    if (isCurveTable(file)) {
+        requireCurveOptions(options);
+        return;
+    }
     if (const std::string refusal = writeRefusal(file, surfaceFormats()); !refusal.empty()) {
         throw CLI::ValidationError(option, refusal);
     }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/commands/CurveFileOptions.h"
 #include "app/runs/RunFolder.h"
 #include "core/io/heightmap/HeightMapFormat.h"
 #include "core/surface/GivenScale.h"
@@ -30,6 +31,7 @@ struct ConvertOptions {
     double tipRadius = 0.0;              ///< of the tip whose shape is taken out [m]; 0: none is
     std::string certainty;               ///< file for the certainty map; empty: none
     std::optional<RunFormat> runFormat;  ///< the input is a run, and its tables are converted
+    CurveFileOptions curves;             ///< where the output is the table of a force curve
     bool force = false;                  ///< files that are there may be replaced
 };
 

@@ -1,9 +1,11 @@
 #include "app/commands/CaseFiles.h"
 #include "app/commands/Commands.h"
+#include "app/commands/CurveReport.h"
 #include "app/commands/LevelingOption.h"
 #include "app/commands/OptionChecks.h"
 #include "app/commands/ProgressLine.h"
 #include "app/commands/ScaleOption.h"
+#include "app/commands/TextTable.h"
 #include "app/program/EndSignals.h"
 #include "app/program/JsonText.h"
 #include "app/reports/MeasureReport.h"
@@ -41,6 +43,7 @@ struct InfoOptions {
     std::string channel;  ///< empty: all
     bool json = false;
     GivenScale scale;
+    CurveFileOptions curves;
 };
 
 /// An open file, and which of its channels are shown.
@@ -48,10 +51,16 @@ struct Report {
     const ScanFile& file;
     std::string path;  ///< as the user gave it
     std::vector<const ScanChannel*> channels;
+    const ForceCurveFile* curves;  ///< that the file holds, too; null: none
+    const CurveFileOptions& curveOptions;
 };
 
-Report reportOf(const ScanFile& file, const InfoOptions& options) {
-    Report shown{.file = file, .path = options.file, .channels = {}};
+Report reportOf(const ScanFile& file, const ForceCurveFile* curves, const InfoOptions& options) {
+    Report shown{.file = file,
+                 .path = options.file,
+                 .channels = {},
+                 .curves = curves,
+                 .curveOptions = options.curves};
     if (!options.channel.empty()) {
         shown.channels = {&channelNamed(file.contents(), options.file, options.channel)};
         return shown;
@@ -173,10 +182,13 @@ void printJson(const Report& shown) {
     const ScanChannel& first = file.channels.at(file.defaultChannel);
     const nlohmann::json defaultName =
         isTopography(first) ? nlohmann::json(first.name) : nlohmann::json();
-    const nlohmann::json report = {
+    nlohmann::json report = {
         {"file", pathText(shown.path)},   {"format", file.format},
         {"sha256", shown.file.sha256()},  {"default_channel", defaultName},
         {"notes", notesOf(shown, facts)}, {"provenance", provenanceJson(file.provenance)}};
+    if (shown.curves != nullptr) {
+        report["force_curves"] = curvesJson(*shown.curves, shown.curveOptions);
+    }
     const std::string rest = jsonText(report);
     std::cout << "{\n  \"channels\": [";
     for (std::size_t i = 0; i < facts.size(); ++i) {
@@ -186,59 +198,18 @@ void printJson(const Report& shown) {
     std::cout << "\n  ]," << rest.substr(1) << '\n';
 }
 
-using Row = std::vector<std::string>;
-
-/// Characters on the screen: continuation bytes of UTF-8 take no room.
-std::size_t shownWidth(const std::string& text) {
-    return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) {
-        return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U;
-    }));
-}
-
-/// Columns as wide as their widest cell, numbers to the right: all but the first two.
-void printTable(std::vector<Row> rows) {
-    for (Row& row : rows) {
-        std::ranges::transform(row, row.begin(), printable);
-    }
-    std::vector<std::size_t> widths(rows.front().size(), 0);
-    for (const Row& row : rows) {
-        for (std::size_t i = 0; i < row.size(); ++i) {
-            widths[i] = std::max(widths[i], shownWidth(row[i]));
-        }
-    }
-    for (const Row& row : rows) {
-        std::string line;
-        for (std::size_t i = 0; i < row.size(); ++i) {
-            const std::string padding(widths[i] - shownWidth(row[i]), ' ');
-            line += (i == 0 ? "" : "  ") + (i < 2 ? row[i] + padding : padding + row[i]);
-        }
-        std::cout << line << '\n';
-    }
-}
-
-/// Without a unit a prefix would be read as one.
-std::string quantity(double value, const std::string& unit) {
-    const PhysicalUnit known = parseUnit(unit);  // "mV" must not become "mmV"
-    if (!known.base.empty()) {
-        return formatSi(value * known.factor, known.base.c_str());
-    }
-    std::ostringstream text;
-    text << std::setprecision(3) << value;
-    return text.str();
-}
-
 std::string sizeText(const ScanChannel& channel) {
     if (!(channel.map.pitchX > 0.0)) {
         return "size unknown";
     }
-    return quantity(channel.map.sizeX(), channel.lateralUnit) + " x " +
-           quantity(channel.map.sizeY(), channel.lateralUnit);
+    return quantityText(channel.map.sizeX(), channel.lateralUnit) + " x " +
+           quantityText(channel.map.sizeY(), channel.lateralUnit);
 }
 
-Row channelRow(const ScanFile& file, const ScanChannel& channel,
-               const HeightStatistics& statistics) {
+TableRow channelRow(const ScanFile& file, const ScanChannel& channel,
+                    const HeightStatistics& statistics) {
     const auto value = [&channel](double number) {
-        return std::isnan(number) ? std::string("-") : quantity(number, channel.unit);
+        return std::isnan(number) ? std::string("-") : quantityText(number, channel.unit);
     };
     return {(isDefault(file.contents(), channel) ? "* " : "  ") + channel.name,
             channel.direction,
@@ -276,19 +247,52 @@ void printProvenance(const Report& shown) {
 
 void printForPeople(const Report& shown) {
     const HeightMapFile& file = shown.file.contents();
-    std::vector<Row> rows = {
+    std::vector<TableRow> rows = {
         {"  channel", "direction", "pixels", "size", "min", "max", "mean", "rms", "invalid"}};
     const std::vector<PixelFacts> facts = factsOf(shown);  // may refuse a pixel
     for (std::size_t i = 0; i < facts.size(); ++i) {
         rows.push_back(channelRow(shown.file, *shown.channels[i], facts[i].statistics));
     }
     std::cout << printable(shown.path) << "\n" << file.format << "\n\n";
-    printTable(std::move(rows));
+    printTable(std::move(rows), 2);
     std::cout << '\n' << legendOf(shown) << "rms is about the mean\n";
     for (const std::string& note : notesOf(shown, facts)) {
         std::cout << "- " << printable(note) << '\n';
     }
     printProvenance(shown);
+    if (shown.curves != nullptr) {
+        std::cout << '\n';
+        printCurves(*shown.curves, shown.curveOptions);
+    }
+}
+
+void showScan(const ScanFile& file, const InfoOptions& options) {
+    const std::optional<ForceCurveFile> curves = curvesBeside(options.file, options.curves);
+    const Report shown = reportOf(file, curves ? &*curves : nullptr, options);
+    if (options.json) {
+        printJson(shown);
+    } else {
+        printForPeople(shown);
+    }
+}
+
+/// A file may hold an image, force curves, or both. Exported images may have titles like curves:
+/// only what is no image is taken as curves alone.
+void showInfo(const InfoOptions& options) {
+    if (nameTable(options.curves)) {
+        (void)showWithoutImage(options.file, options.curves, options.json);
+        return;
+    }
+    std::unique_ptr<const ScanFile> scan;
+    try {
+        scan = std::make_unique<const ScanFile>(options.file, options.scale);
+    } catch (const InputError&) {
+        if (!showWithoutImage(options.file, options.curves, options.json)) {
+            throw;
+        }
+        return;
+    }
+    showScan(*scan, options);
 }
 
 struct MeasureOptions {
@@ -498,21 +502,16 @@ void addProfileOptions(CLI::App& command, MeasureOptions& options) {
 void addInfoCommand(CLI::App& program) {
     auto options = std::make_shared<InfoOptions>();
     CLI::App* command = program.add_subcommand(
-        "info", "Show channels, size and height statistics of a height-map file");
-    command->add_option("FILE", options->file, "height-map file")->required();
+        "info", "Show channels, size and height statistics of a height-map file, and the force "
+                "curves of a file, their segments and calibration");
+    command->add_option("FILE", options->file, "height-map file, or file of force curves")
+        ->required();
     command->add_option("--channel", options->channel,
                         "name of the one channel to show (default: all)");
     addScaleOptions(*command, options->scale);
     command->add_flag("--json", options->json, "print JSON with SI values in full precision");
-    command->callback([options] {
-        const ScanFile file(options->file, options->scale);
-        const Report shown = reportOf(file, *options);
-        if (options->json) {
-            printJson(shown);
-        } else {
-            printForPeople(shown);
-        }
-    });
+    addCurveFileOptions(*command, options->curves);
+    command->callback([options] { showInfo(*options); });
 }
 
 void addMeasureCommand(CLI::App& program) {

@@ -52,6 +52,11 @@ bool isCurveTable(std::string_view start) {
            (contains(start, "\"imaging mode\":") || (titled && contains(start, "segment")));
 }
 
+/// The tables that `asperity convert` writes.
+bool isOwnTable(std::string_view start) {
+    return start.starts_with("segment,time_s,") || contains(start, "\nsegment,time_s,");
+}
+
 bool isParkPinPoint(std::string_view start) { return start.starts_with("PS-PPT/"); }
 
 struct ForceCurveMark {
@@ -60,12 +65,13 @@ struct ForceCurveMark {
     bool isRead = false;  ///< as curves
 };
 
-constexpr std::array<ForceCurveMark, 6> kMarks = {{
+constexpr std::array<ForceCurveMark, 7> kMarks = {{
     {"JPK, exported as text", isJpkText},
     {"NanoScope, exported as text", isNanoscopeText},
     {"Nanonis spectroscopy, .dat", isNanonisSpectroscopy},
     {"Park PinPoint, .ps-ppt", isParkPinPoint},
     {"AFM Workshop", isAfmWorkshop, true},
+    {"a table of Asperity", isOwnTable, true},
     {"a table of afmformats, .tab", isCurveTable},
 }};
 

@@ -1,4 +1,5 @@
 #include "core/Error.h"
+#include "core/io/TextLines.h"
 #include "core/io/TextValue.h"
 #include "core/io/curves/CurveFormat.h"
 #include "core/io/curves/text/TextCurve.h"
@@ -46,33 +47,48 @@ bool recognizesAfmWorkshop(const ByteSource& bytes) {
     return holdsText(bytes, "Extend Z-Sense(") && hasCurveTitles(bytes);
 }
 
-/// The first column rises in equal steps of the base; approach and retract follow. Source:
-/// docs/formats.md 21.
-bool recognizesNtMdt(const ByteSource& bytes) {
-    constexpr std::size_t kRows = 10;
-    const std::string start = bytes.start(kTextLooked);
-    std::vector<double> first;
-    std::size_t begin = 0;
-    while (first.size() < kRows) {
-        const std::size_t end = start.find('\n', begin);
-        if (end == std::string::npos) {
-            return false;
-        }
-        const std::vector<std::string> cells =
-            curveCells(std::string_view(start).substr(begin, end - begin), {1, 2, 3});
+/// Steps of the first of three columns of numbers, line by line.
+class EqualSteps {
+public:
+    /// Returns whether a line has three numbers, and the first one is a step further.
+    [[nodiscard]] bool take(std::string_view line) {
+        const std::vector<std::string> cells = curveCells(line, {1, 2, 3});
         if (cells.size() != 3) {
             return false;
         }
-        first.push_back(cellNumber(cells[0]).value_or(0.0));
-        begin = end + 1;
+        const double value = cellNumber(cells[0]).value_or(0.0);
+        const double step = value - last_;
+        if (lines_ == 1) {
+            step_ = step;
+        }
+        last_ = value;
+        return lines_++ < 1 || std::abs(step - step_) < 0.1 * std::abs(step_);
     }
-    const double step = first[1] - first[0];
-    for (std::size_t i = 1; i < kRows; ++i) {
-        if (!(std::abs(first[i] - first[i - 1] - step) < 0.1 * std::abs(step))) {
+    [[nodiscard]] std::size_t lines() const { return lines_; }
+
+private:
+    std::size_t lines_ = 0;
+    double last_ = 0.0;
+    double step_ = 0.0;
+};
+
+/// The first column rises in equal steps of the base throughout, as x of points on a grid does not;
+/// approach and retract follow. Source: docs/formats.md 21.
+bool recognizesNtMdt(const ByteSource& bytes) {
+    constexpr std::size_t kFewest = 10;
+    const std::string start = bytes.start(kTextLooked);
+    EqualSteps steps;
+    if (!steps.take(std::string_view(start).substr(0, start.find('\n')))) {
+        return false;
+    }
+    steps = {};
+    TextLines lines(bytes);
+    while (const std::optional<std::string_view> line = lines.next()) {
+        if (!trimmed(*line).empty() && !steps.take(*line)) {
             return false;
         }
     }
-    return true;
+    return steps.lines() >= kFewest;
 }
 
 std::unique_ptr<StoredCurves> openNtMdt(const ByteSource& bytes, const CurveReadOptions& options) {

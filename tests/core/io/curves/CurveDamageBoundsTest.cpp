@@ -21,13 +21,13 @@ namespace asperity::test {
 
 namespace {
 
-constexpr double kMaxSeconds = 2.0;
-constexpr std::uint64_t kMiB = std::uint64_t{1} << 20U;
+constexpr double kMaxCurveSeconds = 2.0;
+constexpr std::uint64_t kCurveMiB = std::uint64_t{1} << 20U;
 
 /// A curve has ten times the bytes of its samples in memory, which are packed in the file.
-std::uint64_t memoryBound(std::uint64_t size) { return 320 * size + 64 * kMiB; }
+std::uint64_t curveMemoryBound(std::uint64_t size) { return 320 * size + 64 * kCurveMiB; }
 
-int damages() {
+int curveDamages() {
     const char* const wanted = std::getenv("ASPERITY_DAMAGES");
     return wanted != nullptr ? std::atoi(wanted) : 10;
 }
@@ -45,11 +45,11 @@ void readCurves(std::string_view content) {
     (void)file.position(0);
 }
 
-void expectWithinBounds(const std::string& damaged, const std::string& what) {
-    const std::uint64_t most = memoryBound(damaged.size());
+void expectCurveWithinBounds(const std::string& damaged, const std::string& what) {
+    const std::uint64_t most = curveMemoryBound(damaged.size());
     const BoundedRead result = readBounded(damaged, most, readCurves);
     EXPECT_EQ(result.failure, "") << what;
-    EXPECT_LT(result.seconds, kMaxSeconds) << what;
+    EXPECT_LT(result.seconds, kMaxCurveSeconds) << what;
 }
 
 /// Most damages near the ends, where headers and directories are.
@@ -78,14 +78,16 @@ TEST(CurveDamageBounds, HoldForCutAndFlippedFiles) {
     for (const auto& entry : std::filesystem::directory_iterator(sharedData("curves/original"))) {
         const std::string bytes = readFileBytes(entry.path());
         const std::string name = entry.path().filename().string();
-        for (int i = 0; i < damages(); ++i) {
+        for (int i = 0; i < curveDamages(); ++i) {
             const std::size_t length = damagedOffset(random, bytes.size());
-            expectWithinBounds(bytes.substr(0, length), name + " cut to " + std::to_string(length));
+            expectCurveWithinBounds(bytes.substr(0, length),
+                                    name + " cut to " + std::to_string(length));
             const std::size_t flipped = damagedOffset(random, bytes.size());
             std::string damaged = bytes;
             damaged[flipped] = static_cast<char>(static_cast<unsigned char>(damaged[flipped]) ^
                                                  (1U << (random() % 8)));
-            expectWithinBounds(damaged, name + ", byte " + std::to_string(flipped) + " flipped");
+            expectCurveWithinBounds(damaged,
+                                    name + ", byte " + std::to_string(flipped) + " flipped");
         }
         ++files;
     }
@@ -105,8 +107,8 @@ TEST(CurveDamageBounds, HoldForAnArchiveOfZeros) {
         text.curves[""].push_back(segment);
     }
     const std::string bytes = jpkCurveFile(text);
-    ASSERT_LT(bytes.size(), kMiB);
-    expectWithinBounds(bytes, "an archive of zeros");
+    ASSERT_LT(bytes.size(), kCurveMiB);
+    expectCurveWithinBounds(bytes, "an archive of zeros");
 }
 
 }  // namespace asperity::test

@@ -82,8 +82,8 @@ constexpr double kNineDigits = 5.1e-9;
 
 /// Compares an array of a segment with one of the table. @param digit half of the last one that is
 /// printed, of the number
-void expectSame(const std::vector<double>& values, const std::vector<double>& printed, double digit,
-                const char* what) {
+void expectSameSamples(const std::vector<double>& values, const std::vector<double>& printed,
+                       double digit, const char* what) {
     if (printed.empty() || values.empty()) {
         return;
     }
@@ -113,11 +113,13 @@ TEST(ExpectedCurves, AreThoseOfTheExportedTablesSampleBySample) {
         const MeasuredForceCurve printed = readForceCurve(exported);
         ASSERT_EQ(curve.segments.size(), printed.segments.size());
         for (std::size_t i = 0; i < curve.segments.size(); ++i) {
-            expectSame(curve.segments[i].time, printed.segments[i].time, kSixDigits, "time");
-            expectSame(curve.segments[i].base, printed.segments[i].base, kNineDigits, "base");
-            expectSame(curve.segments[i].deflection, printed.segments[i].deflection, kSevenDigits,
-                       "deflection");
-            expectSame(curve.segments[i].force, printed.segments[i].force, kSevenDigits, "force");
+            expectSameSamples(curve.segments[i].time, printed.segments[i].time, kSixDigits, "time");
+            expectSameSamples(curve.segments[i].base, printed.segments[i].base, kNineDigits,
+                              "base");
+            expectSameSamples(curve.segments[i].deflection, printed.segments[i].deflection,
+                              kSevenDigits, "deflection");
+            expectSameSamples(curve.segments[i].force, printed.segments[i].force, kSevenDigits,
+                              "force");
         }
         ++compared;
     }

@@ -17,7 +17,7 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::SizeIs;
 
-constexpr double kPadding = std::numeric_limits<double>::quiet_NaN();
+constexpr double kIgorPadding = std::numeric_limits<double>::quiet_NaN();
 
 /// Six samples of Raw, Defl and ZSnsr: four of the approach, two of the retract.
 IgorWaveText asylumCurve() {
@@ -90,7 +90,7 @@ TEST(IgorCurves, AreSplitByTheNote) {
 
 TEST(IgorCurves, LosePaddingAndHaveNoForceWithoutASpringConstant) {
     IgorWaveText wave = asylumCurve();
-    wave.numbers[11] = kPadding;
+    wave.numbers[11] = kIgorPadding;
     wave.note = "XLVDT:1e-06\rIndexes: 0,3,5\rDirection: NaN,1,-1,\r";
     const CurveContents contents = igorContents(wave);
     ASSERT_THAT(contents.curve.segments, SizeIs(1)) << "one sample is left of the retract";

@@ -21,8 +21,8 @@ CurveContents jpkContents(const JpkCurveText& text, std::size_t index = 0,
     return ForceCurveFile(MemoryBytes(bytes, "a.jpk-force"), options).contents(index);
 }
 
-std::string refusalOfJpk(const JpkCurveText& text, std::size_t index = 0,
-                         const CurveReadOptions& options = {}) {
+std::string refusalOfJpkCurves(const JpkCurveText& text, std::size_t index = 0,
+                               const CurveReadOptions& options = {}) {
     return refusalOf([&] { (void)jpkContents(text, index, options); });
 }
 
@@ -94,26 +94,28 @@ TEST(JpkCurves, AreRefusedWithTheChannelThatDoesNotFit) {
     const std::string slots = "lcd-info.1.conversion-set.conversion.";
     JpkCurveText text = whole;
     text.curves[""][1].hasDeflectionFile = false;
-    EXPECT_THAT(refusalOfJpk(text), HasSubstr("channel vDeflection: the archive has no member "
-                                              "'segments/1/channels/vDeflection.dat'"));
+    EXPECT_THAT(refusalOfJpkCurves(text),
+                HasSubstr("channel vDeflection: the archive has no member "
+                          "'segments/1/channels/vDeflection.dat'"));
     text = whole;
     text.shared[slots + "distance.base-calibration-slot"] = "force";
-    EXPECT_THAT(refusalOfJpk(text),
+    EXPECT_THAT(refusalOfJpkCurves(text),
                 HasSubstr("channel vDeflection: its conversions form a circle"));
     text = whole;
     text.shared[slots + "distance.scaling.multiplier"] = "";
-    EXPECT_THAT(refusalOfJpk(text), HasSubstr("channel vDeflection: expected a linear scaling"));
+    EXPECT_THAT(refusalOfJpkCurves(text),
+                HasSubstr("channel vDeflection: expected a linear scaling"));
     text = whole;
     text.shared["lcd-info.0.encoder.type"] = "signedtriple";
-    EXPECT_THAT(refusalOfJpk(text),
+    EXPECT_THAT(refusalOfJpkCurves(text),
                 HasSubstr("channel height: no type of samples is called 'signedtriple'"));
     text = whole;
     text.shared["lcd-info.0.encoder.type"] = "signedinteger";
     text.curves[""][0].height.resize(3);
-    EXPECT_THAT(refusalOfJpk(text), HasSubstr("6 bytes are no whole samples of 4"));
+    EXPECT_THAT(refusalOfJpkCurves(text), HasSubstr("6 bytes are no whole samples of 4"));
     CurveReadOptions options;
     options.height = "mirror";
-    EXPECT_THAT(refusalOfJpk(whole, 0, options),
+    EXPECT_THAT(refusalOfJpkCurves(whole, 0, options),
                 HasSubstr("there is no height channel 'mirror': it has 'height'"));
 }
 

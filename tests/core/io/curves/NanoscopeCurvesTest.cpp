@@ -19,7 +19,7 @@ MeasuredForceCurve nanoscopeCurve(const NanoscopeCurveText& text, std::size_t in
     return ForceCurveFile(MemoryBytes(bytes, "a.spm")).curve(index);
 }
 
-std::string refusalOfCurves(const NanoscopeCurveText& text) {
+std::string refusalOfNanoscopeCurves(const NanoscopeCurveText& text) {
     return refusalOf([&] { (void)nanoscopeCurve(text); });
 }
 
@@ -80,21 +80,22 @@ TEST(NanoscopeCurves, TruncatedKeepTheirWholeCurves) {
 TEST(NanoscopeCurves, AreRefusedInWords) {
     NanoscopeCurveText text;
     text.counts = "some";
-    EXPECT_THAT(refusalOfCurves(text), HasSubstr("a.spm: Ciao force image list: expected the "
-                                                 "numbers of samples at 'Samps/line'"));
+    EXPECT_THAT(refusalOfNanoscopeCurves(text),
+                HasSubstr("a.spm: Ciao force image list: expected the "
+                          "numbers of samples at 'Samps/line'"));
     text = {};
     text.dataLength = 15;
-    EXPECT_THAT(refusalOfCurves(text), HasSubstr("'Data length' 15 is no multiple of 16"));
+    EXPECT_THAT(refusalOfNanoscopeCurves(text), HasSubstr("'Data length' 15 is no multiple of 16"));
     text = {};
     text.zScale = "V [Sens. DeflSens] (V/LSB) 2.5 V";
-    EXPECT_THAT(refusalOfCurves(text), HasSubstr("'@4:Z scale'"));
+    EXPECT_THAT(refusalOfNanoscopeCurves(text), HasSubstr("'@4:Z scale'"));
     text = {};
     text.rampSize = "V [Sens. Unknown] (0.006 V/LSB) 40.0 V";
-    EXPECT_THAT(refusalOfCurves(text), HasSubstr("length of the ramp"));
+    EXPECT_THAT(refusalOfNanoscopeCurves(text), HasSubstr("length of the ramp"));
     text = {};
     text.samples.resize(4);
     text.dataLength = 16;
-    EXPECT_THAT(refusalOfCurves(text), HasSubstr("end before the first curve"));
+    EXPECT_THAT(refusalOfNanoscopeCurves(text), HasSubstr("end before the first curve"));
 }
 
 }  // namespace asperity::test

@@ -17,7 +17,7 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::SizeIs;
 
-CurveReadOptions named(const std::string& columns, int skipped = 0) {
+CurveReadOptions namedColumns(const std::string& columns, int skipped = 0) {
     CurveReadOptions options;
     options.columns = givenColumns(columns);
     options.skippedLines = skipped;
@@ -45,7 +45,7 @@ TEST(TextCurve, TakesColumnsThatTheUserNames) {
           "0,1\t2.5\t0\n0,2\t7.5\t3\n,15\t1\t5\n", "0.1;2.5;0\n0.2;7.5;3\n0.15;1;5\n",
           "0.1,2.5,0\n0.2,7.5,3\n0.15,1,5\n"}) {
         const MeasuredForceCurve curve =
-            textCurve(text, named("base=1:um,deflection=2:nm,time=3:ms"));
+            textCurve(text, namedColumns("base=1:um,deflection=2:nm,time=3:ms"));
         ASSERT_THAT(curve.segments, SizeIs(1)) << "one point of the retract is left out: " << text;
         EXPECT_DOUBLE_EQ(curve.segments[0].base[1], 0.2e-6) << text;
         EXPECT_DOUBLE_EQ(curve.segments[0].deflection[1], 7.5e-9) << text;
@@ -54,16 +54,16 @@ TEST(TextCurve, TakesColumnsThatTheUserNames) {
 }
 
 TEST(TextCurve, SkipsLinesAndReadsLatinOne) {
-    const MeasuredForceCurve curve =
-        textCurve("1 2 3\n\xB5m\n5 0\n4 1\n3 2\n", named("separation=1:\xB5m,signal=2:mV", 2));
+    const MeasuredForceCurve curve = textCurve("1 2 3\n\xB5m\n5 0\n4 1\n3 2\n",
+                                               namedColumns("separation=1:\xB5m,signal=2:mV", 2));
     ASSERT_THAT(curve.segments[0].separation, SizeIs(3));
     EXPECT_DOUBLE_EQ(curve.segments[0].separation[0], 5e-6);
     EXPECT_DOUBLE_EQ(curve.segments[0].signal[2], 2e-3);
 }
 
 TEST(TextCurve, TakesColumnsOfTheRetractAlone) {
-    const MeasuredForceCurve curve =
-        textCurve("1 0 0\n2 0 -3\n3 7 7\n", named("base=1:nm,force=2:nN,retract-force=3:nN"));
+    const MeasuredForceCurve curve = textCurve(
+        "1 0 0\n2 0 -3\n3 7 7\n", namedColumns("base=1:nm,force=2:nN,retract-force=3:nN"));
     ASSERT_THAT(curve.segments, SizeIs(2));
     EXPECT_DOUBLE_EQ(curve.segments[1].base[0], 3e-9) << "the retract begins at the contact";
     EXPECT_DOUBLE_EQ(curve.segments[1].force[1], -3e-9);
@@ -76,9 +76,10 @@ TEST(TextCurve, RefusesColumnsInWords) {
     EXPECT_THAT(refusalOfColumns("base=1:nN"), HasSubstr("expected a unit of m"));
     EXPECT_THAT(refusalOfColumns("force=1"), HasSubstr("no distance"));
     EXPECT_THAT(refusalOfColumns("base=1,time=2"), HasSubstr("nothing of the lever"));
-    EXPECT_THAT(refusalOf([] { (void)textCurve("1 2\n2 3\nend\n", named("base=1,force=2")); }),
-                HasSubstr("a.txt: line 3: expected numbers in the named columns, found 'end'"));
-    EXPECT_THAT(refusalOf([] { (void)textCurve("1 2\n2 3\n", named("base=1,force=3")); }),
+    EXPECT_THAT(
+        refusalOf([] { (void)textCurve("1 2\n2 3\nend\n", namedColumns("base=1,force=2")); }),
+        HasSubstr("a.txt: line 3: expected numbers in the named columns, found 'end'"));
+    EXPECT_THAT(refusalOf([] { (void)textCurve("1 2\n2 3\n", namedColumns("base=1,force=3")); }),
                 HasSubstr("no point"));
     CurveReadOptions options;
     options.height = "z";
@@ -110,6 +111,17 @@ TEST(TextCurve, OfNtMdtRunsFromTheFarEnd) {
     EXPECT_DOUBLE_EQ(approach.base.back(), 7999.9482e-9);
     EXPECT_DOUBLE_EQ(contents.curve.segments[1].signal.front(), 1.4711);
     EXPECT_THAT(contents.notes, Contains(HasSubstr("names no units")));
+}
+
+TEST(TextCurve, OfNtMdtIsNoGridOfPoints) {
+    std::string points;
+    std::string curve;
+    for (int i = 0; i < 30; ++i) {
+        points += std::to_string(i % 15) + "\t" + std::to_string(i / 15) + "\t1.5\n";
+        curve += std::to_string(i) + "\t" + std::to_string(i / 15) + "\t1.5\n";
+    }
+    EXPECT_FALSE(holdsForceCurves(MemoryBytes(points, "a.txt")));
+    EXPECT_TRUE(holdsForceCurves(MemoryBytes(curve, "a.txt")));
 }
 
 TEST(TextCurve, OfAfmWorkshopInVoltsIsASignal) {

@@ -52,6 +52,7 @@ TEST(ForceCurveFiles, AreNamedByTheirProgram) {
          "AFM Workshop"},
         {"# {\n#   \"imaging mode\": \"force-distance\"\n# }\n# force\ttip position\n1\t2\n2\t3\n",
          "afmformats"},
+        {"# a curve\nsegment,time_s,base_m,deflection_m,force_N\n0:approach,0,1,2,3\n", "Asperity"},
         {ntMdtFile({1, 1}), "NT-MDT"},
     };
     for (const auto& file : files) {
