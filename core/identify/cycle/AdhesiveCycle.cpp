@@ -23,6 +23,16 @@ ContactModel approachModel(const AdhesiveParameters& parameters) {
 
 }  // namespace
 
+bool isWithinLaw(const AdhesiveParameters& parameters) noexcept {
+    const double range = parameters.cohesiveRange > 0.0 ? parameters.cohesiveRange : kCohesiveRange;
+    const auto holds = [&](double work) {
+        ContactPair pair = approachPair(parameters);
+        pair.workOfAdhesion = isAdhesive(parameters.law) ? work : 0.0;
+        return checkPair(pair, pair.workOfAdhesion / range) == ContactStatus::Solved;
+    };
+    return holds(parameters.approachWork) && holds(parameters.retractWork);
+}
+
 AdhesiveCycle::AdhesiveCycle(const AdhesiveParameters& parameters)
     : parameters_(parameters)
     , compliance_(1.0 / parameters.lever.trueStiffness())

@@ -47,6 +47,9 @@ struct AdhesiveParameters {
     CycleLever lever;
 };
 
+/// Returns whether the law holds for the parameters.
+[[nodiscard]] bool isWithinLaw(const AdhesiveParameters& parameters) noexcept;
+
 /// State of a simulated cycle, handed from sample to sample.
 struct AdhesiveMemory {
     ContactMemory contact;
@@ -58,7 +61,7 @@ struct AdhesiveMemory {
 /// Forces are as the file's calibration shows them. Source: docs/theory.md 7.1.
 class AdhesiveCycle {
 public:
-    /// @throw Error where a parameter is outside the law's range
+    /// @throw Error where isWithinLaw() is false
     explicit AdhesiveCycle(const AdhesiveParameters& parameters);
 
     [[nodiscard]] const AdhesiveParameters& parameters() const noexcept { return parameters_; }

@@ -76,6 +76,10 @@ std::size_t AdhesiveProblem::count() const {
 
 /// The retract follows the approach whether that is seen or not: a held contact comes from it.
 void AdhesiveProblem::residuals(const AdhesiveParameters& parameters, Eigen::VectorXd& out) const {
+    if (!isWithinLaw(parameters)) {
+        out.setConstant(std::numeric_limits<double>::infinity());
+        return;
+    }
     const AdhesiveCycle model(parameters);
     AdhesiveMemory memory = model.bonded();
     Index at = 0;
@@ -158,6 +162,9 @@ AdhesiveParameters AdhesiveProblem::start() const {
     std::optional<AdhesiveParameters> best;
     double least = std::numeric_limits<double>::infinity();
     const auto offer = [&](const AdhesiveParameters& guess) {
+        if (!isWithinLaw(guess)) {
+            return;
+        }
         const AdhesiveParameters trial = placed(guess);
         const double sum = squares(trial);
         if (sum < least || !best) {
@@ -181,6 +188,9 @@ AdhesiveParameters AdhesiveProblem::start() const {
             guess.reducedModulus = modulus * factor;
             offer(guess);
         }
+    }
+    if (!best) {
+        throw Error("the cycle suggests a modulus or an adhesion outside the range of the laws");
     }
     return *best;
 }

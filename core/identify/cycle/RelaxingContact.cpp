@@ -160,9 +160,11 @@ double RelaxingContact::forceOf(const Sample& now, std::size_t count) const noex
                        before.indentation + (share * (beyond.indentation - before.indentation))));
 }
 
+/// None between samples of the same time.
 double RelaxingContact::dragAt(double time, double indentation) const noexcept {
     const Sample& before = history_.back();
-    const double speed = (indentation - before.indentation) / (time - before.time);
+    const double elapsed = time - before.time;
+    const double speed = elapsed > 0.0 ? (indentation - before.indentation) / elapsed : 0.0;
     return parameters_.drag * speed / (std::max(-indentation, 0.0) + parameters_.dragOffset);
 }
 

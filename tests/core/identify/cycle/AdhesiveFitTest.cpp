@@ -68,10 +68,26 @@ TEST(AdhesiveFit, TransitionParameterChoosesTheLaw) {
     EXPECT_NEAR(fit.parameters.reducedModulus / 2e6, 1.0, 0.01);
 }
 
+/// Without a named tip fits know products with its radius alone: then they take one of 1 m.
+TEST(AdhesiveFit, AnyRadiusGivesTheSameProducts) {
+    const auto cycle = test::syntheticCycle("jkr_one", 1e-4);
+    AdhesiveFitOptions options = rubberOptions(false);
+    options.law = ContactLaw::Jkr;
+    const AdhesiveParameters small = adhesiveFit(cycle, options).parameters;
+    options.tipRadius = 1.0;
+    const AdhesiveParameters large = adhesiveFit(cycle, options).parameters;
+    EXPECT_NEAR(large.approachWork / (small.approachWork * small.tipRadius), 1.0, 1e-4);
+    EXPECT_NEAR(large.reducedModulus / (small.reducedModulus * std::sqrt(small.tipRadius)), 1.0,
+                1e-4);
+}
+
 TEST(AdhesiveFit, RefusesWhatDoesNotGoTogether) {
     const auto cycle = test::syntheticCycle("jkr_two", 1e-4);
     AdhesiveFitOptions options = rubberOptions(true);
     options.law = ContactLaw::Maugis;
+    EXPECT_THROW((void)adhesiveFit(cycle, options), Error);
+    options = rubberOptions(false);
+    options.tipRadius = 10.0;
     EXPECT_THROW((void)adhesiveFit(cycle, options), Error);
     options = rubberOptions(false);
     options.law = ContactLaw::SphereSplit;

@@ -120,6 +120,17 @@ TEST(RelaxingContact, ForwardSimulationIsTheCycleOfFormulasOfItsOwn) {
     }
 }
 
+TEST(RelaxingContact, TwoSamplesOfOneTimeHaveNoSpeed) {
+    RelaxingParameters parameters = gel();
+    parameters.drag = 1e-11;
+    const auto forces =
+        simulatedForces(parameters, 0.02, {0.0, 0.1, 0.1, 0.2}, {-1e-6, 0.5e-6, 0.5e-6, 1e-6});
+    for (const double force : forces) {
+        EXPECT_TRUE(std::isfinite(force));
+    }
+    EXPECT_GT(forces[3], forces[1]);
+}
+
 TEST(RelaxingContact, ScalesWithAllLengths) {
     RelaxingParameters parameters = gel();
     GelMotion motion = triangle(2e-6, 0.2, 200);
