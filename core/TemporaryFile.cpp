@@ -127,6 +127,7 @@ TemporaryFolder::TemporaryFolder(const std::filesystem::path& parent, std::strin
 }
 
 TemporaryFolder::~TemporaryFolder() {
+    lock_ = FileDescriptor(-1);  // where no file can be opened any more, one is needed to remove it
     std::error_code ignored;
     std::filesystem::remove_all(path_, ignored);
 }

@@ -338,6 +338,24 @@ std::string speedText(const MapPlan& plan, int rows, double seconds) {
                                         ", the others have no data; --resume continues the map");
 }
 
+/// @throw Error where files beside the .gwy of a whole map are missing
+void requireWhole(const MapFiles& files, bool hasPictures) {
+    std::vector<std::filesystem::path> wanted{files.vti(), files.exr()};
+    if (hasPictures) {
+        wanted.push_back(files.sheet(1));
+    }
+    std::string missing;
+    for (const std::filesystem::path& file : wanted) {
+        if (std::error_code none; !std::filesystem::exists(file, none)) {
+            missing += (missing.empty() ? "" : ", ") + file.filename().string();
+        }
+    }
+    if (!missing.empty()) {
+        throw Error(files.gwy().string() + ": the map is whole, but there is no " + missing +
+                    ": --force computes it again and writes all its files");
+    }
+}
+
 /// Runs on rank 0, or in the only process.
 void lead(const MapOptions& options, const MpiJob& job) {
     const MapFiles files(options.out);
@@ -346,6 +364,7 @@ void lead(const MapOptions& options, const MpiJob& job) {
     std::error_code none;
     if (options.resume && job.isAlone() && !std::filesystem::exists(files.part(), none) &&
         holdsMap(files, loaded, plan)) {
+        requireWhole(files, !options.noPictures);
         std::cout << printable(files.gwy().string())
                   << ": the map is whole; nothing is left to do\n";
         return;

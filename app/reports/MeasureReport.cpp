@@ -36,12 +36,6 @@ void printLine(std::ostream& out, const char* name, const std::string& value,
         << std::string(value.size() < 12 ? 12 - value.size() : 1, ' ') << meaning << '\n';
 }
 
-/// Returns 0 for a mean that leveling removed: what rounding leaves of it is no height.
-double shownMean(const Roughness& roughness) {
-    constexpr double kRounding = 1e-12;
-    return std::abs(roughness.mean) < kRounding * roughness.sz ? 0.0 : roughness.mean;
-}
-
 std::string optionalText(const std::optional<double>& number) {
     return number ? formatted("%.4g", *number) : "-";
 }
@@ -64,8 +58,7 @@ void printRoughness(std::ostream& out, const MeasuredMap& measured) {
     printLine(out, "Sq", formatSi(roughness.sq, "m"), "root mean square height");
     printLine(out, "Sz", formatSi(roughness.sz, "m"),
               "maximum height, from " + formatSi(roughness.lowest, "m") + " to " +
-                  formatSi(roughness.highest, "m") + ", mean " +
-                  formatSi(shownMean(roughness), "m"));
+                  formatSi(roughness.highest, "m") + ", mean " + formatSi(roughness.mean, "m"));
     printLine(out, "Sp", formatSi(roughness.sp, "m"), "maximum peak height, above the mean");
     printLine(out, "Sv", formatSi(roughness.sv, "m"), "maximum pit height, below the mean");
     printLine(out, "Ssk", optionalText(roughness.ssk), "skewness");

@@ -291,7 +291,7 @@ Vector3 ApproachDevice::nextBase(double timeStep) noexcept {
 }
 
 void ApproachDevice::observe(const TickOutput& output) noexcept {
-    force_ = output.estimate.force.z();
+    force_ = approach_.axis().dot(output.estimate.force);
     hasEquilibrium_ =
         !output.flags.has(Validity::NotInEquilibrium) && !output.flags.has(Validity::FrictionLock);
 }

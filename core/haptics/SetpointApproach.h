@@ -14,13 +14,16 @@ namespace asperity {
 
 /// Plan of how an AFM engages at one position: down, stop at a force, dwell, up again.
 struct ApproachPlan {
-    double setpoint = 5e-9;   ///< force along z above the baseline that ends the descent [N]
+    double setpoint = 5e-9;   ///< force along `axis` above the baseline that ends the descent [N]
     double speed = 10e-9;     ///< of the base, down and up [m/s]
     double stiffness = 14.0;  ///< of the lever along z: no force rises faster but by a jump [N/m]
     double baseline = 0.1;    ///< for which the base rests first, to measure force and noise [s]
     /// At the setpoint, settling included; infinity: until another device takes over [s].
     double dwell = 0.5;
     double maxDescent = 1e-7;  ///< without a contact the descent ends here [m]
+    /// Counts the force along z, or with bendingAxis() what the lever's bending shows, which a
+    /// feedback holds.
+    Vector3 axis = Vector3::UnitZ();
 };
 
 /// Longest time that a tip may have no equilibrium: 50 ms, however the steps were rounded [s].
@@ -80,10 +83,11 @@ public:
         : plan_(plan), start_(start) {}
 
     /// Returns where the base is after one more time step, world [m].
-    /// @param force estimated in the tick before, along z [N]
+    /// @param force estimated in the tick before, along the plan's axis [N]
     /// @param hasEquilibrium whether the tip had one then
     Vector3 advance(double timeStep, double force, bool hasEquilibrium = true) noexcept;
 
+    [[nodiscard]] const Vector3& axis() const noexcept { return plan_.axis; }
     [[nodiscard]] ApproachPhase phase() const noexcept { return phase_; }
     /// Returns whether the force has reached the setpoint, and settled there.
     [[nodiscard]] bool hasEngaged() const noexcept { return engaged_; }
@@ -192,7 +196,7 @@ public:
     [[nodiscard]] bool isBlocked() const noexcept { return blocked_; }
     /// Returns whether the force of the dwell has been measured. Any thread; wait-free.
     [[nodiscard]] bool hasMeasured() const noexcept { return measured_; }
-    /// Returns the force above the baseline, along z [N]. Any thread; wait-free.
+    /// Returns the force above the baseline, along the plan's axis [N]. Any thread; wait-free.
     [[nodiscard]] double measuredForce() const noexcept { return measuredForce_; }
     /// Its standard deviation by noise [N]. Any thread; wait-free.
     [[nodiscard]] double measuredDeviation() const noexcept { return measuredDeviation_; }
@@ -208,7 +212,7 @@ private:
     double positionGain_;
     Vector3 start_;               ///< of the device [m]
     double time_ = 0.0;           ///< along the lead-in [s]
-    double force_ = 0.0;          ///< of the last tick, along z [N]
+    double force_ = 0.0;          ///< of the last tick, along the plan's axis [N]
     bool hasEquilibrium_ = true;  ///< whether the tip had one in the last tick
     bool started_ = false;        ///< the first step only begins
     std::atomic<ApproachPhase> phase_ = ApproachPhase::Baseline;

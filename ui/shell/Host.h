@@ -42,6 +42,7 @@ public:
     /// Adds a page to the tabs below the view; it is hidden at first.
     virtual void addTool(QWidget* page, const QString& title) = 0;
     virtual void showTool(QWidget* page) = 0;
+    virtual void hideTool(QWidget* page) = 0;
     /// Puts the column of cards on top, where the whole scan is in sight.
     virtual void showCards() = 0;
     /// Adds a page to the tabs right of the view, off while nothing can be changed.

@@ -97,6 +97,11 @@ void MainWindow::showTool(QWidget* page) {
     layout_->tools().showPage(page);
 }
 
+void MainWindow::hideTool(QWidget* page) {
+    layout_->maximizer().restore();
+    layout_->tools().setShown(page, false);
+}
+
 void MainWindow::showCards() { layout_->showCards(); }
 
 void MainWindow::addSidePage(QWidget* page, const QString& title) {

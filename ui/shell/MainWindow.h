@@ -34,6 +34,7 @@ public:
     void addStatus(QWidget& status) override;
     void addTool(QWidget* page, const QString& title) override;
     void showTool(QWidget* page) override;
+    void hideTool(QWidget* page) override;
     void showCards() override;
     void addSidePage(QWidget* page, const QString& title) override;
     void showSidePage(QWidget* page) override;

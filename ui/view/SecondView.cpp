@@ -15,6 +15,7 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QMenu>
+#include <QSignalBlocker>
 #include <QStackedWidget>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -224,6 +225,15 @@ void SecondView::showSnapshot(const Snapshot& snapshot) {
         space_->showSnapshot(snapshot);
     } else {
         section_->showSnapshot(snapshot);
+        showFollowedDirection();
+    }
+}
+
+/// The box names the direction through the contact, too; a number that is being typed stays.
+void SecondView::showFollowedDirection() {
+    if (follows_->isChecked() && !direction_->hasFocus()) {
+        const QSignalBlocker blocker(direction_);
+        direction_->setValue(std::round(section_->azimuth() / kDegree));
     }
 }
 

@@ -90,6 +90,7 @@ private:
     [[nodiscard]] SecondContent content() const;
     void showContent();
     void chooseDirection();
+    void showFollowedDirection();
     void useScene(bool visible);
 
     const Scene* scene_ = nullptr;

@@ -158,6 +158,7 @@ void ActiveDevice::engage(double setpoint, const Vector2& position, const Ramp& 
     PlannedApproach planned = planApproach(
         run_->scene(), {.duration = kFine, .position = position, .setpoint = setpoint});
     planned.plan.dwell = std::numeric_limits<double>::infinity();
+    planned.plan.axis = bendingAxis(run_->scene().belief.cantilever);
     planned.plan.speed = ramp.rate;
     const double usualTop = planned.start.z();
     planned.start = topOf(ramp, run_->scene(), planned.start);

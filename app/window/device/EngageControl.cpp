@@ -35,9 +35,11 @@ std::vector<SetpointUnit> setpointUnits(const Scene& scene) {
     const double deflection = shownDeflectionPerForce(scene.belief.cantilever);
     std::vector<SetpointUnit> units{{QStringLiteral("nN"), 1e9},
                                     {QStringLiteral("nm"), 1e9 * deflection}};
-    if (const std::optional<double> invOls = scene.description.detector.invOls) {
-        units.push_back({QStringLiteral("V"), deflection / *invOls});
-    }
+    const std::optional<double> invOls = scene.description.detector.invOls;
+    units.push_back(invOls ? SetpointUnit{QStringLiteral("V"), deflection / *invOls}
+                           : SetpointUnit{QStringLiteral("V"), 0.0,
+                                          QObject::tr("The probe gives no sensitivity of the "
+                                                      "detector (Scene page, InvOLS)")});
     return units;
 }
 

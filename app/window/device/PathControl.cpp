@@ -349,6 +349,7 @@ void PathControl::startApproach(const PathRequest& request) {
     PlannedApproach planned = planApproach(
         scene, {.position = runs_.run()->basePosition().head<2>(), .setpoint = request.load});
     planned.plan.speed = request.lines.speed;
+    planned.plan.axis = bendingAxis(scene.belief.cantilever);
     devices_.approach(planned);
     taken_ = &runs_.run()->device();
     request_ = request;

@@ -12,6 +12,7 @@
 #include <QLineEdit>
 #include <QPushButton>
 #include <QSignalBlocker>
+#include <QStandardItemModel>
 
 #include <algorithm>
 
@@ -114,10 +115,13 @@ void EngageBar::addSetpoint() {
 void EngageBar::addRamp() {
     addRampBox(*size_, "rampSize", tr("Size of the ramp"),
                tr("Size of the ramp: distance from the sample at which an approach begins and a "
-                  "withdrawal ends [nm]; muted: suits the scene, just out of the sample's reach"));
-    addRampBox(*rate_, "rampRate", tr("Speed of the ramp"),
-               tr("Speed of the base down to the setpoint and up out of the sample's reach "
-                  "[nm/s]; muted: suits the scene, a cycle takes about four seconds"));
+                  "withdrawal ends [nm]; muted: suits the scene, just out of the sample's reach; "
+                  "an emptied box returns to that"));
+    addRampBox(
+        *rate_, "rampRate", tr("Speed of the ramp"),
+        tr("Speed of the base down to the setpoint and up out of the sample's reach "
+           "[nm/s]; muted: suits the scene, a cycle takes about four seconds; an emptied box "
+           "returns to that"));
     const auto caption = [this](const QString& text, const QWidget& box) {
         auto* label = captionLabel(text, this);
         label->setToolTip(box.toolTip());
@@ -137,6 +141,12 @@ void EngageBar::addRampBox(GainSpinBox& box, const char* name, const QString& sp
     box.setMuted(true);
     connect(&box, qOverload<double>(&QDoubleSpinBox::valueChanged), &box,
             [&box] { box.setMuted(false); });
+    connect(box.findChild<QLineEdit*>(), &QLineEdit::textEdited, &box, [&box](const QString& text) {
+        if (text.trimmed().isEmpty()) {
+            box.setMuted(true);
+        }
+    });
+    connect(&box, &QDoubleSpinBox::editingFinished, this, &EngageBar::showUsualRamp);
 }
 
 void EngageBar::addHold() {
@@ -187,7 +197,14 @@ void EngageBar::setUnits(std::vector<SetpointUnit> units) {
     }
     unit_->clear();
     unit_->addItems(names);
-    unit_->setCurrentIndex(std::max(static_cast<int>(names.indexOf(chosen)), 0));
+    const auto* entries = qobject_cast<const QStandardItemModel*>(unit_->model());
+    for (std::size_t i = 0; i < units_.size(); ++i) {
+        QStandardItem* const entry = entries->item(static_cast<int>(i));
+        entry->setEnabled(units_[i].perNewton > 0.0);
+        entry->setToolTip(units_[i].whyNot);
+    }
+    const int index = std::max(static_cast<int>(names.indexOf(chosen)), 0);
+    unit_->setCurrentIndex(entries->item(index)->isEnabled() ? index : 0);
     showSetpoint();
 }
 
@@ -196,16 +213,21 @@ Ramp EngageBar::ramp() const {
 }
 
 void EngageBar::setUsualRamp(const Ramp& usual) {
+    usual_ = usual;
+    const QSignalBlocker blocker(size_);
+    size_->setRange(QString::number(kNanoRamp * usual.size, 'g', 2).toDouble(), kMaxSize);
+    showUsualRamp();
+}
+
+void EngageBar::showUsualRamp() {
     const auto show = [](GainSpinBox& box, double length) {
         if (box.isMuted()) {
             const QSignalBlocker blocker(box);
             box.setValue(QString::number(kNanoRamp * length, 'g', 2).toDouble());
         }
     };
-    show(*rate_, usual.rate);
-    const QSignalBlocker blocker(size_);
-    size_->setRange(QString::number(kNanoRamp * usual.size, 'g', 2).toDouble(), kMaxSize);
-    show(*size_, usual.size);
+    show(*rate_, usual_.rate);
+    show(*size_, usual_.size);
 }
 
 bool EngageBar::holdsForce() const { return hold_->currentIndex() == 0; }

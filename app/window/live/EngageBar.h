@@ -17,7 +17,8 @@ class GainSpinBox;
 /// Unit in which a setpoint is typed.
 struct SetpointUnit {
     QString name;
-    double perNewton = 1e9;
+    double perNewton = 1e9;  ///< 0: it cannot be typed
+    QString whyNot = {};     ///< it cannot be typed, for its tool tip
 
     bool operator==(const SetpointUnit&) const = default;
 };
@@ -40,10 +41,11 @@ public:
     /// Force at which an approach ends, and which is held then [N].
     [[nodiscard]] double setpoint() const { return setpoint_; }
     void setSetpoint(double force);
-    /// Sets in which units a setpoint can be typed; the chosen one stays where it is among them.
+    /// Sets in which units a setpoint can be typed; the chosen one stays where it can be typed.
     void setUnits(std::vector<SetpointUnit> units);
     [[nodiscard]] Ramp ramp() const;
-    /// Sets rate and size that suit the scene, as long as no others are typed.
+    /// Sets rate and size that suit the scene, as long as no others are typed; an emptied box
+    /// returns to them.
     void setUsualRamp(const Ramp& usual);
     /// Returns whether a feedback is to hold the force; else the height stays.
     [[nodiscard]] bool holdsForce() const;
@@ -71,8 +73,10 @@ private:
     void addHold();
     [[nodiscard]] const SetpointUnit& unit() const;
     void showSetpoint();
+    void showUsualRamp();
 
     double setpoint_;  ///< [N]
+    Ramp usual_;
     std::vector<SetpointUnit> units_;
     GainSpinBox* box_;
     QComboBox* unit_;

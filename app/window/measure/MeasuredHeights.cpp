@@ -83,10 +83,18 @@ HeightRows MeasuredScan::rows() const {
                : std::visit([](const auto& map) { return rowsOf(map); }, *leveledScan_);
 }
 
+QString MeasuredScan::calibration() const {
+    const Uncertainty& given = loaded_->scene.description.uncertainty;
+    return given.enabled ? MeasuredHeights::tr("z ± %1 %, x and y ± %2 %")
+                               .arg(100.0 * given.heightCalibration)
+                               .arg(100.0 * given.lateralCalibration)
+                         : QString();
+}
+
 std::vector<std::string> MeasuredScan::provenance(const std::string& what) const {
     std::vector<std::string> lines{std::string("Asperity ") + kVersion + ": " + what + " of " +
                                        name_,
-                                   "smoothing: " + smoothing_.toStdString()};
+                                   "smoothing of what was measured: " + smoothing_.toStdString()};
     lines.insert(lines.end(), loaded_->notes.begin(), loaded_->notes.end());
     return lines;
 }

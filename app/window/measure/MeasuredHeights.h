@@ -35,6 +35,8 @@ public:
     /// Returns leveling and smoothing of the heights, in words.
     [[nodiscard]] const QString& leveling() const { return leveling_; }
     [[nodiscard]] const QString& smoothing() const { return smoothing_; }
+    /// Returns how sure the scanner's calibration is, in words; empty: the scene leaves that out.
+    [[nodiscard]] QString calibration() const;
     [[nodiscard]] const std::string& file() const { return file_; }
     [[nodiscard]] const std::string& channel() const { return channel_; }
     /// Returns the comments of a table of these heights. @param what it has, "profiles"

@@ -212,6 +212,9 @@ void RoughnessPage::setResult(const Subject& subject, const Numbers& numbers) {
                  .arg(countText(roughness.pixels), countText(all - roughness.pixels));
     parts << tr("Leveling: %1").arg(subject.leveling);
     parts << tr("Smoothing: %1").arg(subject.smoothing);
+    if (!subject.calibration.isEmpty()) {
+        parts << tr("Calibration: %1").arg(subject.calibration);
+    }
     if (texture.step > 1) {
         parts << tr("Sal, Str: of one pixel in %1 a side").arg(texture.step);
     }
@@ -322,7 +325,8 @@ RoughnessControl::Result RoughnessControl::measure(std::shared_ptr<const Measure
                               .pixels = pixels,
                               .isRectangle = !rectangle.isEmpty(),
                               .leveling = scan->leveling(),
-                              .smoothing = scan->smoothing()},
+                              .smoothing = scan->smoothing(),
+                              .calibration = scan->calibration()},
                   .numbers = {}};
     ProgressPart first(&progress, 0.0, 0.2);
     result.numbers.roughness = roughnessOf(rows, pixels, &first);

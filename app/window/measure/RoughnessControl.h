@@ -39,6 +39,7 @@ public:
         bool isRectangle = false;  ///< of the scan; else all of it
         QString leveling;          ///< in words
         QString smoothing;         ///< in words
+        QString calibration;       ///< its deviations in words; empty: not given
     };
     /// The numbers of ISO 25178-2, and the curves.
     struct Numbers {

@@ -273,6 +273,7 @@ void PlaybackControl::end() {
     live_.banner().setRecorded(std::nullopt);
     rewindPanels();
     page_->setRun(0, {}, {});
+    host_.hideTool(page_);
     Q_EMIT ended();
 }
 

@@ -49,6 +49,8 @@ public:
     void replayLastJump();
     /// The run that is shown; null: the live one is.
     [[nodiscard]] const LookedAtRun* shown() const { return shown_.get(); }
+    /// Returns whether a run is being read that will be shown.
+    [[nodiscard]] bool isReading() const { return reading_.isAwaited(); }
     /// The tick that the views show; none: the first one is to come.
     [[nodiscard]] const std::optional<std::size_t>& tick() const { return tick_; }
     /// Once a frame: plays on. @param elapsed since the last frame [s]

@@ -304,6 +304,7 @@ void write(const std::filesystem::path& run, const QImage& picture,
 BundleControl::BundleControl(Stage& stage)
     : Feature(stage)
     , recordings_(stage.get<RecordingControl>())
+    , playback_(stage.get<PlaybackControl>())
     , views_(stage.get<ViewControl>())
     , work_(loadingLine(host_),
             {.finished =
@@ -343,6 +344,10 @@ BundleControl::BundleControl(Stage& stage)
 
 void BundleControl::bundle() {
     if (runs_.run() == nullptr || work_.isAwaited()) {
+        return;
+    }
+    if (playback_.isReading()) {
+        host_.tell(tr("A recording is being opened: bundle it once it is shown"));
         return;
     }
     if (runs_.showsRecording()) {

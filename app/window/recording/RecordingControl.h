@@ -5,6 +5,7 @@
 #include "app/window/LongWork.h"
 #include "app/window/Stage.h"
 #include "app/window/ViewControl.h"
+#include "app/window/recording/PlaybackControl.h"
 
 #include <QString>
 
@@ -109,6 +110,7 @@ private:
     void bundle(const QString& folder, const QString& subject);
 
     RecordingControl& recordings_;
+    PlaybackControl& playback_;
     ViewControl& views_;
     QString last_;            ///< folder of the last recording of this run; empty: there is none
     bool isAwaited_ = false;  ///< what is to be bundled is being written

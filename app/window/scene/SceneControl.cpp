@@ -179,12 +179,13 @@ void SceneControl::tellWhatStays(const std::filesystem::path& input,
         QString::fromStdString(scene.sample.material.name).replace(QLatin1Char('_'), ' ');
     const QString tip = siText(scene.tip.radius, "m");
     const QString lever = siText(runs_.run()->scene().belief.cantilever.stiffness(), "N/m");
+    const QString setpoint = siText(scene.setpoint, "N");
     host_.tell(before.sample.material.maps.any()
                    ? tr("%1 · material: %2 (the one before had maps of its scan) · as before: tip "
-                        "of %3, lever of %4")
-                         .arg(shownPath(input.filename()), material, tip, lever)
-                   : tr("%1 · as before: %2, tip of %3, lever of %4")
-                         .arg(shownPath(input.filename()), material, tip, lever));
+                        "of %3, lever of %4, setpoint of %5")
+                         .arg(shownPath(input.filename()), material, tip, lever, setpoint)
+                   : tr("%1 · as before: %2, tip of %3, lever of %4, setpoint of %5")
+                         .arg(shownPath(input.filename()), material, tip, lever, setpoint));
 }
 
 void SceneControl::open(const std::filesystem::path& input, const LongWork<LoadedScene>::Work& load,

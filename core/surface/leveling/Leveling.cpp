@@ -5,6 +5,8 @@
 #include "core/surface/leveling/ScarRemoval.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace asperity {
 
@@ -136,6 +138,31 @@ double takeDatum(RemovedByStep& removed, double datum) {
     return 0.0;
 }
 
+/// Largest distance of a height from the map's datum [m]; 0: no pixel holds data. @throw Canceled
+template <class Heights>
+double largestHeight(const BasicHeightMap<Heights>& map, Progress* progress) {
+    return std::ranges::max(ofEachRow(map.rows, progress, [&](int row) {
+        double largest = 0.0;
+        for (int column = 0; column < map.columns; ++column) {
+            if (counts(map, row, column)) {
+                largest = std::max(largest, std::abs(static_cast<double>(map.at(row, column))));
+            }
+        }
+        return largest;
+    }));
+}
+
+/// Makes a map flat of which the steps left nothing but rounding: that has no roughness.
+template <class Heights>
+void dropRounding(BasicHeightMap<Heights>& map, double before, Progress* progress) {
+    using Height = typename Heights::value_type;
+    constexpr double kRounding = 8.0 * std::numeric_limits<Height>::epsilon();
+    if (largestHeight(map, progress) <= kRounding * before) {
+        subtract(
+            map, [&map](int row, int column) { return map.at(row, column); }, progress);
+    }
+}
+
 /// @return the datum that is left [m]
 template <class Heights>
 double doSteps(BasicHeightMap<Heights>& map, double datum, const LevelingSteps& steps,
@@ -143,12 +170,16 @@ double doSteps(BasicHeightMap<Heights>& map, double datum, const LevelingSteps& 
                std::vector<RemovedByStep>& removed) {
     requireUsable(map);
     const auto count = static_cast<double>(steps.size());
+    const double before = steps.empty() ? 0.0 : largestHeight(map, nullptr);
     for (const LevelingStep step : steps) {
         const auto done = static_cast<double>(removed.size());
         reportTo(progress, done / count);
         ProgressPart part(progress, done / count, (done + 1.0) / count);
         removed.push_back(doStep(map, step, points, &part));
         datum = takeDatum(removed.back(), datum);
+    }
+    if (before > 0.0) {
+        dropRounding(map, before, nullptr);
     }
     reportTo(progress, 1.0);
     return datum;

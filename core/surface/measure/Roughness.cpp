@@ -200,21 +200,24 @@ Roughness roughnessOf(const HeightRows& map, const PixelRectangle& pixels, Progr
         squares.add(row, above);
     });
     const auto count = static_cast<double>(heights.count);
+    // What single precision leaves of a mean that leveling removed is no height.
+    constexpr double kRounding = std::numeric_limits<float>::epsilon();
+    const double extent = heights.highest - heights.lowest;
     Roughness roughness{.sa = deviations.absolute / count,
                         .sq = std::sqrt(deviations.square / count),
-                        .sz = heights.highest - heights.lowest,
+                        .sz = extent,
                         .sp = heights.highest - mean,
                         .sv = mean - heights.lowest,
                         .ssk = std::nullopt,
                         .sku = std::nullopt,
                         .sdq = squares.sdq(),
                         .sdr = squares.sdr(),
-                        .mean = mean,
+                        .mean = std::abs(mean) < kRounding * extent ? 0.0 : mean,
                         .lowest = heights.lowest,
                         .highest = heights.highest,
                         .pixels = heights.count,
                         .squares = squares.count};
-    if (heights.highest > heights.lowest) {
+    if (extent > 0.0) {
         const double square = roughness.sq * roughness.sq;
         roughness.ssk = deviations.cube / count / (square * roughness.sq);
         roughness.sku = deviations.fourth / count / (square * square);

@@ -198,6 +198,10 @@ TEST_F(Map, ThatIsWholeHasNothingLeftToDo) {
     const auto other = run("map.gwy", "--grid 4x4 --resume --setpoint 7nN");
     EXPECT_EQ(other.exitCode, 1) << other.output;
     EXPECT_THAT(other.output, HasSubstr("exists; --force replaces it"));
+    std::filesystem::remove(scratch.file("map.vti"));
+    const auto incomplete = run("map.gwy", "--grid 4x4 --resume");
+    EXPECT_EQ(incomplete.exitCode, 1) << incomplete.output;
+    EXPECT_THAT(incomplete.output, HasSubstr("the map is whole, but there is no map.vti"));
 }
 
 /// Ends a map by a signal when some rows are finished. @return its exit code

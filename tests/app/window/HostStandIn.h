@@ -42,6 +42,7 @@ public:
     void addStatus(QWidget& status) override { grid_->addWidget(&status, 4, 0, 1, 2); }
     void addTool(QWidget* page, const QString& title) override { pages_->addTab(page, title); }
     void showTool(QWidget* page) override { pages_->setCurrentWidget(page); }
+    void hideTool(QWidget* /*page*/) override {}
     void showCards() override {}
     void addSidePage(QWidget* page, const QString& title) override { addTool(page, title); }
     void showSidePage(QWidget* page) override { showTool(page); }

@@ -110,6 +110,17 @@ TEST_F(SecondViewTest, TheDirectionOfTheSectionIsTyped) {
     EXPECT_EQ(second().settings().azimuth, 45.0);
 }
 
+TEST_F(SecondViewTest, NamesTheDirectionThroughTheContact) {
+    auto* direction = second().findChild<NumberBox*>("sectionDirection");
+    Snapshot moment = moments.deep;
+    TipState& state = moment.sample.output.model;
+    state.closest.point.x() = state.tip.x();
+    state.closest.point.y() = state.tip.y() + 0.3 * second().section().halfWidth();
+    second().showSnapshot(moment);
+    EXPECT_EQ(direction->value(), 90.0);
+    EXPECT_TRUE(second().settings().followsContact);
+}
+
 TEST_F(SecondViewTest, OneCrossHairIsInAllViews) {
     panels.view().showSnapshot(moments.deep);
     second().showSnapshot(moments.deep);

@@ -113,6 +113,30 @@ TEST(ApproachDevice, FollowsTheMeasuredForceWhereTheSampleIsNotAsBelieved) {
     EXPECT_NEAR(strongest, scene.description.setpoint, 0.5_nN);
 }
 
+/// The force along z differs from it on a slope; a feedback that takes over holds the bending.
+TEST(ApproachDevice, CountsWhatTheBendingShowsWhereItIsToldTo) {
+    SceneDescription description = test::plainScene();
+    description.probe.mountTilt = 0.2;
+    const Scene scene = buildScene(description, test::hillyMap());
+    const Vector3 axis = bendingAxis(scene.belief.cantilever);
+    PlannedApproach planned =
+        planApproach(scene, {.duration = kDuration, .position = Vector2(40.0_nm, 50.0_nm)});
+    for (const bool counts : {false, true}) {
+        planned.plan.axis = counts ? axis : Vector3::UnitZ();
+        ApproachDevice device(planned, scene.settings.positionGain);
+        SimulatedAfm afm(scene.trueSurface(), truthOf(scene));
+        std::optional<Vector3> engaged;
+        runVirtually(scene, device, afm, 4001, [&](const TickSample&) {
+            if (!engaged && device.phase() == ApproachPhase::Dwell) {
+                engaged = afm.trueState().force;
+            }
+        });
+        ASSERT_TRUE(engaged);
+        EXPECT_NEAR(planned.plan.axis.dot(*engaged), scene.description.setpoint, 0.15_nN);
+        EXPECT_GT(std::abs(axis.dot(*engaged) - engaged->z()), 0.25_nN);
+    }
+}
+
 TEST(ApproachDevice, MovesByItsGainFromWhereTheDeviceBeforeWas) {
     const Scene scene = buildScene(test::plainScene(), test::flatMap());
     constexpr double kGain = 0.5;

@@ -17,7 +17,7 @@ const Vector3 kStart(10e-9, 20e-9, 30e-9);
 constexpr double kSurface = 24e-9;   // [m]
 constexpr double kStiffness = 14.0;  // [N/m]
 
-constexpr ApproachPlan kPlan{
+const ApproachPlan kPlan{
     .setpoint = 5e-9, .speed = 10e-9, .baseline = 0.1, .dwell = 0.05, .maxDescent = 20e-9};
 
 /// A sample that pulls for a nanometer and then pushes, on a lever whose free signal is not zero.

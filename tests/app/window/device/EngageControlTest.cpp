@@ -170,8 +170,24 @@ TEST_F(EngageControlTest, ASetpointIsTypedAsDeflectionOrVolts) {
     box.setValue(0.01);
     EXPECT_NEAR(panels.engage().setpoint(), 0.01 * 50e-9 / perForce, 1e-15);
     useFlatScene();
-    EXPECT_EQ(unit.count(), 2) << "no volts without a sensitivity";
     EXPECT_EQ(unit.currentText().toStdString(), "nN");
+    const QModelIndex volts = unit.model()->index(2, 0);
+    EXPECT_FALSE(volts.flags().testFlag(Qt::ItemIsEnabled)) << "no sensitivity";
+    EXPECT_FALSE(volts.data(Qt::ToolTipRole).toString().isEmpty()) << "it says why";
+}
+
+TEST_F(EngageControlTest, AnEmptiedRampIsTheUsualOneAgain) {
+    useFlatScene();
+    auto& rate = *window.findChild<GainSpinBox*>("rampRate");
+    const double usual = rate.value();
+    rate.setValue(3.0 * usual);
+    ASSERT_FALSE(rate.isMuted());
+    rate.setFocus();
+    rate.selectAll();
+    QTest::keyClick(&rate, Qt::Key_Delete);
+    QTest::keyClick(&rate, Qt::Key_Return);
+    EXPECT_TRUE(rate.isMuted());
+    EXPECT_EQ(rate.value(), usual);
 }
 
 TEST_F(EngageControlTest, WithdrawsOutOfTheSamplesReachAlsoWhileItEngages) {

@@ -89,7 +89,7 @@ TEST_F(ClipboardControlTest, CopiesAllNumbersShown) {
     for (const QString& line : lines) {
         rows[line.section('\t', 0, 0)] = line.split('\t');
     }
-    const TickOutput& output = runs.run()->loop().snapshot().sample.output;
+    const TickOutput& output = runs.shown().sample.output;
     EXPECT_EQ(rows[QStringLiteral("tip z")].value(1).toDouble(), output.tip.z());
     EXPECT_EQ(rows[QStringLiteral("Fz")].value(1).toDouble(), output.estimate.force.z());
     EXPECT_EQ(rows[QStringLiteral("Fz")].value(2).toDouble(),

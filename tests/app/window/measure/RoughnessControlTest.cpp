@@ -71,6 +71,7 @@ TEST_F(RoughnessControlTest, IsComputedOnceSomebodyLooks) {
     EXPECT_TRUE(subject.contains(QStringLiteral("excluded: 1 without data")));
     EXPECT_TRUE(subject.contains(QStringLiteral("Leveling: none")));
     EXPECT_TRUE(subject.contains(QStringLiteral("Smoothing: none")));
+    EXPECT_TRUE(subject.contains(QStringLiteral("Calibration: z ± 3 %, x and y ± 1 %")));
 }
 
 TEST_F(RoughnessControlTest, OfARectangleThatIsDrawn) {

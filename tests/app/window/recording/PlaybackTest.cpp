@@ -356,6 +356,8 @@ TEST_F(Playback, ABundleIsOfTheRecordingThatIsOpen) {
     const std::filesystem::path run = folder.file("mine");
     std::filesystem::copy(of("polystyrene"), run);
     stage.get<PlaybackControl>().look(run);
+    window.menus().entry("bundle").trigger();
+    EXPECT_TRUE(told().starts_with("A recording is being opened")) << told();
     ASSERT_TRUE(eventually([this] { return stage.get<PlaybackControl>().tick() == 0U; }, 60000));
     QSignalSpy bundled(&stage.get<BundleControl>(), &BundleControl::bundled);
     window.menus().entry("bundle").trigger();

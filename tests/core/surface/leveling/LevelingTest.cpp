@@ -106,6 +106,18 @@ TEST(Leveling, MedianOfAnEvenRowIsTheMeanOfTheTwoMiddleValues) {
     EXPECT_EQ(level.heights, (std::vector<double>{4.25, -2.75, 0.25, -1.75}));
 }
 
+TEST(Leveling, LeavesNoRoughnessOfAPlaneButThatOfSmallHills) {
+    const HeightMap flat = flatMap({.columns = 9, .rows = 7, .sizeX = 90.0_nm, .sizeY = 140.0_nm});
+    const HeightMap level = leveled(withPlane(flat, 3.0_nm, 0.02, -0.05), {LevelingStep::Plane});
+    EXPECT_TRUE(std::ranges::all_of(level.heights, [](double height) { return height == 0.0; }));
+    HeightMap hills = eggBoxHills();
+    for (double& height : hills.heights) {
+        height *= 1e-9;
+    }
+    const HeightMap small = leveled(withPlane(hills, 2.0_um, 0.3, -0.7), {LevelingStep::Plane});
+    EXPECT_GT(*std::ranges::max_element(small.heights), 3e-9 * 1.0_nm);
+}
+
 TEST(Leveling, NoneChangesNothing) {
     const HeightMap map = eggBoxHills();
     EXPECT_EQ(leveled(map, {}).heights, map.heights);
