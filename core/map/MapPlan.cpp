@@ -275,7 +275,7 @@ std::vector<MapValues> rasterLine(const MapInstrument& instrument, const MapPlan
     for (std::size_t i = 0; i < pixels.size(); ++i) {
         pixels[i][MapQuantity::FrictionForce] =
             0.5 * (pixels[i][MapQuantity::LateralRetrace] - pixels[i][MapQuantity::LateralTrace]);
-        pixels[i][MapQuantity::Validity] = flags[i].bits();
+        pixels[i][MapQuantity::Validity] = static_cast<double>(flags[i].bits());
     }
     return pixels;
 }
