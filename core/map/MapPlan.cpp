@@ -226,6 +226,10 @@ Vector2 MapPlan::position(int row, int column) const {
 }
 
 MapPlan planMap(const Scene& scene, const MapRequest& request) {
+    if (!scene.description.truth.curve.empty()) {
+        throw Error("the instrument of this scene plays a recorded curve ([truth] curve), which is "
+                    "of one place: there is no map of it");
+    }
     const MapRegion region = regionOf(scene.surface, request);
     const MapPlan plan{.mode = request.mode,
                        .grid = gridOf(scene.surface.grid(), region, request),
