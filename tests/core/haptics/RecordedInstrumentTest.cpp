@@ -55,7 +55,7 @@ TEST_F(RecordedInstrument, EndsAnApproachThatItCannotServe) {
     approach.plan.maxDescent = 1e-6;
     ApproachDevice device(approach, scene.settings.positionGain);
     double lowest = 0.0;
-    runVirtually(scene, device, afm, 2001, [&lowest](const TickSample& sample) {
+    runVirtually(scene, device, afm, 20001, [&lowest](const TickSample& sample) {
         lowest = std::min(lowest, sample.output.base.position.z());
     });
     EXPECT_TRUE(device.isBlocked());

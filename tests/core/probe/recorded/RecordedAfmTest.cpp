@@ -1,6 +1,7 @@
 #include "core/probe/recorded/RecordedAfm.h"
 
 #include "core/probe/CantileverModes.h"
+#include "core/surface/deformation/ContactHeight.h"
 #include "core/surface/fit/BSplineFit.h"
 #include "tests/core/probe/recorded/AdhesiveCycle.h"
 #include "tests/support/AllocationCounter.h"
@@ -51,6 +52,17 @@ TEST(RecordedAfm, GivesTheRecordedSamplesAsTheSameBitsInEachRun) {
     };
     play(one.curve->approach, 0);
     play(one.curve->retract, 1);
+}
+
+TEST(RecordedAfm, KnowsTheSamplesOnAHillWhereTheBaseIsRounded) {
+    Recorded hilly(test::hillyMap());
+    const double touch = tipContactHeight(hilly.surface, 40e-9, 70e-9, kTip) - kTip;
+    const PlayedBranch& approach = hilly.curve->approach;
+    for (std::size_t i = 0; i < approach.force.size(); ++i) {
+        const AfmMeasurement measured = hilly.at(40e-9, 70e-9, touch + approach.distance[i]);
+        const Vector3 force(0.0, 0.0, approach.force[i]);
+        ASSERT_EQ(measured.signals.bending, leverSignals(hilly.lever, force).bending) << i;
+    }
 }
 
 TEST(RecordedAfm, HasTheRecordedContactWhereTheTipFirstTouches) {
