@@ -23,10 +23,10 @@ using testing::HasSubstr;
 using testing::Not;
 namespace fs = std::filesystem;
 
-constexpr double kRate = 2000.0;  // [Hz], of both curves and of the run
+constexpr double kCurveRate = 2000.0;  // [Hz], of both curves and of the run
 
 /// A scene whose instrument plays a real curve, and the base as it was recorded.
-class RecordedRun : public testing::TestWithParam<std::string> {
+class PlayedCurveRun : public testing::TestWithParam<std::string> {
 protected:
     void SetUp() override {
         ASPERITY_NEEDS_SHARED_DATA();
@@ -37,7 +37,7 @@ protected:
         path << "time_s,x_m,y_m,z_m\n";
         for (const AlignedBranch* branch : {&aligned.approach, &aligned.retract}) {
             for (const double distance : branch->baseDistance) {
-                path << formatted("%.17g,50e-9,50e-9,%.17g\n", ticks++ / kRate, distance);
+                path << formatted("%.17g,50e-9,50e-9,%.17g\n", ticks++ / kCurveRate, distance);
             }
         }
     }
@@ -63,12 +63,12 @@ protected:
     int ticks = 0;
 };
 
-INSTANTIATE_TEST_SUITE_P(OfInstruments, RecordedRun,
+INSTANTIATE_TEST_SUITE_P(OfInstruments, PlayedCurveRun,
                          testing::Values("sin_ibw.csv", "spot3_jpk.csv"), [](const auto& test) {
                              return test.param.substr(0, test.param.find('_'));
                          });
 
-TEST_P(RecordedRun, FollowsTheCurveToTheBit) {
+TEST_P(PlayedCurveRun, FollowsTheCurveToTheBit) {
     const auto run = explore(in("path.csv"), "run");
     ASSERT_EQ(run.exitCode, 0) << run.output;
     EXPECT_THAT(run.output, HasSubstr("the instrument plays the curve curve.csv"));
@@ -89,7 +89,7 @@ TEST_P(RecordedRun, FollowsTheCurveToTheBit) {
     compare(aligned.retract, aligned.retractOffset);
 }
 
-TEST_P(RecordedRun, ReplaysAndIsBundledWithItsCurve) {
+TEST_P(PlayedCurveRun, ReplaysAndIsBundledWithItsCurve) {
     ASSERT_EQ(explore(in("path.csv"), "run").exitCode, 0);
     const auto bundled = test::runProgram("bundle " + in("run") + " " + in("run.zip"));
     ASSERT_EQ(bundled.exitCode, 0) << bundled.output;
@@ -101,7 +101,7 @@ TEST_P(RecordedRun, ReplaysAndIsBundledWithItsCurve) {
     EXPECT_THAT(again.output, HasSubstr("bit-identical"));
 }
 
-TEST_P(RecordedRun, WithATurnAndAnEndReplaysWithTheirFlags) {
+TEST_P(PlayedCurveRun, WithATurnAndAnEndReplaysWithTheirFlags) {
     std::ofstream(scratch.file("turns.csv"))
         << "time_s,x_m,y_m,z_m\n0,50e-9,50e-9,30e-9\n0.1,50e-9,50e-9,-5e-9\n"
            "0.2,50e-9,50e-9,0\n0.3,55e-9,50e-9,-4e-9\n0.4,50e-9,50e-9,-1e-6\n";
@@ -119,30 +119,30 @@ TEST_P(RecordedRun, WithATurnAndAnEndReplaysWithTheirFlags) {
     EXPECT_EQ(test::contentOf(scratch.file("again") / "force_log.csv"), log);
 }
 
-TEST_P(RecordedRun, AnApproachPastItsEndSaysSo) {
+TEST_P(PlayedCurveRun, AnApproachPastItsEndSaysSo) {
     const auto run = test::runProgram("explore " + in("scene.toml") +
                                       " --no-pictures --setpoint 5uN --out " + in("run"));
     ASSERT_EQ(run.exitCode, 0) << run.output;
     EXPECT_THAT(run.output, HasSubstr("the approach ended below the recorded curve"));
 }
 
-TEST_P(RecordedRun, HasNoMapAndNoCurveOfALaw) {
+TEST_P(PlayedCurveRun, HasNoMapAndNoCurveOfALaw) {
     const auto map = test::runProgram("map " + in("scene.toml") + " --out " + in("map.gwy"));
     EXPECT_EQ(map.exitCode, 1);
     EXPECT_THAT(map.output, HasSubstr("plays a recorded curve"));
     const auto drawn = test::runProgram("curve " + in("scene.toml") + " --out " + in("out.csv"));
-    EXPECT_EQ(drawn.exitCode, 1);
+    EXPECT_EQ(drawn.exitCode, 3);
     EXPECT_THAT(drawn.output, HasSubstr("plays a recorded curve"));
 }
 
-TEST_P(RecordedRun, SaysWhichCurveItCannotPlay) {
+TEST_P(PlayedCurveRun, SaysWhichCurveItCannotPlay) {
     std::ofstream(curve) << "base_m,force_N\n0,0\n1e-9,0\n";
     const auto few = explore(in("path.csv"), "run");
-    EXPECT_EQ(few.exitCode, 1);
+    EXPECT_EQ(few.exitCode, 3);
     EXPECT_THAT(few.output, HasSubstr("curve.csv: this curve has no approach"));
     fs::remove(curve);
     const auto none = explore(in("path.csv"), "run");
-    EXPECT_EQ(none.exitCode, 1);
+    EXPECT_EQ(none.exitCode, 3);
     EXPECT_THAT(none.output, HasSubstr("curve.csv"));
 }
 
