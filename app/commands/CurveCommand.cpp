@@ -160,6 +160,11 @@ void addCurveRequest(CLI::App& command, CurveRequest& request) {
 /// range
 std::vector<CurveCase> curveCases(const CurveRequest& request) {
     SceneDescription scene = request.scene.empty() ? defaultScene() : sceneFromInput(request.scene);
+    if (!scene.truth.curve.empty()) {
+        throw InputError(request.scene, "",
+                         "the instrument of this scene plays a recorded curve ([truth] curve), "
+                         "which no contact law gives: `explore` plays it");
+    }
     scene.tip.radius = request.radius > 0.0 ? request.radius : scene.tip.radius;
     if (request.modulus > 0.0) {
         scene.tip.elastic = kRigidTip;

@@ -123,8 +123,8 @@ struct RunKeeper {
 
 /// A setpoint that an approach did not reach.
 struct MissedSetpoint {
-    double force = 0.0;      ///< [N]
-    bool isBlocked = false;  ///< tip and lever had no equilibrium before its end
+    double force = 0.0;    ///< [N]
+    const char* why = "";  ///< after the words that it was missed
 };
 
 /// The results of a run that outlive its scene.
@@ -152,10 +152,7 @@ void tellOutcome(const FinishedRun& run) {
     }
     if (run.missed) {
         std::cerr << "note: the force did not reach the setpoint of "
-                  << formatSi(run.missed->force, "N")
-                  << (run.missed->isBlocked
-                          ? ": the approach ended where tip and cantilever have no equilibrium\n"
-                          : "\n");
+                  << formatSi(run.missed->force, "N") << run.missed->why << '\n';
     }
     if (!events.snapIn && !events.bondedFromStart) {
         std::cerr << "note: the tip never snapped into contact\n";
@@ -165,6 +162,10 @@ void tellOutcome(const FinishedRun& run) {
     }
 }
 
+constexpr const char* kNoEquilibrium =
+    ": the approach ended where tip and cantilever have no equilibrium";
+constexpr const char* kRecordEnded = ": the approach ended below the recorded curve";
+
 /// @return the setpoint of an approach that did not reach it
 /// @throw Canceled
 std::optional<MissedSetpoint> run(const Scene& scene, const PlannedRun& plan, AfmController& afm,
@@ -172,12 +173,14 @@ std::optional<MissedSetpoint> run(const Scene& scene, const PlannedRun& plan, Af
     const long ticks = std::lround(plan.duration / scene.timeStep()) + 1;
     constexpr long kReports = 50;
     long done = 0;
+    bool hasEnded = false;
     ProgressLine line("running");
     const TickSink take = [&](const TickSample& sample) {
         if (done % (ticks / kReports + 1) == 0) {
             reportTo(&line, static_cast<double>(done) / static_cast<double>(ticks));
         }
         ++done;
+        hasEnded = sample.output.fault == Fault::RecordEnded;
         keeper.take(sample);
     };
     if (const auto* const path = std::get_if<DevicePath>(&plan.motion)) {
@@ -187,9 +190,11 @@ std::optional<MissedSetpoint> run(const Scene& scene, const PlannedRun& plan, Af
     const auto& approach = std::get<PlannedApproach>(plan.motion);
     ApproachDevice device(approach, scene.settings.positionGain);
     runVirtually(scene, device, afm, ticks, take);
-    return device.hasEngaged()
-               ? std::nullopt
-               : std::optional(MissedSetpoint{approach.plan.setpoint, device.isBlocked()});
+    if (device.hasEngaged()) {
+        return std::nullopt;
+    }
+    const char* const blocked = hasEnded ? kRecordEnded : kNoEquilibrium;
+    return MissedSetpoint{approach.plan.setpoint, device.isBlocked() ? blocked : ""};
 }
 
 /// A scene and what its device is to do.

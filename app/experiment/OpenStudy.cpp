@@ -64,6 +64,10 @@ private:
 }  // namespace
 
 StudyScenes::StudyScenes(const Study& study, Progress* progress) : levers_(study.levers.size()) {
+    if (!study.scene.truth.curve.empty()) {
+        throw Error("the instrument of this study's scene plays a recorded curve ([truth] curve), "
+                    "which is of one place: a study needs the whole sample");
+    }
     const auto count = static_cast<double>(study.materials.size() * levers_);
     for (std::size_t material = 0; material < study.materials.size(); ++material) {
         for (std::size_t lever = 0; lever < levers_; ++lever) {

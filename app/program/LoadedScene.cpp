@@ -3,6 +3,7 @@
 #include "core/PrintableText.h"
 #include "core/SiFormat.h"
 #include "core/probe/SimulatedAfm.h"
+#include "core/probe/recorded/RecordedAfm.h"
 #include "core/scene/BelievedModel.h"
 #include "core/words/SceneWords.h"
 
@@ -70,6 +71,10 @@ std::string scanReport(const LoadedScene& loaded) {
 }
 
 std::unique_ptr<AfmController> instrumentOf(const Scene& scene) {
+    if (scene.maps.curve != nullptr) {
+        return std::make_unique<RecordedAfm>(scene.maps.curve, scene.trueSurface(),
+                                             scene.description.tip.radius, scene.belief.cantilever);
+    }
     return std::make_unique<SimulatedAfm>(scene.trueSurface(), truthOf(scene));
 }
 

@@ -36,8 +36,8 @@ struct LoadedScene {
 /// people; what is quoted from the file is printable.
 [[nodiscard]] std::string scanReport(const LoadedScene& loaded);
 
-/// The instrument of a scene, which outlives it, in the window and in `explore`: a simulated AFM
-/// that answers at once, as the scene's [truth] says.
+/// The instrument of a scene, which outlives it, in the window and in `explore`: as the scene's
+/// [truth] says, a simulated AFM that answers at once, or one that plays a recorded curve.
 [[nodiscard]] std::unique_ptr<AfmController> instrumentOf(const Scene& scene);
 
 }  // namespace asperity

@@ -36,7 +36,8 @@ struct BundledFile {
     std::string sha256 = {};     ///< that it must have; empty: any
 };
 
-/// A scan's or map's own name, where an archive can hold it and has no other file of that name.
+/// The own name of a scan, map or curve, where an archive can hold it and has no other file of that
+/// name.
 std::string scanEntry(const std::filesystem::path& scan, const std::vector<BundledFile>& files) {
     const std::string own = scan.filename().string();
     const std::string name = isUtf8(own) ? own : "scan" + scan.extension().string();
@@ -79,6 +80,9 @@ std::vector<BundledFile> filesOf(const std::filesystem::path& run,
         forEachSource(*maps, [&files](MapSource& source) {
             source.file = addInput(source.file, source.sha256, files);
         });
+    }
+    if (!scene.truth.curve.empty()) {
+        scene.truth.curve = addInput(scene.truth.curve, {}, files);
     }
     writeTextFile(folder / run_files::kScene, sceneText(scene));
     files.push_back({run_files::kScene, folder / run_files::kScene});

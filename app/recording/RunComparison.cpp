@@ -104,8 +104,8 @@ std::string textOf(const SettingField& field, const Value& value) {
 
 /// Told by the name of the scan; its file may be the same one elsewhere.
 bool isOfScan(const SceneField& field) {
-    return field.input == SceneInput::File ||
-           (field.group == SceneGroup::Sample && std::string_view(field.key) == "channel");
+    return field.group == SceneGroup::Sample &&
+           (field.input == SceneInput::File || std::string_view(field.key) == "channel");
 }
 
 /// All that the force can follow from, but the scan.

@@ -200,14 +200,15 @@ AlignedForceCurve alignedCurve(const MeasuredForceCurve& curve, double stiffness
     }
     const double nearEnd = farthest + kFarShare * (deepest - farthest);
     const Baseline baseline = fitLine(*approach, farthest, nearEnd);
-    const double own = stiffnessIn(curve, *approach);
+    const double measured = stiffnessIn(curve, *approach);
     const double contact = contactPosition(*approach, baseline);
     AlignedForceCurve aligned{.approach = {},
                               .retract = {},
                               .baselineForce = baseline.at(contact),
                               .baselineSlope = baseline.slope,
+                              .retractOffset = 0.0,
                               .noise = baseline.sigma,
-                              .stiffness = own > 0.0 ? own : stiffness,
+                              .stiffness = measured > 0.0 ? measured : stiffness,
                               .lastPull = 0.0};
     aligned.approach = branchOf(*approach, baseline, contact, aligned.stiffness);
     const auto retract =
@@ -215,8 +216,9 @@ AlignedForceCurve alignedCurve(const MeasuredForceCurve& curve, double stiffness
             return segment.kind == CurveSegmentKind::Retract;
         });
     if (retract != curve.segments.end()) {
-        aligned.retract = branchOf(*retract, ownBaseline(*retract, baseline, farthest, nearEnd),
-                                   contact, aligned.stiffness);
+        const Baseline own = ownBaseline(*retract, baseline, farthest, nearEnd);
+        aligned.retract = branchOf(*retract, own, contact, aligned.stiffness);
+        aligned.retractOffset = own.offset - baseline.offset;
     }
     aligned.lastPull = std::max(lastPullOf(aligned.approach, aligned.noise),
                                 lastPullOf(aligned.retract, aligned.noise));

@@ -19,6 +19,7 @@ struct AlignedForceCurve {
     AlignedBranch retract;       ///< empty: the file holds none
     double baselineForce = 0.0;  ///< taken off at the contact [N]
     double baselineSlope = 0.0;  ///< and its tilt over the base's way to the sample [N/m]
+    double retractOffset = 0.0;  ///< of the retract's baseline above it, taken off as well [N]
     double noise = 0.0;          ///< standard deviation about the baseline [N]
     double stiffness = 0.0;      ///< of the lever, with which deflections are computed [N/m]
     double lastPull = 0.0;       ///< base distance beyond which nothing but noise acts, >= 0 [m]

@@ -110,7 +110,7 @@ Fault faultOf(const TickInput& input, const TickOutput& out, double unsolved) {
         return Fault::DeviceLost;
     }
     if (!input.measurement.connected) {
-        return Fault::InstrumentLost;
+        return input.measurement.ended ? Fault::RecordEnded : Fault::InstrumentLost;
     }
     // A script or a mouse is pushed by nothing when a force comes back.
     const bool isOver = input.device.rendersForce() && unsolved >= kMaxUnsolved;
@@ -197,6 +197,8 @@ void judgeSignals(const Scene& scene, const TickInput& input, const BaseCommand&
     out.flags = tickValidity(scene, out, verdict, memory.asperity);
     out.flags.set(Validity::TipNotHeld, !command.tipHeld);
     out.flags.set(Validity::StaleSignals, isStale(scene, input, staleness));
+    out.flags.set(Validity::Extrapolated, input.measurement.extrapolated);
+    out.flags.set(Validity::AsideOfRecord, input.measurement.aside);
 }
 
 /// Keeps what the next tick starts from, but for governor and fault.

@@ -292,8 +292,9 @@ Vector3 ApproachDevice::nextBase(double timeStep) noexcept {
 
 void ApproachDevice::observe(const TickOutput& output) noexcept {
     force_ = approach_.axis().dot(output.estimate.force);
-    hasEquilibrium_ =
-        !output.flags.has(Validity::NotInEquilibrium) && !output.flags.has(Validity::FrictionLock);
+    hasEquilibrium_ = !output.flags.has(Validity::NotInEquilibrium) &&
+                      !output.flags.has(Validity::FrictionLock) &&
+                      output.fault != Fault::RecordEnded;
 }
 
 }  // namespace asperity

@@ -192,7 +192,8 @@ public:
     [[nodiscard]] ApproachPhase phase() const noexcept { return phase_; }
     /// Returns whether the force has reached the setpoint. Any thread; wait-free.
     [[nodiscard]] bool hasEngaged() const noexcept { return engaged_; }
-    /// Returns whether the descent ended where the tip had no equilibrium. Any thread; wait-free.
+    /// Returns whether the descent ended where the tip had no equilibrium, or below the curve that
+    /// the instrument plays. Any thread; wait-free.
     [[nodiscard]] bool isBlocked() const noexcept { return blocked_; }
     /// Returns whether the force of the dwell has been measured. Any thread; wait-free.
     [[nodiscard]] bool hasMeasured() const noexcept { return measured_; }

@@ -226,6 +226,10 @@ Vector2 MapPlan::position(int row, int column) const {
 }
 
 MapPlan planMap(const Scene& scene, const MapRequest& request) {
+    if (!scene.description.truth.curve.empty()) {
+        throw Error("the instrument of this scene plays a recorded curve ([truth] curve), which is "
+                    "of one place: there is no map of it");
+    }
     const MapRegion region = regionOf(scene.surface, request);
     const MapPlan plan{.mode = request.mode,
                        .grid = gridOf(scene.surface.grid(), region, request),
@@ -275,7 +279,7 @@ std::vector<MapValues> rasterLine(const MapInstrument& instrument, const MapPlan
     for (std::size_t i = 0; i < pixels.size(); ++i) {
         pixels[i][MapQuantity::FrictionForce] =
             0.5 * (pixels[i][MapQuantity::LateralRetrace] - pixels[i][MapQuantity::LateralTrace]);
-        pixels[i][MapQuantity::Validity] = flags[i].bits();
+        pixels[i][MapQuantity::Validity] = static_cast<double>(flags[i].bits());
     }
     return pixels;
 }

@@ -299,7 +299,7 @@ MapValues valuesOf(const CycleStates& states, const VerticalPath& path) {
     if (states.dissipated) {
         values[MapQuantity::DissipatedEnergy] = *states.dissipated;
     }
-    values[MapQuantity::Validity] = flags.bits();
+    values[MapQuantity::Validity] = static_cast<double>(flags.bits());
     values[MapQuantity::Iterations] = path.solved();
     return values;
 }

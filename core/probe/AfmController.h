@@ -10,6 +10,10 @@ struct AfmMeasurement {
     LeverSignals signals;
     double age = 0.0;       ///< since it was measured [s]
     bool connected = true;  ///< false: the instrument is lost, the signals mean nothing
+    // Of an instrument that plays a recorded curve; one that measures has none of them.
+    bool extrapolated = false;  ///< the record has no such motion
+    bool aside = false;         ///< the base is beside the place of the record
+    bool ended = false;         ///< the base is deeper than the record: not connected
 };
 
 /// The instrument as the rest of the program sees it: takes the newest target of the base and gives

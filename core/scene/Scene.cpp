@@ -148,7 +148,11 @@ Scene assemble(SceneDescription description, PreparedSample sample, const SceneM
     SampleMaterial& believed = description.sample.material;
     SampleMaterial& actual = description.truth.material;
     const SceneMaps maps{.sample = mapsOf(believed, read.sample, "[sample]"),
-                         .truth = mapsOf(actual, read.truth, "[truth]")};
+                         .truth = mapsOf(actual, read.truth, "[truth]"),
+                         .curve = read.curve};
+    if (description.truth.curve.empty() != (maps.curve == nullptr)) {
+        throw Error("[truth]: the instrument's curve is not the one that was read");
+    }
     believed = withLargest(std::move(believed), maps.sample);
     actual = withLargest(std::move(actual), maps.truth);
     checkScene(description);
@@ -191,7 +195,8 @@ bool haveSameSurface(SampleDescription a, const SampleDescription& b) {
 
 bool haveSameMaps(const SceneDescription& a, const SceneDescription& b) {
     return a.sample.material.maps == b.sample.material.maps &&
-           a.truth.material.maps == b.truth.material.maps;
+           a.truth.material.maps == b.truth.material.maps && a.truth.curve == b.truth.curve &&
+           a.truth.curveStiffness == b.truth.curveStiffness;
 }
 
 }  // namespace

@@ -24,11 +24,13 @@
 namespace asperity {
 
 class HeightMoments;
+struct PlayedCurve;
 
-/// The maps that the materials of a description name, as they were read.
+/// The files that a description names beside its sample, as they were read.
 struct SceneMaps {
     MaterialMaps sample;
     MaterialMaps truth;
+    std::shared_ptr<const PlayedCurve> curve = nullptr;  ///< of the instrument; null: simulated
 };
 
 /// Everything that stays constant while the loop runs. A new scan or material is a new scene.
@@ -45,7 +47,7 @@ struct Scene {
     double curvatureNoise = 0.0;
     std::optional<SmoothingChoice> smoothing;  ///< none: the scene file stated it, or has a shape
     std::optional<NurbsSurface> shape;         ///< what the tip touches instead of `surface`
-    SceneMaps maps;                            ///< of materials that are not the same everywhere
+    SceneMaps maps;                            ///< of materials and instrument
     /// Moments of the surface where the tip is blunt on it, see TipValidity.h; else null.
     std::shared_ptr<const HeightMoments> moments = nullptr;
     ForceModelOptions model;  ///< with which the believed force is computed

@@ -105,6 +105,10 @@ struct TruthDescription {
     double signalNoise = 1e-7;  ///< standard deviation of the detector's noise in each signal [rad]
     std::uint64_t noiseSeed = 1;
     double temperature = 0.0;  ///< that shakes the lever [K]; 0: no thermal noise
+    /// File of a measured curve that the instrument plays instead, as resolved against the scene
+    /// file; empty: it is simulated.
+    std::string curve = {};
+    double curveStiffness = 0.0;  ///< of the lever that measured it, where the file has none [N/m]
 
     bool operator==(const TruthDescription&) const = default;
 };
@@ -162,8 +166,8 @@ void checkShape(const ShapeDescription& shape);
 /// @throw Error naming the section and key of the first value outside its range
 void checkScene(const SceneDescription& scene);
 
-/// Calls visit(file) with the path of each file that a scene is read from: the scan and the maps of
-/// its materials. @param scene SceneDescription, const or not
+/// Calls visit(file) with the path of each file that a scene is read from: the scan, the maps of
+/// its materials and the curve of its instrument. @param scene SceneDescription, const or not
 template <class Scene, class Visit>
 void forEachFile(Scene& scene, const Visit& visit) {
     if (!scene.sample.shape) {
@@ -171,6 +175,9 @@ void forEachFile(Scene& scene, const Visit& visit) {
     }
     for (auto* maps : {&scene.sample.material.maps, &scene.truth.material.maps}) {
         forEachSource(*maps, [&visit](auto& source) { visit(source.file); });
+    }
+    if (!scene.truth.curve.empty()) {
+        visit(scene.truth.curve);
     }
 }
 

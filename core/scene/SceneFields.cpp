@@ -100,6 +100,26 @@ std::vector<SceneField> tipFields() {
     };
 }
 
+/// Of an instrument that plays a curve.
+std::vector<SceneField> curveFields() {
+    constexpr SceneGroup kGroup = SceneGroup::Truth;
+    std::vector<SceneField> fields{
+        at<&SceneDescription::truth, &TruthDescription::curve>(
+            kGroup, "curve",
+            {"Recorded curve", "Measured force curve that the instrument plays; empty: simulated"},
+            {}),
+        at<&SceneDescription::truth, &TruthDescription::curveStiffness>(
+            kGroup, "curve_stiffness_n_m",
+            {"Lever of the curve",
+             "Stiffness, where the file of the curve does not say it; 0: it does", "N/m"},
+            {1e-9, 1e9, "be 0 or lie between 1e-9 and 1e9", true})};
+    fields.front().input = SceneInput::File;
+    for (SceneField& field : fields) {
+        field.isStated = [](const SceneDescription& scene) { return !scene.truth.curve.empty(); };
+    }
+    return fields;
+}
+
 std::vector<SceneField> truthFields() {
     constexpr SceneGroup kGroup = SceneGroup::Truth;
     std::vector<SceneField> fields = materialFields(
@@ -122,6 +142,7 @@ std::vector<SceneField> truthFields() {
                 {"Temperature", "Of the lever; 0: no thermal noise, 296 in a warm room", "K"},
                 {0.0, 1e5, "lie between 0 and 1e5"})},
         std::back_inserter(fields));
+    std::ranges::move(curveFields(), std::back_inserter(fields));
     return fields;
 }
 

@@ -19,6 +19,7 @@ enum class Fault : std::uint8_t {
     VelocityTrip,    ///< the device moved faster than a hand does while the force acted
     SolverFailed,    ///< for a while no equilibrium of the tip was found
     InstrumentLost,  ///< the connection to the instrument broke
+    RecordEnded,     ///< the base went deeper than the curve that the instrument plays
 };
 
 template <>
@@ -29,7 +30,8 @@ inline constexpr auto kEnumTable<Fault> = std::to_array<EnumRow<Fault>>(
      {Fault::DeviceSilent, "device_silent", "no reports from the device: forces switched off"},
      {Fault::VelocityTrip, "velocity_trip", "device too fast: forces switched off"},
      {Fault::SolverFailed, "solver_failed", "equilibrium not found: forces switched off"},
-     {Fault::InstrumentLost, "instrument_lost", "instrument not connected: forces switched off"}});
+     {Fault::InstrumentLost, "instrument_lost", "instrument not connected: forces switched off"},
+     {Fault::RecordEnded, "record_ended", "below the recorded curve: forces switched off"}});
 
 /// State of the force on its way to the device. A device that only senses knows On, Off, Fault.
 enum class ForceState : std::uint8_t {

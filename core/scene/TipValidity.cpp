@@ -357,7 +357,9 @@ ValidityFlags asperityValidity(const Scene& scene, const ProbeSystem& system, co
     } else if (memory.holdFor > 0) {
         --memory.holdFor;
     } else {
-        memory = {.flags = asperityValidity(scene, system, state).bits(), .holdFor = kTicks - 1};
+        memory = {.flags =
+                      static_cast<std::uint32_t>(asperityValidity(scene, system, state).bits()),
+                  .holdFor = kTicks - 1};
     }
     return ValidityFlags(memory.flags);
 }

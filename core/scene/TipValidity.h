@@ -57,7 +57,7 @@ struct TipState;
 /// flags are not read a thousand times a second: they are made in the first tick of a contact and
 /// in every eighth after it.
 struct AsperityMemory {
-    std::uint32_t flags = 0;    ///< bits of the last flags
+    std::uint32_t flags = 0;    ///< bits of the last flags, all in the lower half
     std::uint32_t holdFor = 0;  ///< further ticks of the contact; 0: none is known
 
     bool operator==(const AsperityMemory&) const = default;

@@ -6,7 +6,7 @@ namespace {
 
 constexpr bool isByBit() {
     for (std::size_t i = 0; i < kValidityFlagCount; ++i) {
-        if (static_cast<std::uint32_t>(kValidityTraits.at(i).flag) != 1U << i) {
+        if (static_cast<std::uint64_t>(kValidityTraits.at(i).flag) != std::uint64_t{1} << i) {
             return false;
         }
     }

@@ -9,7 +9,7 @@
 namespace asperity {
 
 /// Limit of a result's validity, or a caution about it. The force stays on; users are told.
-enum class Validity : std::uint32_t {
+enum class Validity : std::uint64_t {
     LargeContact = 1U << 0U,  ///< contact radius > 0.3 effective radii: beyond linear elasticity
     OutsideScan = 1U << 1U,   ///< the closest point lies outside the scan
     FilledPixel = 1U << 2U,   ///< the pixel under the tip held no data
@@ -45,6 +45,8 @@ enum class Validity : std::uint32_t {
     LargeDeflection = 1U << 28U,      ///< the lever is bent so far that it is no longer linear
     StrengthLimited = 1U << 29U,      ///< JKR would misread w from pull-off: AttractionValidity
     BeyondSphere = 1U << 30U,  ///< contact as wide as a sphere whose shank the scene leaves out
+    Extrapolated = 1U << 31U,  ///< a recorded instrument has no such motion in its record
+    AsideOfRecord = std::uint64_t{1} << 32U,  ///< the recorded curve is of another place
 };
 
 /// Meaning of a flag for a result, the mildest first.
@@ -164,6 +166,12 @@ inline constexpr std::array kValidityTraits{
     ValidityTraits{Validity::BeyondSphere, "beyond_sphere", "contact beyond sphere",
                    "contact reaches the tip's shank, which has no cone_half_angle_rad",
                    Severity::Doubt, FlagBasis::Contact},
+    ValidityTraits{Validity::Extrapolated, "extrapolated", "not in the record",
+                   "the recorded curve has no such motion: its retract, shifted",
+                   Severity::Approximate, FlagBasis::Tick},
+    ValidityTraits{Validity::AsideOfRecord, "aside_of_record", "aside of the record",
+                   "the recorded curve is of another place on the sample", Severity::Doubt,
+                   FlagBasis::Tick},
 };
 
 inline constexpr std::size_t kValidityFlagCount = kValidityTraits.size();
@@ -172,21 +180,21 @@ inline constexpr std::size_t kValidityFlagCount = kValidityTraits.size();
 class ValidityFlags {
 public:
     ValidityFlags() = default;
-    explicit ValidityFlags(std::uint32_t bits) noexcept : bits_(bits) {}
+    explicit ValidityFlags(std::uint64_t bits) noexcept : bits_(bits) {}
 
     void set(Validity flag, bool on) noexcept {
         if (on) {
-            bits_ |= static_cast<std::uint32_t>(flag);
+            bits_ |= static_cast<std::uint64_t>(flag);
         }
     }
     void add(ValidityFlags others) noexcept { bits_ |= others.bits_; }
     [[nodiscard]] bool has(Validity flag) const noexcept {
-        return (bits_ & static_cast<std::uint32_t>(flag)) != 0;
+        return (bits_ & static_cast<std::uint64_t>(flag)) != 0;
     }
-    [[nodiscard]] std::uint32_t bits() const noexcept { return bits_; }
+    [[nodiscard]] std::uint64_t bits() const noexcept { return bits_; }
 
 private:
-    std::uint32_t bits_ = 0;
+    std::uint64_t bits_ = 0;
 };
 
 /// Returns whether one of the flags says that there is no result to rely on.
@@ -215,13 +223,14 @@ inline constexpr std::array kFlagsByEffect{
     // The signals say that model or estimate are off by more than 3 sigma.
     Validity::ModelContradicted, Validity::Implausible,
     // The force is that of another position, or off by some ten per cent.
-    Validity::TipNotHeld, Validity::LargeDeflection, Validity::LargeContact,
+    Validity::AsideOfRecord, Validity::TipNotHeld, Validity::LargeDeflection,
+    Validity::LargeContact,
     // Approximate. By a tenth or more; by some per cent; error bars alone.
-    Validity::UnresolvedCurvature, Validity::BeyondAsperity, Validity::VariedMaterial,
-    Validity::UncertainPixel, Validity::SearchNotExhaustive, Validity::BodyAttraction,
-    Validity::InteractingContacts, Validity::RetardedAttraction, Validity::Anisotropic,
-    Validity::SeveralContactPoints, Validity::SingularGeometry, Validity::StaleSignals,
-    Validity::EstimateInconsistent,
+    Validity::Extrapolated, Validity::UnresolvedCurvature, Validity::BeyondAsperity,
+    Validity::VariedMaterial, Validity::UncertainPixel, Validity::SearchNotExhaustive,
+    Validity::BodyAttraction, Validity::InteractingContacts, Validity::RetardedAttraction,
+    Validity::Anisotropic, Validity::SeveralContactPoints, Validity::SingularGeometry,
+    Validity::StaleSignals, Validity::EstimateInconsistent,
     // Notices.
     Validity::SnapInAhead, Validity::StrengthLimited};
 

@@ -293,6 +293,7 @@ PageTable truthTable(const SceneDescription& scene) {
     believed.truth.material = scene.sample.material;
     believed.truth.stiffness = Cantilever(scene.probe).stiffness();
     believed.truth.signalNoise = scene.signalSigma;
+    believed.truth.curve.clear();
     PageTable table{.columns = {{"Of the simulated instrument"}, {"True"}, {"Believed"}},
                     .rows = {}};
     for (const SceneField& field : sceneFields()) {
@@ -315,6 +316,13 @@ void addParameters(PageContent& page, const Scene& scene) {
         "material or probe are those that come with the program; default: as in a scene that does "
         "not mention it; scene: neither of both.");
     PageTable truth = truthTable(scene.description);
+    if (!scene.description.truth.curve.empty()) {
+        page.addParagraph("The instrument plays a recorded force curve, with its own lever and "
+                          "noise; what else is said of it does not act:",
+                          PageTone::Caution);
+        page.addTable(std::move(truth));
+        return;
+    }
     if (truth.rows.empty()) {
         page.addParagraph(
             "The instrument is simulated. Its lever, sample and noise are what the model takes "

@@ -54,9 +54,9 @@ QString valueText(MapQuantity quantity, double value) {
         return shownValue(value, unit.isEmpty() ? QStringLiteral("1") : unit, kDigits);
     }
     QStringList flags;
-    const auto bits = std::isnan(value) ? 0U : static_cast<std::uint32_t>(value);
+    const ValidityFlags set(std::isnan(value) ? 0U : static_cast<std::uint64_t>(value));
     for (const Validity flag : kFlagsByEffect) {
-        if ((bits & static_cast<std::uint32_t>(flag)) != 0U) {
+        if (set.has(flag)) {
             flags << coreWords(traitsOf(flag).brief);
         }
     }

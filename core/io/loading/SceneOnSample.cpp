@@ -1,7 +1,10 @@
 #include "core/io/loading/SceneOnSample.h"
 
 #include "core/Error.h"
+#include "core/SiFormat.h"
+#include "core/io/curves/ForceCurveFile.h"
 #include "core/io/materials/MaterialMapFiles.h"
+#include "core/probe/recorded/PlayedCurve.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -14,12 +17,43 @@ namespace {
 
 using Heights = std::variant<HeightMap, ScanMap>;
 
-/// @param notes get those on the maps of the materials; may be null
+/// The curve that the instrument plays; null: it is simulated. Its path becomes absolute.
+std::shared_ptr<const PlayedCurve> readCurve(TruthDescription& truth,
+                                             std::vector<std::string>* notes) {
+    if (truth.curve.empty()) {
+        return nullptr;
+    }
+    const std::filesystem::path file = std::filesystem::absolute(truth.curve).lexically_normal();
+    truth.curve = file.string();
+    try {
+        auto curve = playedCurve(readForceCurve(file), truth.curveStiffness);
+        if (notes != nullptr) {
+            notes->push_back("the instrument plays the curve " + file.filename().string() +
+                             ", measured with a lever of " + formatSi(curve->stiffness, "N/m") +
+                             ": its forces and its noise, whatever else [truth] says");
+        }
+        return curve;
+    } catch (const InputError&) {
+        throw;
+    } catch (const Error& error) {
+        throw InputError(truth.curve, "", error.what());
+    }
+}
+
+/// All files beside the sample's. @param notes get what is to be said of them; may be null
+SceneMaps readBeside(SceneDescription& description, const MapArea& area, Progress* progress,
+                     std::vector<std::string>* notes) {
+    SceneMaps read = readSceneMaps(description, area, progress, notes);
+    read.curve = readCurve(description.truth, notes);
+    return read;
+}
+
+/// @param notes get those on the files beside the sample's; may be null
 Scene built(SceneDescription description, const MapArea& area, Heights heights, Progress* progress,
             std::vector<std::string>* notes) {
     ProgressPart mapping(progress, 0.0, 0.1);
     ProgressPart building(progress, 0.1, 1.0);
-    const SceneMaps maps = readSceneMaps(description, area, &mapping, notes);
+    const SceneMaps maps = readBeside(description, area, &mapping, notes);
     return std::visit(
         [&](auto map) { return buildScene(description, std::move(map), &building, maps); },
         std::move(heights));
@@ -28,7 +62,7 @@ Scene built(SceneDescription description, const MapArea& area, Heights heights, 
 SceneOnSample onShape(SceneDescription description) {
     std::vector<std::string> notes;
     const MapArea area = shapeArea(description.sample.shape->size);
-    const SceneMaps maps = readSceneMaps(description, area, nullptr, &notes);
+    const SceneMaps maps = readBeside(description, area, nullptr, &notes);
     return {.scene = buildScene(description, maps),
             .file = nullptr,
             .format = "shape",

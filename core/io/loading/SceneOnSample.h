@@ -25,9 +25,9 @@ struct SceneOnSample {
     double originY = 0.0;  ///< its y [m]
 };
 
-/// Reads the sample of a description, with the maps of its materials, and builds the scene. Its
-/// description has the file as an absolute path, the channel that was taken, and no part where all
-/// of the channel was; of the maps of its materials, too.
+/// Reads the sample of a description, with the maps of its materials and the curve of its
+/// instrument, and builds the scene. Its description has the files as absolute paths, the channels
+/// that were taken, and no part where all of the channel was.
 /// @throw InputError when a file cannot be read or does not fit; Error as buildScene(); Canceled
 [[nodiscard]] SceneOnSample sceneOnSample(SceneDescription description,
                                           Progress* progress = nullptr);

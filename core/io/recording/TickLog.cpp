@@ -79,6 +79,9 @@ void listInput(Sample& sample, const Cell& cell) {
     later({"device_streams"}, input.device.streams);
     later({.front = "device_age_s", .holds = Holds::Told}, input.device.age);
     later({"instrument_connected"}, input.measurement.connected);
+    later({"instrument_extrapolated"}, input.measurement.extrapolated);
+    later({"instrument_aside"}, input.measurement.aside);
+    later({"instrument_ended"}, input.measurement.ended);
     listSettings(input.settings, [&cell](const SettingField& field, auto& value) {
         const Holds holds = std::isinf(field.limits.high) ? Holds::Endless : Holds::Stored;
         cell({.front = field.column, .holds = holds, .later = field.later}, value);

@@ -193,7 +193,7 @@ SceneDescription sceneFromInput(const std::filesystem::path& path,
     SceneDescription scene = like.value_or(defaultScene());
     SampleDescription sample;
     sample.file = path.string();
-    // Maps, markers and guide are of the scan before.
+    // Maps, curve, markers and guide are of the scan before.
     if (scene.sample.material.maps.any() || scene.truth.material.maps.any()) {
         scene.sample.material = defaultScene().sample.material;
         scene.truth.material = defaultScene().truth.material;
@@ -202,6 +202,7 @@ SceneDescription sceneFromInput(const std::filesystem::path& path,
     scene.sample = std::move(sample);
     scene.settings.guide.kind = FixtureKind::None;
     scene.zoomHalfWidth = 0.0;
+    scene.truth.curve.clear();
     scene.markers.clear();
     return scene;
 }

@@ -5,8 +5,10 @@
 #include "core/haptics/SetpointApproach.h"
 #include "core/haptics/VirtualRun.h"
 #include "core/haptics/ZFeedback.h"
+#include "core/probe/recorded/RecordedAfm.h"
 #include "core/scene/BelievedModel.h"
 #include "core/scene/Scene.h"
+#include "tests/core/probe/recorded/AdhesiveCycle.h"
 #include "tests/support/AllocationCounter.h"
 #include "tests/support/TestScenes.h"
 
@@ -19,9 +21,8 @@ namespace asperity {
 namespace {
 
 /// Runs the approach of a scene and watches every tick of it.
-void expectNoAllocation(const Scene& scene) {
+void expectNoAllocation(const Scene& scene, AfmController& afm) {
     const DevicePath path = slidePath(scene, {.duration = 2.0});
-    SimulatedAfm afm(scene.surface, truthOf(scene));
     TickMemory memory;
     TickInput input;
     input.settings = scene.settings;
@@ -40,8 +41,20 @@ void expectNoAllocation(const Scene& scene) {
     EXPECT_TRUE(touched && released) << "the run must pass through all states";
 }
 
+void expectNoAllocation(const Scene& scene) {
+    SimulatedAfm afm(scene.surface, truthOf(scene));
+    expectNoAllocation(scene, afm);
+}
+
 TEST(TickAllocation, TickAndSimulatedInstrumentAllocateNothingInAnyState) {
     expectNoAllocation(buildScene(test::plainScene(), test::hillyMap()));
+}
+
+TEST(TickAllocation, NorDoesARecordedInstrument) {
+    const Scene scene = buildScene(test::plainScene(), test::hillyMap());
+    RecordedAfm afm(playedCurve(test::adhesiveCycle(), 0.0), scene.trueSurface(),
+                    scene.description.tip.radius, scene.belief.cantilever);
+    expectNoAllocation(scene, afm);
 }
 
 TEST(TickAllocation, NorDoesANormalThatIsNotExact) {

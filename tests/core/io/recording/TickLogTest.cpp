@@ -106,7 +106,8 @@ TEST(TickLog, ColumnsKeepNamesAndOrder) {
     EXPECT_EQ(columnsOf.operator()<TickInputWriter>("tick_input.csv"),
               "time_s,time_step_s,device_x_m,device_y_m,device_z_m,buttons,connected,alpha_rad,"
               "theta_rad,age_s,starts,device_max_force_n,device_streams,device_age_s,"
-              "instrument_connected,position_gain,force_gain,correction_hz,tip_control,forces_on,"
+              "instrument_connected,instrument_extrapolated,instrument_aside,instrument_ended,"
+              "position_gain,force_gain,correction_hz,tip_control,forces_on,"
               "rearms,coupling_stiffness_n_m,coupling_damping_n_s_m,proxy_damping_n_s_m,"
               "max_force_n,engage_s,max_device_speed_m_s,dead_man_button,clutched,clutch_button,"
               "trial_button,"

@@ -43,6 +43,8 @@ TEST_F(SceneSaving, SoIsOneWithAllThatAUserCanChange) {
     scene.sample.smoothingLength = 3e-9;
     scene.sample.material.name = "mine (edited)";
     scene.truth.temperature = 296.0;
+    scene.truth.curve = scratch.file("curve.csv");
+    scene.truth.curveStiffness = 0.4;
     scene.detector.invOls = 62e-9;
     scene.choices.friction = false;
     scene.markers.push_back({.name = "grain", .x = 1e-7, .y = 1.0 / 3e7});
@@ -59,10 +61,13 @@ TEST_F(SceneSaving, NamesTheScanByItsWayFromTheScene) {
     std::filesystem::create_directories(scratch.path() / "scans");
     std::filesystem::create_directories(scratch.path() / "scenes");
     scene.sample.file = scratch.path() / "scans" / "map.gsf";
+    scene.truth.curve = scratch.path() / "scans" / "curve.csv";
     const std::filesystem::path file = scratch.path() / "scenes" / "mine.toml";
     EXPECT_EQ(savedAndRead(scene, file).sample.file, scene.sample.file);
     EXPECT_NE(test::contentOf(file).find("'../scans/map.gsf'"), std::string::npos)
         << test::contentOf(file);
+    EXPECT_EQ(readScene(file).truth.curve, scene.truth.curve);
+    EXPECT_NE(test::contentOf(file).find("'../scans/curve.csv'"), std::string::npos);
     std::filesystem::rename(scratch.path() / "scans", scratch.path() / "moved");
     scene.sample.file = "/nowhere/else/map.gsf";
     EXPECT_EQ(savedAndRead(scene, file).sample.file, scene.sample.file) << "as it is";
