@@ -42,9 +42,10 @@ FolderContent batchFolder() {
 
 FittedCurve fitted(const std::string& path, const FitRequest& request) {
     const FileBytes bytes(path);
-    const ForceCurveFile file(bytes, request.read);
-    CurveContents contents = file.contents(request.index);
-    FittedCurve curve{.file = path, .index = request.index, .sha256 = sha256Of(bytes)};
+    const ForceCurveFile file(bytes, request.read.read);
+    const std::size_t index = request.read.index.value_or(0);
+    CurveContents contents = file.contents(index);
+    FittedCurve curve{.file = path, .index = index, .sha256 = sha256Of(bytes)};
     curve.heightChannel = std::move(contents.heightChannel);
     curve.notes = file.notes();
     curve.notes.insert(curve.notes.end(), contents.notes.begin(), contents.notes.end());

@@ -164,21 +164,6 @@ void addModelOptions(CLI::App& command, FitRequest& request) {
                      "fit all models that the curve can carry, and rank them");
 }
 
-void addReadOptions(CLI::App& command, FitRequest& request) {
-    command.add_option("--index", request.index, "number of the curve in its file, from 0")
-        ->capture_default_str();
-    command.add_option("--height", request.read.height,
-                       "channel of the base instead of the best one; asperity info lists them");
-    command
-        .add_option_function<std::string>(
-            "--columns",
-            [&request](const std::string& text) { request.read.columns = givenColumns(text); },
-            "columns of a text table, such as base=1:um,deflection=2:nm,time=3:ms")
-        ->check(acceptedBy([](const std::string& text) { return givenColumns(text); }));
-    command.add_option("--skip", request.read.skippedLines, "lines before that table")
-        ->check(CLI::Range(0, 1000000));
-}
-
 void addSampleOptions(CLI::App& command, FitRequest& request) {
     CurveFitOptions& fit = request.fit.curve;
     command
@@ -259,7 +244,7 @@ void addFitOptions(CLI::App& command, FitRequest& request) {
                     "folder for fit.json, curve.csv, simulated.csv and fit.png; of several curves "
                     "for fits.csv and fits.json");
     addForce(command, request.force);
-    addReadOptions(command, request);
+    addCurveFileOptions(command, request.read);
     addModelOptions(command, request);
     addSampleOptions(command, request);
     addLeverOptions(command, request);

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "app/commands/CurveFileOptions.h"
 #include "core/identify/cycle/CycleIdentification.h"
-#include "core/io/curves/StoredCurves.h"
 
 #include <CLI/CLI.hpp>
 #include <optional>
@@ -15,8 +15,7 @@ struct FitRequest {
     std::vector<std::string> curves;
     std::string out;
     bool force = false;
-    std::size_t index = 0;  ///< of the curve in its file
-    CurveReadOptions read;
+    CurveFileOptions read;
     std::string probe;           ///< file of a probe, for Sader's method; empty: none
     std::string spectrum;        ///< file of a thermal spectrum; empty: none
     double temperature = 295.0;  ///< of the lever [K]

@@ -149,12 +149,16 @@ std::vector<double> simulatedSeparation(const CurveIdentification& found,
 }
 
 std::string summaryOf(const IdentifiedValue& value) {
-    std::string text = value.key + " " + formatSi(value.value, value.unit.c_str());
+    const auto shown = [&value](double number) {  // a number without a unit has no prefix either
+        return value.unit.empty() ? formatted("%.3g", number)
+                                  : formatSi(number, value.unit.c_str());
+    };
+    std::string text = value.key + " " + shown(value.value);
     if (value.std > 0.0 && std::isfinite(value.std)) {
-        text += " ± " + formatSi(value.std, value.unit.c_str()) + " (noise)";
+        text += " ± " + shown(value.std) + " (noise)";
     }
     if (value.stdCalibration > 0.0) {
-        text += " ± " + formatSi(value.stdCalibration, value.unit.c_str()) + " (calibration)";
+        text += " ± " + shown(value.stdCalibration) + " (calibration)";
     }
     return text + ", " + keyOf(value.source);
 }
