@@ -25,7 +25,7 @@ protected:
         file << "segment,base_m,deflection_m,force_N\n" << std::setprecision(12);
         for (const bool retracts : {false, true}) {
             for (int i = 0; i <= 500; ++i) {
-                const double way = -3e-6 + (5e-6 * (retracts ? 500 - i : i) / 500.0);
+                const double way = -3e-6 + (4.2e-6 * (retracts ? 500 - i : i) / 500.0);
                 const double force = forceAt(way) + (1e-12 * ((i * 7919) % 13 - 6));
                 file << (retracts ? "retract," : "approach,") << 1e-6 + way << ','
                      << force / kStiffness << ',' << force << '\n';

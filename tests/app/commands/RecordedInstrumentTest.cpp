@@ -139,7 +139,7 @@ TEST_P(PlayedCurveRun, SaysWhichCurveItCannotPlay) {
     std::ofstream(curve) << "base_m,force_N\n0,0\n1e-9,0\n";
     const auto few = explore(in("path.csv"), "run");
     EXPECT_EQ(few.exitCode, 3);
-    EXPECT_THAT(few.output, HasSubstr("curve.csv: this curve has no approach"));
+    EXPECT_THAT(few.output, HasSubstr("curve.csv: the curve has no segment of two points or more"));
     fs::remove(curve);
     const auto none = explore(in("path.csv"), "run");
     EXPECT_EQ(none.exitCode, 3);
