@@ -118,6 +118,7 @@ TEST(SceneKeys, KeepTheirBitsInAFile) {
             continue;
         }
         SceneDescription scene = defaultScene();
+        scene.truth.curve = "curve.csv";  // its stiffness is stated beside one
         field.set(scene, 0.3 * field.limits.high);
         toml::table table;
         insertKey(field, scene, table);
