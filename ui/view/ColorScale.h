@@ -123,7 +123,7 @@ public:
     /// Another scene: the next range is of its values alone, unless it is pinned.
     void forget() {
         steady_ = SteadyRange(smallest_);
-        isOther_ = true;
+        isOther_ = isFitted_;
     }
     [[nodiscard]] const ValueRange& range() const { return range_; }
     [[nodiscard]] const ValueRange& data() const { return data_; }

@@ -10,6 +10,7 @@
 #include "core/io/heightmap/ImageScale.h"
 #include "core/io/scene/SceneFile.h"
 #include "core/surface/GivenScale.h"
+#include "core/words/SceneWords.h"
 #include "ui/shell/Dialogs.h"
 #include "ui/shell/Menus.h"
 #include "ui/widgets/ShownText.h"
@@ -162,8 +163,7 @@ void SceneControl::open(const std::filesystem::path& input, const SceneOverrides
                        if (*isScan) {
                            tellWhatStays(input, *like);
                        } else {
-                           host_.tell(
-                               tr("%1 · %2").arg(shownPath(input.filename()), partsInWords()));
+                           host_.tell(tr("%1 · %2").arg(scanInWords(), partsInWords()));
                        }
                    }
                    Q_EMIT opened(input);
@@ -185,6 +185,10 @@ QString SceneControl::partsInWords() const {
                  .replace(QLatin1Char('_'), QLatin1Char(' ')),
              siText(description.tip.radius, "m"),
              siText(scene.belief.cantilever.stiffness(), "N/m"), siText(description.setpoint, "N"));
+}
+
+QString SceneControl::scanInWords() const {
+    return QString::fromStdString(sampleName(runs_.run()->scene().description.sample));
 }
 
 /// A height map says nothing of material, tip and lever.

@@ -70,6 +70,7 @@ private:
     void showHistory();
     void chooseChannel(const QString& name);
     [[nodiscard]] QString partsInWords() const;
+    [[nodiscard]] QString scanInWords() const;
     void tellWhatStays(const std::filesystem::path& input, const SceneDescription& before);
     /// @param words of the reason; none: the reason
     void fail(const std::exception_ptr& reason, const FailureWords& words);

@@ -355,6 +355,7 @@ TEST_F(Playback, AFilmIsOfTheRecordingThatIsOpen) {
 TEST_F(Playback, ABundleIsOfTheRecordingThatIsOpen) {
     const std::filesystem::path run = folder.file("mine");
     std::filesystem::copy(of("polystyrene"), run);
+    openSilicon();
     stage.get<PlaybackControl>().look(run);
     window.menus().entry("bundle").trigger();
     EXPECT_TRUE(told().starts_with("A recording is being opened")) << told();
