@@ -125,13 +125,21 @@ public:
     void expectRatio(double value, const std::string& quantity, double tolerance) const {
         EXPECT_NEAR(value / expected(quantity), 1.0, tolerance) << quantity << " of " << column_;
     }
-    void expectParameters(double tolerance) const {
+    void expectGainAndSample() const {
         const AdhesiveParameters& found = fit_.parameters;
         expectRatio(found.lever.gain, "g", 0.03);
-        expectRatio(found.lever.trueStiffness(), "k_true", tolerance);
-        expectRatio(found.approachWork * found.tipRadius, "w_times_R", tolerance);
         expectRatio(found.reducedModulus, "E_star", 0.3);
         expectRatio(found.cohesiveRange, "h0", 0.2);
+    }
+    void expectParameters() const {
+        expectGainAndSample();
+        expectRatio(fit_.parameters.lever.trueStiffness(), "k_true", 0.03);
+        expectRatio(fit_.parameters.approachWork * fit_.parameters.tipRadius, "w_times_R", 0.03);
+    }
+    void expectSmallerResidualOfTheRetract() const {
+        const SimulatedCycle forces = simulated(AdhesiveCycle(fit_.parameters), cycle_);
+        EXPECT_LT(cycleResiduals(cycle_, fit_.events, forces, forces).retractContact,
+                  expected("rms_ret_contact"));
     }
     void expectFigures(double approach, double place) const {
         const AdhesiveCycle model(fit_.parameters);
@@ -161,21 +169,23 @@ private:
 TEST(AdhesiveFit, RigidSampleInAir) {
     ASPERITY_NEEDS_SHARED_DATA();
     const SiliconNitride all(true, FittedBranch::Both);
-    all.expectParameters(0.03);
+    all.expectParameters();
     all.expectFigures(0.012, 1.5e-9);
     const SiliconNitride retract(true, FittedBranch::Retract);
-    retract.expectParameters(0.03);
+    retract.expectParameters();
     retract.expectFigures(0.015, 1.5e-9);
 }
 
 TEST(AdhesiveFit, ElasticSampleInAir) {
     ASPERITY_NEEDS_SHARED_DATA();
     const SiliconNitride all(false, FittedBranch::Both);
-    all.expectParameters(0.03);
+    all.expectParameters();
     all.expectFigures(0.012, 0.3e-9);
-    // The table's fit stopped before its least squares: contact of the retract 0.40 %, here 0.38 %.
+    // Stiffness and work do not hold here: +5.5 and +6.2 %, at a residual below the table's, so that
+    // its fit had not reached its own minimum (docs/measured.md).
     const SiliconNitride retract(false, FittedBranch::Retract);
-    retract.expectParameters(0.07);
+    retract.expectGainAndSample();
+    retract.expectSmallerResidualOfTheRetract();
     retract.expectFigures(0.015, 0.3e-9);
 }
 
