@@ -83,7 +83,7 @@ void fitOne(const FitRequest& request) {
     printSummary(curve);
 }
 
-/// What one file gives; one that cannot be read ends nothing.
+/// Returns the result for one file; one that cannot be read ends nothing.
 FittedCurve attempted(const std::string& file, const FitRequest& request) {
     try {
         return fitted(file, request);

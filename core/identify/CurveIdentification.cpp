@@ -15,7 +15,7 @@ namespace {
 constexpr std::size_t kPerturbedSamples = 200;
 constexpr std::size_t kPerturbedContact = 30;
 
-/// What the steps of an elastic identification share.
+/// Data that the steps of an elastic identification share.
 struct ElasticCase {
     const CurveFitOptions& options;
     TipForm tip;

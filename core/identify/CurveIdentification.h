@@ -16,7 +16,7 @@
 
 namespace asperity {
 
-/// How well a curve and its simulation agree. Source: docs/measured.md.
+/// Verdict on how well a curve and its simulation agree. Source: docs/measured.md.
 enum class FitVerdict : std::uint8_t {
     Matched,     ///< the residuals are at most 2 % of the force range
     Partly,      ///< at most 4 %, in contact 6 %, or a test says that the model lacks something
@@ -39,7 +39,7 @@ struct CalibrationDeviations {
     double tipAngle = 2.0 * std::numbers::pi / 180.0;  ///< absolute [rad]
 };
 
-/// What is known of tip and sample before a fit, and how to fit.
+/// Known values of tip and sample, and settings of a fit.
 struct CurveFitOptions {
     PreparationOptions preparation;
     std::optional<TipForm> tip;  ///< none: only products with the tip's radius are identified

@@ -19,7 +19,8 @@ public:
     using Error::Error;
 };
 
-/// How the stiffness of the lever follows a correction of the InvOLS. Source: docs/measured.md.
+/// Rule by which the stiffness of the lever follows a correction of the InvOLS. Source:
+/// docs/measured.md.
 enum class LeverRule : std::uint8_t {
     AsInFile,  ///< the InvOLS is not corrected
     Thermal,  ///< stiffness from a thermal spectrum with the same InvOLS: it goes as its -2nd power

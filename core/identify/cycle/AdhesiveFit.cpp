@@ -2,7 +2,7 @@
 
 #include "core/Error.h"
 #include "core/contact/laws/ForceCurve.h"
-#include "core/identify/cycle/ContactSamples.h"
+#include "core/identify/cycle/MeasuredCycle.h"
 
 #include <algorithm>
 #include <cmath>
@@ -59,8 +59,8 @@ private:
     const AdhesiveFitOptions& options_;
     ContactLaw law_;
     CycleEvents events_;
-    ContactSamples approach_;
-    ContactSamples retract_;
+    CycleBranch approach_;
+    CycleBranch retract_;
     double range_;                       ///< of the force [N]
     double stiffness_;                   ///< of the lever by the file [N/m]
     double slope_;                       ///< of the force over the base in contact [N/m]
@@ -83,7 +83,7 @@ void AdhesiveProblem::residuals(const AdhesiveParameters& parameters, Eigen::Vec
     const AdhesiveCycle model(parameters);
     AdhesiveMemory memory = model.bonded();
     Index at = 0;
-    const auto follow = [&](const ContactSamples& samples, bool seen) {
+    const auto follow = [&](const CycleBranch& samples, bool seen) {
         for (std::size_t i = 0; i < samples.size(); ++i) {
             const double force = model.bondedForce(samples.base[i], memory);
             if (seen) {
@@ -134,7 +134,7 @@ AdhesiveParameters AdhesiveProblem::first(double gain) const {
 /// The same with the contact point that gives the largest force at its base position, and the range
 /// that gives the snap-in from there.
 AdhesiveParameters AdhesiveProblem::placed(AdhesiveParameters guess) const {
-    const ContactSamples& seen = sees(FittedBranch::Approach) ? approach_ : retract_;
+    const CycleBranch& seen = sees(FittedBranch::Approach) ? approach_ : retract_;
     const std::size_t top = sees(FittedBranch::Approach) ? seen.size() - 1 : 0;
     const double compliance = 1.0 / guess.lever.trueStiffness();
     const double force = seen.force[top] / guess.lever.forceFactor();

@@ -16,7 +16,7 @@ inline constexpr auto kEnumTable<FittedBranch> =
                                           {FittedBranch::Approach, "approach"},
                                           {FittedBranch::Retract, "retract"}});
 
-/// What is known before an adhesive fit, and what it may change.
+/// Known values of an adhesive fit, and which of them it may change.
 struct AdhesiveFitOptions {
     std::optional<ContactLaw> law;  ///< none: by the transition parameter, see adhesiveFit()
     bool sphere = true;             ///< where no law is given: the tip is exact, not a paraboloid

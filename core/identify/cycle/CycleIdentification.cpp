@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kLoopMargin = 0.25;  ///< of the measured loop energy
 
-/// What the fits of one cycle share.
+/// Data that the fits of one cycle share.
 struct CycleCase {
     const CycleFitOptions& options;
     PreparedCurve curve;
@@ -182,11 +182,17 @@ void addDerived(const CycleCase& given, double stiffness, std::vector<Identified
         values.insert(values.begin(), modulus);
     }
     const CurveFitOptions& options = given.options.curve;
+    const auto gain = std::find_if(values.begin(), values.end(),
+                                   [](const auto& v) { return v.key == "invols_gain"; });
+    // By a thermal calibration it goes as the gain's -2nd power, and is as uncertain.
+    const bool isFitted = gain != values.end() && stiffness != given.cycle.stiffness;
     values.push_back({.key = "stiffness_n_m",
                       .value = stiffness,
+                      .std = isFitted ? 2.0 * stiffness * gain->std / gain->value : 0.0,
                       .stdCalibration = stiffness * options.deviations.stiffness,
                       .unit = "N/m",
-                      .source = given.curve.steps.front().values.front().source});
+                      .source = isFitted ? ValueSource::Fitted
+                                         : given.curve.steps.front().values.front().source});
     if (options.tip) {
         values.push_back({.key = "tip_radius_m",
                           .value = options.tip->radius,

@@ -1,7 +1,7 @@
 #include "core/identify/cycle/CycleResiduals.h"
 
 #include "core/Error.h"
-#include "core/identify/cycle/ContactSamples.h"
+#include "core/identify/cycle/MeasuredCycle.h"
 
 #include <algorithm>
 #include <cmath>

@@ -49,4 +49,11 @@ struct CycleEvents {
 /// Finds where a cycle is in contact. @throw Error where it never is, or a branch is missing
 [[nodiscard]] CycleEvents cycleEvents(const MeasuredCycle& cycle);
 
+/// Averages the samples [from, to) of a branch into at most `bins` about equal groups.
+[[nodiscard]] CycleBranch binned(const CycleBranch& branch, std::size_t from, std::size_t to,
+                                 std::size_t bins);
+
+/// Slope of the force over the base in the upper half of the forces [N/m].
+[[nodiscard]] double contactSlope(const CycleBranch& samples);
+
 }  // namespace asperity

@@ -53,7 +53,7 @@ bool extends(CycleModel wide, CycleModel narrow) {
 }
 
 CycleBranch reduced(const CycleBranch& branch, std::size_t from, std::size_t to) {
-    const ContactSamples few = binned(branch, from, to, kSamples);
+    const CycleBranch few = binned(branch, from, to, kSamples);
     return {few.time, few.base, few.force};
 }
 

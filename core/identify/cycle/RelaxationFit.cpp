@@ -12,14 +12,14 @@ namespace {
 
 using Eigen::Index;
 
-void append(ContactSamples& all, const ContactSamples& more) {
+void append(CycleBranch& all, const CycleBranch& more) {
     all.time.insert(all.time.end(), more.time.begin(), more.time.end());
     all.base.insert(all.base.end(), more.base.begin(), more.base.end());
     all.force.insert(all.force.end(), more.force.begin(), more.force.end());
 }
 
 /// Base position less bending, the indentation but for the contact point.
-std::vector<double> tipPositions(const ContactSamples& samples, double stiffness) {
+std::vector<double> tipPositions(const CycleBranch& samples, double stiffness) {
     std::vector<double> positions(samples.size());
     for (std::size_t i = 0; i < positions.size(); ++i) {
         positions[i] = samples.base[i] - (samples.force[i] / stiffness);
@@ -231,8 +231,8 @@ void describe(RelaxationFit& fit, double noise) {
 }
 
 /// The samples of a fit; `turn` becomes the first after the approach.
-ContactSamples windowSamples(const MeasuredCycle& cycle, const RelaxationFitOptions& options,
-                             std::size_t bins, std::size_t& turn) {
+CycleBranch windowSamples(const MeasuredCycle& cycle, const RelaxationFitOptions& options,
+                          std::size_t bins, std::size_t& turn) {
     for (const CycleBranch* branch : {&cycle.approach, &cycle.dwell, &cycle.retract}) {
         if (branch->time.size() != branch->base.size()) {
             throw Error("relaxation and drag need the times of the curve");
@@ -247,7 +247,7 @@ ContactSamples windowSamples(const MeasuredCycle& cycle, const RelaxationFitOpti
         first = std::find_if(first, down.end(), [&](double base) { return base >= begin; });
         last = std::find_if(up.begin(), last, [&](double base) { return base < begin; });
     }
-    ContactSamples all =
+    CycleBranch all =
         binned(cycle.approach, static_cast<std::size_t>(first - down.begin()), down.size(), bins);
     turn = all.size();
     append(all, binned(cycle.dwell, 0, cycle.dwell.size(), bins));
@@ -307,7 +307,7 @@ RelaxationFit relaxationFit(const MeasuredCycle& cycle, const RelaxationFitOptio
 }
 
 SimulatedCycle simulated(const RelaxationFit& fit, const MeasuredCycle& cycle) {
-    ContactSamples all;
+    CycleBranch all;
     for (const CycleBranch* branch : {&cycle.approach, &cycle.dwell, &cycle.retract}) {
         append(all, {branch->time, branch->base, branch->force});
     }

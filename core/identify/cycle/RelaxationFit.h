@@ -2,8 +2,8 @@
 
 #include "core/identify/cycle/AdhesiveFit.h"
 #include "core/identify/cycle/BoundedFit.h"
-#include "core/identify/cycle/ContactSamples.h"
 #include "core/identify/cycle/CycleResiduals.h"
+#include "core/identify/cycle/MeasuredCycle.h"
 #include "core/identify/cycle/RelaxingContact.h"
 
 namespace asperity {
@@ -27,7 +27,7 @@ struct RelaxationFitOptions {
 struct RelaxationFit {
     RelaxingParameters parameters;
     BoundedFit bounded;           ///< with the keys of fit.json
-    ContactSamples samples;       ///< that it was fitted to: approach, dwell, retract
+    CycleBranch samples;          ///< that it was fitted to: approach, dwell, retract
     std::size_t turn = 0;         ///< first of them after the approach
     std::vector<double> fitted;   ///< forces with the measured indentation [N]
     std::vector<double> forward;  ///< forces with the base motion alone [N]

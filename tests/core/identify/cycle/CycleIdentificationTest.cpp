@@ -67,6 +67,13 @@ TEST(CycleIdentification, NitrideInAirIsMatchedRigidAndElastic) {
     EXPECT_NEAR(valueOf(elastic, "work_of_adhesion_j_m2") / 0.11844, 1.0, 0.03);
     EXPECT_NEAR(valueOf(elastic, "e_star_pa") / 2.5163e8, 1.0, 0.3);
     EXPECT_NEAR(valueOf(elastic, "cohesive_range_m") / 4.136e-9, 1.0, 0.2);
+    const auto relativeOf = [&elastic](const char* key) {
+        const auto value = std::ranges::find(elastic, key, &IdentifiedValue::key);
+        return value->std / value->value;
+    };
+    EXPECT_GT(relativeOf("invols_gain"), 0.01);
+    EXPECT_NEAR(relativeOf("stiffness_n_m"), 2.0 * relativeOf("invols_gain"), 1e-9)
+        << "as sure as the gain that it follows from";
 }
 
 TEST(CycleIdentification, RetractPredictsTheApproach) {

@@ -1,7 +1,6 @@
 #include "core/identify/cycle/MeasuredCycle.h"
 
 #include "core/Error.h"
-#include "core/identify/cycle/ContactSamples.h"
 #include "core/identify/cycle/CycleResiduals.h"
 #include "tests/core/identify/cycle/CycleFiles.h"
 
@@ -44,13 +43,13 @@ TEST(MeasuredCycle, HasNoContactInNoise) {
     EXPECT_THROW((void)cycleEvents(cycle), Error);
 }
 
-TEST(ContactSamples, BinsKeepTheMean) {
+TEST(CycleBranch, BinsKeepTheMean) {
     CycleBranch branch;
     for (int i = 0; i < 1003; ++i) {
         branch.base.push_back(i);
         branch.force.push_back(2.0 * i);
     }
-    const ContactSamples few = binned(branch, 3, 1003, 10);
+    const CycleBranch few = binned(branch, 3, 1003, 10);
     ASSERT_EQ(few.size(), 10U);
     EXPECT_NEAR(few.base[0], 52.5, 1e-12);
     EXPECT_NEAR(few.force[9], 2.0 * 952.5, 1e-9);
