@@ -181,8 +181,8 @@ TEST(AdhesiveFit, ElasticSampleInAir) {
     const SiliconNitride all(false, FittedBranch::Both);
     all.expectParameters();
     all.expectFigures(0.012, 0.3e-9);
-    // Stiffness and work do not hold here: +5.5 and +6.2 %, at a residual below the table's, so that
-    // its fit had not reached its own minimum (docs/measured.md).
+    // Stiffness and work do not hold here: +5.5 and +6.2 %, at a residual below the table's, so
+    // that its fit had not reached its own minimum (docs/measured.md).
     const SiliconNitride retract(false, FittedBranch::Retract);
     retract.expectGainAndSample();
     retract.expectSmallerResidualOfTheRetract();
