@@ -2,12 +2,16 @@
 
 #include "core/Error.h"
 
+#include <algorithm>
 #include <cerrno>
+#include <chrono>
 #include <cstdint>
 #include <fcntl.h>
 #include <random>
 #include <system_error>
+#include <thread>
 #include <utility>
+#include <vector>
 
 namespace asperity {
 
@@ -121,15 +125,21 @@ TemporaryFolder::TemporaryFolder(const std::filesystem::path& parent, std::strin
             errno = failure;
             break;
         }
+        // A sweeper and this thread wait for the same folder, and would stay in step.
+        std::this_thread::sleep_for(std::chrono::microseconds(10 * i));
     }
     const std::string reason = std::generic_category().message(errno);
     throw FileError(parent.string(), "cannot be written: " + reason);
 }
 
 TemporaryFolder::~TemporaryFolder() {
-    lock_ = FileDescriptor(-1);  // where no file can be opened any more, one is needed to remove it
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
+    // Locked: a sweeper that removes the same files stops this half-way.
+    std::error_code failure;
+    std::filesystem::remove_all(path_, failure);
+    if (failure) {
+        lock_ = FileDescriptor(-1);  // where no file can be opened any more, one is needed
+        std::filesystem::remove_all(path_, failure);
+    }
 }
 
 TemporaryFile::TemporaryFile(std::filesystem::path target)
@@ -230,13 +240,17 @@ bool holdTemporary(const FileDescriptor& made, const std::filesystem::path& path
 }
 
 void sweepLeftovers(const std::filesystem::path& folder, const std::string& prefix) {
+    // Listed first: a listing gives what is made while it goes on, too, and a sweep would run after
+    // the tries of a process that makes one.
+    std::vector<std::filesystem::path> found;
     std::error_code failure;
     std::filesystem::directory_iterator entry(folder.empty() ? "." : folder, failure);
     for (; !failure && entry != std::filesystem::directory_iterator(); entry.increment(failure)) {
         if (isTemporaryName(entry->path().filename().string(), prefix)) {
-            sweep(entry->path());
+            found.push_back(entry->path());
         }
     }
+    std::ranges::for_each(found, sweep);
 }
 
 }  // namespace asperity

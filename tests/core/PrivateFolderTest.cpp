@@ -6,6 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <cstdlib>
 #include <fcntl.h>
 #include <fstream>
@@ -62,6 +63,8 @@ TEST_F(PrivateFolderTest, IsMadeWhileAnotherProgramSweeps) {
     const std::jthread sweeper([this](const std::stop_token& stop) {
         while (!stop.stop_requested()) {
             sweepLeftovers(scratch.path(), temporaryPrefix("private"));
+            // Programs sweep once, before they make one; without a pause none stays.
+            std::this_thread::sleep_for(std::chrono::microseconds(100));
         }
     });
     for (int i = 0; i < 2000; ++i) {

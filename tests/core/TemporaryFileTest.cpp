@@ -6,10 +6,13 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <filesystem>
+#include <fstream>
 #include <iterator>
 #include <string>
 #include <sys/stat.h>
+#include <thread>
 #include <unistd.h>
 
 namespace asperity {
@@ -130,6 +133,30 @@ TEST(TemporaryFile, IsNotSweptWhileItIsWritten) {
     slow.commit();
     EXPECT_EQ(test::contentOf(scratch.file("out.txt")), "slow");
     EXPECT_EQ(filesIn(scratch.path()), 1);
+}
+
+TEST(TemporaryFolder, IsGoneThoughOthersSweepWhileItIsRemoved) {
+    const test::ScratchFolder scratch;
+    std::jthread sweeper([&](const std::stop_token& stop) {
+        while (!stop.stop_requested()) {
+            sweepLeftovers(scratch.path(), temporaryPrefix("work"));
+            // Programs sweep once, before they make one; without a pause none stays.
+            std::this_thread::sleep_for(std::chrono::microseconds(100));
+        }
+    });
+    int left = 0;
+    for (int i = 0; i < 300; ++i) {
+        fs::path path;
+        {
+            const TemporaryFolder folder(scratch.path(), "work");
+            path = folder.path();
+            for (int k = 0; k < 20; ++k) {
+                std::ofstream(path / std::to_string(k)) << k;
+            }
+        }
+        left += fs::exists(path) ? 1 : 0;
+    }
+    EXPECT_EQ(left, 0);
 }
 
 TEST(TemporaryFile, TakesNamesAsLongAsTheFileSystem) {
