@@ -137,7 +137,7 @@ private:
 
     double smallest_;  ///< distance of the ends [unit of the quantity]
     SteadyRange steady_;
-    ValueRange range_{0.0, 1.0};
+    ValueRange range_{0.0, smallest_};
     ValueRange data_;
     bool hasData_ = false;
     bool isFitted_ = false;

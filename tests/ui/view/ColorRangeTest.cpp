@@ -59,6 +59,9 @@ TEST(ColorRange, IsThatOfAnotherSceneThoughItIsFlat) {
     range.forget();
     range.fit(flat, steady);
     EXPECT_LT(range.range().high, 1e-9);
+    ColorRange first(SurfaceQuantity::Height);
+    first.fit(flat, steady);
+    EXPECT_LT(first.range().high, 1e-9) << "the bar of a flat scene ended at 1 m";
 }
 
 TEST(ColorRange, SaysWhatItClipsAndHowItWasChosen) {
