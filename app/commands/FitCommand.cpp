@@ -4,6 +4,7 @@
 #include "app/commands/VirtualDisplay.h"
 #include "app/curves/FitBatch.h"
 #include "app/curves/FitFiles.h"
+#include "app/curves/FitScene.h"
 #include "app/program/EndSignals.h"
 #include "app/runs/OutputFolder.h"
 #include "core/Error.h"
@@ -32,7 +33,8 @@ namespace {
 /// Files of one curve. A refused one leaves no tables.
 FolderContent fitFolder() {
     return {.marks = {"fit.json"},
-            .own = {"curve.csv", "simulated.csv", "fit.png"},
+            .own = {"curve.csv", "simulated.csv", "fit.png", "material.toml", "probe.toml",
+                    "scene.toml"},
             .guarded = {"fit.json"}};
 }
 
@@ -66,6 +68,7 @@ void printSummary(const FittedCurve& curve) {
 void fitOne(const FitRequest& request) {
     const FittedCurve curve = fitted(request.curves.front(), request);
     const bool refused = curve.found.verdict == FitVerdict::Refused;
+    const std::string noScene = refusalOfScene(curve);
     OutputFolder out(request.out, fitFolder(), request.force);
     out.collect([&](const std::filesystem::path& folder) {
         writeFitJson(folder / "fit.json", fitJson(curve));
@@ -75,12 +78,19 @@ void fitOne(const FitRequest& request) {
             writeSimulatedCurve(folder / "simulated.csv", curve);
             writeFitFigure(folder / "fit.png", curve);
         }
+        if (noScene.empty()) {
+            writeFitScene(folder, curve);
+        }
     });
     out.commit();
     if (refused) {
         throw Error(curve.file + " is refused: " + curve.found.reasons.front());
     }
     printSummary(curve);
+    std::cout << "  "
+              << (noScene.empty() ? "scene.toml describes sample, tip and lever as found"
+                                  : "no scene.toml: " + printable(noScene))
+              << '\n';
 }
 
 /// Returns the result for one file; one that cannot be read ends nothing.

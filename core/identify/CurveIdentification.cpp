@@ -414,6 +414,16 @@ void identify(const ElasticCase& elastic, CurveIdentification& result) {
     judge(elastic.options, concernsOf(elastic, tests), result);
 }
 
+std::optional<ContactLaw> sceneLaw(const CurveFitOptions& options) {
+    if (!options.tip || !hasRadius(options.tip->kind)) {
+        return std::nullopt;
+    }
+    if (options.tip->kind != TipKind::Paraboloid) {
+        return ContactLaw::Sneddon;
+    }
+    return options.filmThickness > 0.0 ? ContactLaw::HertzFilm : ContactLaw::Hertz;
+}
+
 }  // namespace
 
 const IdentifiedValue* CurveIdentification::find(const std::string& key) const noexcept {
@@ -438,6 +448,8 @@ CurveIdentification identifyElastic(const MeasuredForceCurve& curve,
     CurveIdentification result;
     result.model = "elastic, ";
     result.model += options.tip ? keyOf(options.tip->kind) : "tip not named";
+    result.tip = options.tip;
+    result.law = sceneLaw(options);
     try {
         const ElasticCase elastic = caseOf(curve, options);
         result.steps = elastic.curve.steps;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/EnumTable.h"
+#include "core/contact/laws/ContactLaw.h"
 #include "core/curves/MeasuredForceCurve.h"
 #include "core/identify/ContactPoint.h"
 #include "core/identify/CurvePreparation.h"
@@ -84,6 +85,7 @@ struct ComparedBranch {
 struct CurveIdentification {
     FitVerdict verdict = FitVerdict::Refused;
     std::string model;                 ///< "elastic, sphere"
+    std::optional<ContactLaw> law;     ///< of a scene with this contact; none: no scene has it
     std::vector<std::string> reasons;  ///< for the verdict, and what limits the values
     std::vector<IdentifiedValue> parameters;
     std::vector<FitNumber> residuals;  ///< rms, as shares of the force range
@@ -92,8 +94,9 @@ struct CurveIdentification {
     std::vector<FitNumber> contactPoints;  ///< base by each method [m]
     std::vector<FitCorrelation> correlations;
     std::vector<PreparationStep> steps;
-    double forceRange = 0.0;  ///< of the cycle [N]
-    double noise = 0.0;       ///< of the force [N]
+    double forceRange = 0.0;     ///< of the cycle [N]
+    double noise = 0.0;          ///< of the force [N]
+    std::optional<TipForm> tip;  ///< that was named
     ComparedBranch approach;
     ComparedBranch retract;
 

@@ -70,6 +70,7 @@ struct ProbeSystem {
 struct ProbeDescription {
     CantileverGeometry lever;
     DetectorCalibration detector;
+    std::string source = {};  ///< where its numbers come from, for people
 
     bool operator==(const ProbeDescription&) const = default;
 };

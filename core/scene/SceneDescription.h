@@ -35,6 +35,7 @@ struct Marker {
 /// A sample material as the tip meets it.
 struct SampleMaterial {
     std::string name = "polystyrene";
+    std::string source = {};  ///< where its numbers come from, for people
     Elastic elastic{.youngsModulus = 2e9, .poissonRatio = 0.4};
     double workOfAdhesion = 0.066;  ///< w of the pair tip-sample [J/m^2]
     Friction friction{.coefficient = 0.3, .shearStrength = 0.0};
@@ -119,7 +120,8 @@ struct SceneDescription {
     TipDescription tip;
     CantileverGeometry probe;
     DetectorCalibration detector;
-    double signalSigma = 1e-7;  ///< what the estimator takes each signal's noise to be [rad]
+    std::string probeSource = {};  ///< where the numbers of the lever come from, for people
+    double signalSigma = 1e-7;     ///< what the estimator takes each signal's noise to be [rad]
     TruthDescription truth;
     double cohesiveRange = kCohesiveRange;  ///< h0 of the Maugis laws [m]
     Meniscus meniscus;

@@ -59,7 +59,9 @@ bool isMapped(const SceneField& field, const MaterialSources& maps) {
            (isKey(field, "friction_coefficient") && (masked || maps.friction));
 }
 
+/// The numbers are no longer those that the source gave.
 void nameEdited(SampleMaterial& material) {
+    material.source.clear();
     if (!material.name.ends_with(kEditedSuffix)) {
         material.name += kEditedSuffix;
     }
@@ -88,9 +90,11 @@ SceneDescription withValue(const SceneDescription& scene, const SceneField& fiel
         return next;
     }
     if (field.group == SceneGroup::Probe && next.probe != scene.probe) {
+        next.probeSource.clear();
         next.probe = calibrated(scene.probe, next.probe, field, calibration);
     }
-    if (field.group == SceneGroup::Material && !isKey(field, "name") && next != scene) {
+    if (field.group == SceneGroup::Material && !isKey(field, "name") && !isKey(field, "source") &&
+        next != scene) {
         nameEdited(next.sample.material);
     }
     carryTruth(scene, next);

@@ -42,6 +42,9 @@ std::vector<SceneField> materialFields(SceneGroup group, Access access) {
             group, "name", {"Name", "Of the material, as lists and curves show it"}, {},
             [](auto& scene) -> auto& { return Access{}(scene).name; }),
         at(
+            group, "source", {"Source", "Where the numbers of the material come from"}, {},
+            [](auto& scene) -> auto& { return Access{}(scene).source; }),
+        at(
             group, "youngs_modulus_pa", {"Young's modulus", "Of the sample", "GPa", kGiga},
             kModulus, [](auto& scene) -> auto& { return Access{}(scene).elastic.youngsModulus; }),
         at(
@@ -77,6 +80,10 @@ std::vector<SceneField> materialFields(SceneGroup group, Access access) {
             {"Film thickness", "Of a film on a rigid base; 0: a half-space", "nm", kNano},
             {1e-12, 1.0, "be 0 or lie between 1e-12 and 1", true},
             [](auto& scene) -> auto& { return Access{}(scene).filmThickness; }),
+    };
+    // The truth's is that of [sample] where it states none.
+    fields[1].isStated = [](const SceneDescription& scene) {
+        return !Access{}(scene).source.empty() || !scene.sample.material.source.empty();
     };
     std::ranges::move(materialMapFields(group, access), std::back_inserter(fields));
     return fields;
@@ -300,7 +307,7 @@ std::vector<SceneField> beamFields() {
 std::vector<SceneField> detectorFields() {
     constexpr SceneGroup kGroup = SceneGroup::Probe;
     constexpr Limits kCrossTalk{-0.9, 0.9, "lie between -0.9 and 0.9"};
-    return {
+    std::vector<SceneField> fields{
         at<&SceneDescription::detector, &DetectorCalibration::invOls>(
             kGroup, "inv_ols_m_v",
             {"InvOLS", "Deflection per volt of the vertical signal, from a hard wall; 0: not known",
@@ -325,7 +332,13 @@ std::vector<SceneField> detectorFields() {
             kGroup, "signal_noise_rad",
             {"Signal noise", "Of each lever signal, as the estimator assumes it", "µrad", kMicro},
             kNoise),
+        at<&SceneDescription::probeSource>(
+            kGroup, "source", {"Source", "Where the numbers of the lever come from"}, {}),
     };
+    fields.back().isStated = [](const SceneDescription& scene) {
+        return !scene.probeSource.empty();
+    };
+    return fields;
 }
 
 std::vector<SceneField> allFields() {

@@ -69,6 +69,7 @@ SceneDescription withProbe(SceneDescription scene, const ProbeDescription& probe
     const SceneDescription before = scene;
     scene.probe = probe.lever;
     scene.detector = probe.detector;
+    scene.probeSource = probe.source;
     carryTruth(before, scene);
     return scene;
 }

@@ -275,6 +275,18 @@ std::vector<IdentifiedValue> adhesiveValues(const CycleCase& given, const Adhesi
     return values;
 }
 
+/// The figures in forces of another calibration. @param factor of the forces
+CycleFigures scaled(CycleFigures figures, double factor) {
+    if (figures.snapInForce) {
+        *figures.snapInForce *= factor;
+    }
+    for (double CycleFigures::*each : {&CycleFigures::lowestForce, &CycleFigures::approachSlope,
+                                       &CycleFigures::retractSlope, &CycleFigures::loopEnergy}) {
+        figures.*each *= factor;
+    }
+    return figures;
+}
+
 void addFigures(const CycleFigures& measured, const CycleFigures& found,
                 std::vector<FitNumber>& tests) {
     const auto both = [&](const std::string& key, const std::optional<double>& one,
@@ -412,13 +424,17 @@ void identifyAdhesive(const CycleCase& given, CurveIdentification& result) {
             const AdhesiveParameters& found = run.fit.parameters;
             const double factor = 1.0 / found.lever.forceFactor();
             result.model = std::string(nameOf(found.law)) + ", " + run.key;
+            if (found.retractWork == found.approachWork) {
+                result.law = found.law;
+            }
             result.parameters = result.variants.back().parameters;
             addResidualsOf(run.rms, result.residuals);
             addBranches(given, run.forces, factor, found.contactPoint, found.lever.trueStiffness(),
                         result);
-            const CycleFigures measured = cycleFigures(given.cycle, run.fit.events);
-            const CycleFigures simulation =
-                simulatedFigures(given.cycle, run.fit.events, AdhesiveCycle(found), run.forces);
+            const CycleFigures measured = scaled(cycleFigures(given.cycle, run.fit.events), factor);
+            const CycleFigures simulation = scaled(
+                simulatedFigures(given.cycle, run.fit.events, AdhesiveCycle(found), run.forces),
+                factor);
             addFigures(measured, simulation, result.tests);
             judgeCycle(run.rms, measured, simulation, false, result);
             addDoubts(run.fit.bounded, result);
@@ -487,6 +503,7 @@ CurveIdentification identifyCurve(const MeasuredForceCurve& curve, const CycleFi
     requireTogether(options);
     CurveIdentification result;
     result.model = nameOf(options.law);
+    result.tip = options.curve.tip;
     try {
         const CycleCase given = cycleCase(curve, options);
         result.steps = given.curve.steps;

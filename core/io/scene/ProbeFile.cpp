@@ -204,7 +204,7 @@ ProbeDescription readProbe(const std::filesystem::path& path) {
     SceneDescription scene = defaultScene();
     readProbeKeys(root, scene);
     root.refuseUnknownKeys();
-    const ProbeDescription probe{scene.probe, scene.detector};
+    const ProbeDescription probe{scene.probe, scene.detector, scene.probeSource};
     try {
         (void)Cantilever(probe.lever);
     } catch (const Error& error) {
@@ -221,6 +221,7 @@ toml::table probeTable(const ProbeDescription& probe) {
     SceneDescription scene;
     scene.probe = probe.lever;
     scene.detector = probe.detector;
+    scene.probeSource = probe.source;
     toml::table table;
     for (const SceneField& field : sceneFields()) {
         if (isOfProbeFile(field)) {

@@ -74,6 +74,7 @@ void readProbeSection(TomlSection section, SceneDescription& scene) {
         const ProbeDescription probe = readProbe(file);
         scene.probe = probe.lever;
         scene.detector = probe.detector;
+        scene.probeSource = probe.source;
     }
     readProbeKeys(section, scene);
     readKey(section, sceneField(SceneGroup::Probe, kSignalNoise), scene);

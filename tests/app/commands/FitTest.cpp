@@ -12,6 +12,7 @@
 #include <iomanip>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <utility>
 
 namespace asperity {
 namespace {
@@ -76,6 +77,61 @@ TEST_F(FitCommand, WritesNumbersTablesAndFigure) {
     EXPECT_EQ(readCsv(scratch.file("out") / "simulated.csv").rows(), 1002U);
     EXPECT_GT(std::filesystem::file_size(scratch.file("out") / "fit.png"), 1000U);
     EXPECT_EQ(fit(curveFile("a.csv") + " --tip paraboloid:5um").exitCode, 1);  // no --force
+}
+
+/// Number behind these words, with a factor of the unit that follows.
+double numberAfter(const std::string& text, const std::string& words, double unit) {
+    const std::size_t at = text.find(words);
+    return at == std::string::npos ? std::nan("")
+                                   : unit * std::stod(text.substr(at + words.size()));
+}
+
+TEST_F(FitCommand, ItsSceneSnapsInAndPullsOffAsTheFit) {
+    const std::filesystem::path curve =
+        test::sharedData("curves/original/fmt-igor-fd_SiN_FD_plot.ibw");
+    if (curve.empty()) {
+        GTEST_SKIP() << "../shared/data is not beside this checkout";
+    }
+    const auto run =
+        fit(curve.string() + " --tip paraboloid:10nm --nu 0.27 --law md --lever thermal");
+    ASSERT_EQ(run.exitCode, 0) << run.output;
+    const auto result = json("fit.json");
+    const auto found = [&](const char* key) {
+        return result["parameters"][key]["value"].get<double>();
+    };
+    const auto figure = [&](const char* key) { return result["tests"][key].get<double>(); };
+    const std::string scene = (scratch.file("out") / "scene.toml").string();
+    const auto simulated =
+        test::runProgram("curve " + scene + " --out " + scratch.file("curve.csv").string());
+    ASSERT_EQ(simulated.exitCode, 0) << simulated.output;
+    EXPECT_NEAR(numberAfter(simulated.output, "strongest pull of the law ", 1e-9) /
+                    -figure("lowest_force_n_simulated"),
+                1.0, 1e-4);
+    for (const auto& [words, key] : {std::pair{"snap-in at base ", "snap_in_base_m_simulated"},
+                                     std::pair{"pull-off at base ", "pull_off_base_m_simulated"}}) {
+        EXPECT_NEAR(numberAfter(simulated.output, words, 1e-9),
+                    figure(key) - found("contact_point_m"), 1e-13)
+            << words;
+    }
+    const std::string material = test::contentOf(scratch.file("out") / "material.toml");
+    EXPECT_NE(material.find("source = 'asperity fit, curve 0 of fmt-igor-fd_SiN_FD_plot.ibw: "
+                            "matched, Maugis-Dugdale, elastic'"),
+              std::string::npos)
+        << material;
+}
+
+TEST_F(FitCommand, SaysWhyThereIsNoScene) {
+    for (const auto& [options, reason] :
+         {std::pair{"--tip cone:20deg", "that of the fit is a cone"},
+          std::pair{"--tip pyramid4:20deg", "that of the fit is a pyramid4"},
+          std::pair{"", "no tip is named"}}) {
+        const auto run = fit(curveFile("a.csv") + " --force " + options);
+        EXPECT_EQ(run.exitCode, 0) << run.output;
+        EXPECT_NE(run.output.find(reason), std::string::npos) << run.output;
+        EXPECT_FALSE(std::filesystem::exists(scratch.file("out") / "scene.toml")) << options;
+    }
+    EXPECT_EQ(fit(curveFile("a.csv") + " --force --tip paraboloid:5um").exitCode, 0);
+    EXPECT_TRUE(std::filesystem::exists(scratch.file("out") / "scene.toml"));
 }
 
 TEST_F(FitCommand, RefusesWithItsFile) {

@@ -49,6 +49,20 @@ TEST(SceneFieldChange, ChangesNothingButTheKeyAndWhatFollows) {
     EXPECT_EQ(changed(scene, "tip.radius_m", 2e-8), expected);
 }
 
+TEST(SceneFieldChange, AChangedNumberHasNoSourceAnyMore) {
+    SceneDescription scene = test::plainScene();
+    scene.probeSource = "a curve";
+    scene = changed(scene, "sample.source", std::string("a book"));
+    EXPECT_EQ(scene.sample.material.source, "a book");
+    EXPECT_EQ(scene.sample.material.name, test::plainScene().sample.material.name);
+    EXPECT_EQ(changed(scene, "sample.name", std::string("x")).sample.material.source, "a book");
+    EXPECT_EQ(changed(scene, "tip.radius_m", 2e-8).probeSource, "a curve");
+    scene = changed(scene, "sample.youngs_modulus_pa", 3e9);
+    EXPECT_EQ(scene.sample.material.source, "");
+    EXPECT_EQ(scene.truth.material, scene.sample.material);
+    EXPECT_EQ(changed(scene, "probe.stiffness_n_m", 20.0).probeSource, "");
+}
+
 TEST(SceneFieldChange, LeavesATruthOfItsOwn) {
     SceneDescription scene = test::plainScene();
     scene = changed(scene, "truth.work_of_adhesion_j_m2", 0.05);

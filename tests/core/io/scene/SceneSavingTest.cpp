@@ -42,6 +42,8 @@ TEST_F(SceneSaving, SoIsOneWithAllThatAUserCanChange) {
     scene.sample.smoothingPixels = 0.0;
     scene.sample.smoothingLength = 3e-9;
     scene.sample.material.name = "mine (edited)";
+    scene.sample.material.source = "a book";
+    scene.probeSource = "curve 3 of µ.jpk-force";
     scene.truth.temperature = 296.0;
     scene.truth.curve = scratch.file("curve.csv");
     scene.truth.curveStiffness = 0.4;
