@@ -43,11 +43,14 @@ std::string sourceText(const FittedCurve& curve) {
 }
 
 SampleMaterial materialOf(const FittedCurve& curve) {
+    const double work = numberOf(curve, "work_of_adhesion_j_m2", 0.0);
+    const bool hasTwoWorks = curve.found.find("work_of_adhesion_approach_j_m2") != nullptr;
     return {.name = printable(std::filesystem::path(curve.file).stem().string()),
             .source = sourceText(curve),
             .elastic = {.youngsModulus = numberOf(curve, "youngs_modulus_pa", 0.0),
                         .poissonRatio = numberOf(curve, "poisson_ratio", 0.5)},
-            .workOfAdhesion = numberOf(curve, "work_of_adhesion_j_m2", 0.0),
+            .workOfAdhesion = numberOf(curve, "work_of_adhesion_approach_j_m2", work),
+            .retractWork = hasTwoWorks ? work : 0.0,
             .friction = {.coefficient = 0.0, .shearStrength = 0.0},
             .filmThickness = numberOf(curve, "film_thickness_m", 0.0)};
 }

@@ -145,10 +145,12 @@ inline constexpr auto kEnumTable<TipRegion> = std::to_array<EnumRow<TipRegion>>(
 struct ContactMemory {
     ContactBranch branch = ContactBranch::Far;
     double coordinate = 0.0;  ///< of the state on its law's curve; 0: none
+    /// Of a bonded state, where the law remembers it [m]; 0: not known, the tip comes from deeper.
+    double contactRadius = 0.0;
 };
 
 /// Memory of a bonded tip whose coordinate on the curve of the law is not known.
-inline constexpr ContactMemory kBondedMemory{ContactBranch::Bonded, 0.0};
+inline constexpr ContactMemory kBondedMemory{ContactBranch::Bonded, 0.0, 0.0};
 
 /// One equilibrium of tip and sample along the surface normal.
 struct ContactState {
@@ -171,7 +173,9 @@ struct ContactState {
         const bool acrossGap = cohesiveRadius > 0.0 && !(contactRadius > 0.0);
         return acrossGap ? TipRegion::Cohesive : TipRegion::Contact;
     }
-    [[nodiscard]] ContactMemory memory() const noexcept { return {branch, coordinate}; }
+    [[nodiscard]] ContactMemory memory() const noexcept {
+        return {branch, coordinate, branch == ContactBranch::Bonded ? contactRadius : 0.0};
+    }
 };
 
 }  // namespace asperity

@@ -43,6 +43,21 @@ void check(const SampleMaterial& material, const std::string& where) {
                     "holds for one modulus");
 }
 
+/// Only contacts of JKR have an edge that can be held.
+void checkRetractWork(const SceneDescription& scene, const SampleMaterial& material,
+                      const std::string& where) {
+    if (material.retractWork == 0.0) {
+        return;
+    }
+    const std::string key = where + ": retract_work_of_adhesion_j_m2 ";
+    require(material.retractWork >= material.workOfAdhesion,
+            key + "must be 0 or at least work_of_adhesion_j_m2: a contact that opened more easily "
+                  "than it closed would give energy");
+    require(scene.choices.law && isJkr(*scene.choices.law),
+            key + "needs [physics] law jkr or jkr_sphere, whose contacts have an edge");
+    require(!scene.meniscus.present(), key + "does not go with a meniscus");
+}
+
 void checkLeveling(const SampleDescription& sample) {
     const bool needsPoints =
         std::ranges::find(sample.leveling, LevelingStep::ThreePoint) != sample.leveling.end();
@@ -163,11 +178,13 @@ ContactPair contactPair(const SceneDescription& scene, const SampleMaterial& mat
 }
 
 ContactOptions contactOptions(const SceneDescription& scene, const SampleMaterial& material) {
+    const bool hasTwoWorks = material.retractWork > 0.0 && material.workOfAdhesion > 0.0;
     return {.cohesiveStress = material.workOfAdhesion / scene.cohesiveRange,
             .filmThickness = material.filmThickness,
             .film = {.poissonRatio = material.elastic.poissonRatio,
                      .share = sampleShare(material.elastic, scene.tip.elastic)},
             .coneHalfAngle = scene.tip.coneHalfAngle,
+            .adhesionRatio = hasTwoWorks ? material.retractWork / material.workOfAdhesion : 1.0,
             .meniscus = scene.meniscus,
             .solver = scene.choices.solver};
 }
@@ -179,6 +196,8 @@ void checkScene(const SceneDescription& scene) {
     }
     check(scene.sample.material, "[sample]");
     check(scene.truth.material, "[truth]");
+    checkRetractWork(scene, scene.sample.material, "[sample]");
+    checkRetractWork(scene, scene.truth.material, "[truth]");
     check(scene.sample);
     if (scene.tip.shape().hasCone()) {
         checkLawHasCone(scene);

@@ -38,6 +38,8 @@ struct SampleMaterial {
     std::string source = {};  ///< where its numbers come from, for people
     Elastic elastic{.youngsModulus = 2e9, .poissonRatio = 0.4};
     double workOfAdhesion = 0.066;  ///< w of the pair tip-sample [J/m^2]
+    /// The same while a contact shrinks, of the laws of JKR [J/m^2]; 0: the same.
+    double retractWork = 0.0;
     Friction friction{.coefficient = 0.3, .shearStrength = 0.0};
     /// Mean pressure under a plastic indent [Pa]; 0: not known, see hardnessOf().
     double hardness = 0.0;

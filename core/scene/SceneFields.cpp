@@ -56,6 +56,12 @@ std::vector<SceneField> materialFields(SceneGroup group, Access access) {
             {0.0, 1e3, "lie between 0 and 1e3"},
             [](auto& scene) -> auto& { return Access{}(scene).workOfAdhesion; }),
         at(
+            group, "retract_work_of_adhesion_j_m2",
+            {"Work on retract", "Of adhesion, while a contact shrinks, under a law of JKR; 0: the same",
+             "mJ/m²", kMilli},
+            {0.0, 1e3, "lie between 0 and 1e3"},
+            [](auto& scene) -> auto& { return Access{}(scene).retractWork; }),
+        at(
             group, "friction_coefficient",
             {"Friction coefficient", "µ in friction = µ × normal force + τ × contact area"},
             {0.0, 10.0, "lie between 0 and 10"},
@@ -81,9 +87,12 @@ std::vector<SceneField> materialFields(SceneGroup group, Access access) {
             {1e-12, 1.0, "be 0 or lie between 1e-12 and 1", true},
             [](auto& scene) -> auto& { return Access{}(scene).filmThickness; }),
     };
-    // The truth's is that of [sample] where it states none.
+    // The truth's are those of [sample] where it states none.
     fields[1].isStated = [](const SceneDescription& scene) {
         return !Access{}(scene).source.empty() || !scene.sample.material.source.empty();
+    };
+    fields[5].isStated = [](const SceneDescription& scene) {
+        return Access{}(scene).retractWork > 0.0 || scene.sample.material.retractWork > 0.0;
     };
     std::ranges::move(materialMapFields(group, access), std::back_inserter(fields));
     return fields;

@@ -4,6 +4,7 @@
 #include "core/contact/Within.h"
 #include "core/contact/laws/JoinedLaw.h"
 #include "core/contact/laws/SplitLaw.h"
+#include "core/contact/laws/TwoWorkContact.h"
 #include "core/contact/laws/WettedContact.h"
 #include "core/contact/maugis/MaugisDugdale.h"
 
@@ -73,6 +74,7 @@ std::shared_ptr<const MaugisTable> tableFor(ContactLaw law, const ContactPair& p
     return sharedMaugisTable({low, high, deepest});
 }
 
+constexpr double kMaxAdhesionRatio = 1e6;
 constexpr double kLargeContact = 0.3;  // a/R beyond which the paraboloid errs by some 3 %
 
 /// Contact radius over tip radius without load, by Maugis-Dugdale on the paraboloid.
@@ -99,6 +101,15 @@ ContactModel::Checked ContactModel::checked(ContactLaw law, const ContactPair& p
     }
     requirePair(pair, options.cohesiveStress);
     checkMeniscus(options.meniscus);
+    if (!(options.adhesionRatio >= 1.0) || options.adhesionRatio > kMaxAdhesionRatio) {
+        throw Error("contact: the work of adhesion on retract must be 1 to 1e6 times that on "
+                    "approach");
+    }
+    if (!isJkr(law) || pair.workOfAdhesion < kMinAdhesion) {
+        options.adhesionRatio = 1.0;
+    } else if (options.adhesionRatio > 1.0 && options.meniscus.present()) {
+        throw Error("contact: two works of adhesion do not go with a meniscus");
+    }
     const ContactStatus cone = checkCone(options.coneHalfAngle);
     if (cone != ContactStatus::Solved) {
         throw Error(std::string("contact: ") + nameOf(cone));
@@ -162,8 +173,21 @@ ContactState ContactModel::wetEquilibrium(double approach, double compliance,
                : bare(approach, compliance, memory);
 }
 
+ContactModel ContactModel::withWork(double factor) const noexcept {
+    if (!hasTwoWorks()) {
+        return *this;
+    }
+    Checked given = given_;
+    given.options.adhesionRatio = 1.0;
+    given.pair.workOfAdhesion *= factor;
+    return ContactModel(given);
+}
+
 ContactState ContactModel::bare(double approach, double compliance,
                                 const ContactMemory& memory) const noexcept {
+    if (hasTwoWorks()) {
+        return TwoWorkContact(*this).equilibrium(approach, compliance, memory);
+    }
     return onJoined(
         [&](const auto& joined) { return joined.equilibrium(approach, compliance, memory); });
 }
@@ -176,6 +200,9 @@ double ContactModel::wetJumpInApproach(double compliance) const noexcept {
 }
 
 double ContactModel::wetPullOffApproach(double compliance) const noexcept {
+    if (hasTwoWorks()) {
+        return shrinking().wetPullOffApproach(compliance);
+    }
     return onJoined([&](const auto& joined) { return joined.pullOffApproach(compliance); }) -
            (compliance * meniscusPull());
 }
@@ -215,6 +242,9 @@ ContactState ContactModel::lastFar(double compliance) const noexcept {
 }
 
 ContactState ContactModel::wetLastBonded(double compliance) const noexcept {
+    if (hasTwoWorks()) {
+        return shrinking().wetLastBonded(compliance);
+    }
     const ContactState last =
         onJoined([&](const auto& joined) { return joined.lastBonded(compliance); });
     return given_.options.meniscus.present() ? WettedContact(*this).wetted(last) : last;

@@ -120,6 +120,12 @@ public:
     [[nodiscard]] double coneHalfAngle() const noexcept {
         return leavesOutCone(given_.law) ? 0.0 : given_.options.coneHalfAngle;
     }
+    /// Work of adhesion while a contact shrinks over that while it grows; 1: one work for both.
+    [[nodiscard]] double adhesionRatio() const noexcept { return given_.options.adhesionRatio; }
+    /// The law by which the contact grows, and that by which it shrinks; each has one work.
+    [[nodiscard]] ContactModel growing() const noexcept { return withWork(1.0); }
+    [[nodiscard]] ContactModel shrinking() const noexcept { return withWork(adhesionRatio()); }
+
     /// Thickness of the sample's film [m]; 0: a half-space.
     [[nodiscard]] double filmThickness() const noexcept { return given_.options.filmThickness; }
 
@@ -139,6 +145,10 @@ private:
         std::shared_ptr<const FilmTable> film;
     };
     explicit ContactModel(const Checked& given) noexcept;
+
+    [[nodiscard]] bool hasTwoWorks() const noexcept { return adhesionRatio() > 1.0; }
+    /// The same law with one work of adhesion. @param factor of the work
+    [[nodiscard]] ContactModel withWork(double factor) const noexcept;
 
     [[nodiscard]] static Checked checked(ContactLaw law, const ContactPair& pair,
                                          ContactOptions options);

@@ -61,6 +61,9 @@ struct ContactOptions {
     /// Half angle of the cone that touches the tip's sphere all around, 0.01 .. 1.55 [rad]; 0: a
     /// sphere up to its equator. Laws of a paraboloid use neither, see leavesOutCone().
     double coneHalfAngle = 0.0;
+    /// Work of adhesion while the contact shrinks over that while it grows, >= 1; of laws of JKR
+    /// alone, see TwoWorkContact.h.
+    double adhesionRatio = 1.0;
     Meniscus meniscus;  ///< by default none
     SolverSetting solver = SolverSetting::Newton;
 };

@@ -1,6 +1,5 @@
 #include "core/contact/laws/TwoWorkContact.h"
 
-#include "core/Error.h"
 #include "core/contact/laws/HertzLaw.h"
 
 #include <cmath>
@@ -10,41 +9,24 @@ namespace asperity {
 
 namespace {
 
-ContactPair withWork(ContactPair pair, double work) noexcept {
-    pair.workOfAdhesion = work;
-    return pair;
-}
-
 /// The contact of this radius without adhesion.
-LawPoint pressedContact(ContactLaw law, const ContactPair& pair, double radius) noexcept {
-    return isSphere(law) ? SneddonLaw(pair).at(radius) : HertzLaw(pair).atContactRadius(radius);
+LawPoint pressedContact(const ContactModel& model, double radius) noexcept {
+    return isSphere(model.law()) ? SneddonLaw(model.pair(), model.coneHalfAngle()).at(radius)
+                                 : HertzLaw(model.pair()).atContactRadius(radius);
 }
 
 }  // namespace
 
-TwoWorkContact::TwoWorkContact(ContactLaw law, const ContactPair& pair, double retractWork)
-    : growing_(law, pair), shrinking_(law, withWork(pair, retractWork)) {
-    if (!isJkr(law)) {
-        throw Error("two works of adhesion need a law of JKR: jkr or jkr_sphere");
-    }
-    if (retractWork < pair.workOfAdhesion) {
-        throw Error("the work of adhesion on retract must be at least that on approach");
-    }
-}
-
 /// The state with the contact radius held, and its energy release rate [J/m^2], < 0 where the
 /// edge is pressed on.
-ContactState TwoWorkContact::held(double approach, double compliance, const TwoWorkMemory& memory,
+ContactState TwoWorkContact::held(double approach, double compliance, double radius,
                                   double& release) const noexcept {
     const ContactPair& pair = growing_.pair();
-    const double radius = memory.contactRadius;
-    const LawPoint pressed = pressedContact(growing_.law(), pair, radius);
+    const LawPoint pressed = pressedContact(growing_, radius);
     const double stiffness = 2.0 * radius * pair.reducedModulus;
     const double lift = (pressed.indentation + (compliance * pressed.force) - approach) /
                         (1.0 + (compliance * stiffness));
-    release = radius > 0.0
-                  ? lift * std::abs(lift) * pair.reducedModulus / (2.0 * std::numbers::pi * radius)
-                  : 0.0;
+    release = lift * std::abs(lift) * pair.reducedModulus / (2.0 * std::numbers::pi * radius);
     return {.force = pressed.force - (stiffness * lift),
             .indentation = pressed.indentation - lift,
             .contactRadius = radius,
@@ -54,30 +36,29 @@ ContactState TwoWorkContact::held(double approach, double compliance, const TwoW
 }
 
 ContactState TwoWorkContact::equilibrium(double approach, double compliance,
-                                         TwoWorkMemory& memory) const noexcept {
-    const auto bonded = [&](const ContactModel& law) {
-        return law.equilibrium(approach, compliance, kBondedMemory);
-    };
-    ContactState state;
+                                         const ContactMemory& memory) const noexcept {
     if (memory.branch == ContactBranch::Far) {
-        state = growing_.equilibrium(approach, compliance, ContactMemory{});
-    } else {
-        double release = 0.0;
-        state = held(approach, compliance, memory, release);
-        if (release < growing_.pair().workOfAdhesion) {
-            // An edge that would have to shrink in order to grow is beyond the end of the law.
-            const ContactState grown = bonded(growing_);
-            state = grown.contactRadius >= memory.contactRadius ? grown : state;
-        } else if (release > shrinking_.pair().workOfAdhesion) {
-            state = bonded(shrinking_);
-            if (state.contactRadius > memory.contactRadius) {
-                // The held edge opens beyond the end of the stable states.
-                state = shrinking_.equilibrium(approach, compliance, ContactMemory{});
-                state.jumped = true;
-            }
+        return growing_.equilibrium(approach, compliance, memory);
+    }
+    const double radius = memory.contactRadius;
+    if (!(radius > 0.0)) {
+        return shrinking_.equilibrium(approach, compliance, kBondedMemory);
+    }
+    double release = 0.0;
+    ContactState state = held(approach, compliance, radius, release);
+    if (release < growing_.pair().workOfAdhesion) {
+        // An edge that would have to shrink in order to grow is beyond the end of the law.
+        const ContactState grown = growing_.equilibrium(approach, compliance, kBondedMemory);
+        return grown.contactRadius >= radius ? grown : state;
+    }
+    if (release > shrinking_.pair().workOfAdhesion) {
+        state = shrinking_.equilibrium(approach, compliance, kBondedMemory);
+        if (state.contactRadius > radius) {
+            // The held edge opens beyond the end of the stable states.
+            state = shrinking_.equilibrium(approach, compliance, ContactMemory{});
+            state.jumped = true;
         }
     }
-    memory = {state.branch, state.contactRadius};
     return state;
 }
 

@@ -2,13 +2,14 @@
 
 #include "core/contact/laws/ContactModel.h"
 
+#include <limits>
+
 namespace asperity {
 
-/// State of a contact with two works of adhesion, handed from one equilibrium to the next.
-struct TwoWorkMemory {
-    ContactBranch branch = ContactBranch::Far;
-    double contactRadius = 0.0;  ///< while bonded [m]
-};
+/// Memory of a bonded contact that has only grown so far.
+inline constexpr ContactMemory kGrowingMemory{.branch = ContactBranch::Bonded,
+                                              .coordinate = 0.0,
+                                              .contactRadius = std::numeric_limits<double>::min()};
 
 /// JKR contact that costs more adhesion to open than it gains when it closes. The contact grows
 /// while its energy release rate is below the work on approach and shrinks while that exceeds the
@@ -18,23 +19,16 @@ struct TwoWorkMemory {
 /// Source: Maugis, Barquins (1978); docs/theory.md 7.7.
 class TwoWorkContact {
 public:
-    /// @param law Jkr or SphereJkr
-    /// @param pair with the work of adhesion on approach
-    /// @param retractWork work of adhesion on retract [J/m^2], at least that on approach
-    /// @throw Error where the law, the pair or the works are outside their ranges
-    TwoWorkContact(ContactLaw law, const ContactPair& pair, double retractWork);
+    /// @param model whose work of adhesion is that on approach, see ContactModel::adhesionRatio()
+    explicit TwoWorkContact(const ContactModel& model) noexcept
+        : growing_(model.growing()), shrinking_(model.shrinking()) {}
 
-    /// Equilibrium at `approach` = indentation + compliance x force [m] on a lever of this
-    /// compliance [m/N], after the state in `memory`, which is replaced by the new one.
+    /// As ContactModel::equilibrium(). The radius in `memory` is held.
     [[nodiscard]] ContactState equilibrium(double approach, double compliance,
-                                           TwoWorkMemory& memory) const noexcept;
-
-    /// The law by which the contact grows, and that by which it shrinks.
-    [[nodiscard]] const ContactModel& growing() const noexcept { return growing_; }
-    [[nodiscard]] const ContactModel& shrinking() const noexcept { return shrinking_; }
+                                           const ContactMemory& memory) const noexcept;
 
 private:
-    [[nodiscard]] ContactState held(double approach, double compliance, const TwoWorkMemory& memory,
+    [[nodiscard]] ContactState held(double approach, double compliance, double radius,
                                     double& release) const noexcept;
 
     ContactModel growing_;

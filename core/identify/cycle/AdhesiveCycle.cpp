@@ -12,11 +12,14 @@ ContactPair approachPair(const AdhesiveParameters& parameters) noexcept {
             .workOfAdhesion = isAdhesive(parameters.law) ? parameters.approachWork : 0.0};
 }
 
-ContactModel approachModel(const AdhesiveParameters& parameters) {
+ContactModel contactModel(const AdhesiveParameters& parameters) {
     ContactOptions options;
     options.solver = SolverSetting::Newton;
     if (parameters.cohesiveRange > 0.0) {
         options.cohesiveStress = parameters.approachWork / parameters.cohesiveRange;
+    }
+    if (isJkr(parameters.law) && parameters.approachWork > 0.0) {
+        options.adhesionRatio = parameters.retractWork / parameters.approachWork;
     }
     return {parameters.law, approachPair(parameters), options};
 }
@@ -36,33 +39,27 @@ bool isWithinLaw(const AdhesiveParameters& parameters) noexcept {
 AdhesiveCycle::AdhesiveCycle(const AdhesiveParameters& parameters)
     : parameters_(parameters)
     , compliance_(1.0 / parameters.lever.trueStiffness())
-    , bonding_(approachModel(parameters)) {
-    if (isJkr(parameters.law)) {
-        two_.emplace(parameters.law, approachPair(parameters), parameters.retractWork);
+    , contact_(contactModel(parameters)) {
+    if (contact_.adhesionRatio() > 1.0) {
+        two_.emplace(contact_);
     }
-    lastForce_ = opening().lastBonded(compliance_).force;
+    lastForce_ = contact_.lastBonded(compliance_).force;
 }
 
-const ContactModel& AdhesiveCycle::opening() const noexcept {
-    return two_ ? two_->shrinking() : bonding_;
-}
-
-ContactState AdhesiveCycle::next(double base, AdhesiveMemory& memory) const noexcept {
+ContactState AdhesiveCycle::next(double base, ContactMemory& memory) const noexcept {
     const double approach = base - parameters_.contactPoint;
-    if (two_) {
-        return two_->equilibrium(approach, compliance_, memory.two);
-    }
-    const ContactState state = bonding_.equilibrium(approach, compliance_, memory.contact);
-    memory.contact = state.memory();
+    const ContactState state = two_ ? two_->equilibrium(approach, compliance_, memory)
+                                    : contact_.equilibrium(approach, compliance_, memory);
+    memory = state.memory();
     return state;
 }
 
-double AdhesiveCycle::force(double base, AdhesiveMemory& memory) const noexcept {
+double AdhesiveCycle::force(double base, ContactMemory& memory) const noexcept {
     return next(base, memory).force * parameters_.lever.forceFactor();
 }
 
-double AdhesiveCycle::bondedForce(double base, AdhesiveMemory& memory) const noexcept {
-    AdhesiveMemory kept = memory;
+double AdhesiveCycle::bondedForce(double base, ContactMemory& memory) const noexcept {
+    ContactMemory kept = memory;
     const ContactState state = next(base, memory);
     if (state.branch == ContactBranch::Bonded || !isAdhesive(parameters_.law)) {
         return state.force * parameters_.lever.forceFactor();
@@ -71,22 +68,22 @@ double AdhesiveCycle::bondedForce(double base, AdhesiveMemory& memory) const noe
     return lastForce_ * parameters_.lever.forceFactor();
 }
 
-AdhesiveMemory AdhesiveCycle::bonded() const noexcept {
-    return {.contact = kBondedMemory, .two = {ContactBranch::Bonded, 0.0}};
+ContactMemory AdhesiveCycle::bonded() const noexcept {
+    return two_ ? kGrowingMemory : kBondedMemory;
 }
 
 std::optional<double> AdhesiveCycle::snapIn() const noexcept {
-    if (bonding_.pair().workOfAdhesion < kMinAdhesion) {
+    if (contact_.pair().workOfAdhesion < kMinAdhesion) {
         return std::nullopt;
     }
-    return parameters_.contactPoint + bonding_.jumpInApproach(compliance_);
+    return parameters_.contactPoint + contact_.jumpInApproach(compliance_);
 }
 
 std::optional<double> AdhesiveCycle::pullOff() const noexcept {
-    if (opening().pair().workOfAdhesion < kMinAdhesion) {
+    if (contact_.pair().workOfAdhesion < kMinAdhesion) {
         return std::nullopt;
     }
-    return parameters_.contactPoint + opening().pullOffApproach(compliance_);
+    return parameters_.contactPoint + contact_.pullOffApproach(compliance_);
 }
 
 double AdhesiveCycle::pullOffForce() const noexcept {
@@ -94,12 +91,12 @@ double AdhesiveCycle::pullOffForce() const noexcept {
 }
 
 double AdhesiveCycle::lowestForce() const noexcept {
-    const auto strongest = strongestPullOf(opening(), compliance_);
+    const auto strongest = strongestPullOf(contact_, compliance_);
     return strongest ? strongest->state.force * parameters_.lever.forceFactor() : 0.0;
 }
 
 SimulatedCycle simulated(const AdhesiveCycle& model, const MeasuredCycle& cycle) {
-    AdhesiveMemory memory;
+    ContactMemory memory;
     const auto follow = [&](const CycleBranch& branch) {
         std::vector<double> forces;
         forces.reserve(branch.size());

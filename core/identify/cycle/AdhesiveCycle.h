@@ -50,12 +50,6 @@ struct AdhesiveParameters {
 /// Returns whether the law holds for the parameters.
 [[nodiscard]] bool isWithinLaw(const AdhesiveParameters& parameters) noexcept;
 
-/// State of a simulated cycle, handed from sample to sample.
-struct AdhesiveMemory {
-    ContactMemory contact;
-    TwoWorkMemory two;
-};
-
 /// Forward simulation of a quasi-static cycle: the tip is free until it snaps in where its law does
 /// on this lever, then bonded at the same base position, until the fold of the base position.
 /// Forces are as the file's calibration shows them. Source: docs/theory.md 7.1.
@@ -67,9 +61,9 @@ public:
     [[nodiscard]] const AdhesiveParameters& parameters() const noexcept { return parameters_; }
 
     /// Force at the next base position [N].
-    [[nodiscard]] double force(double base, AdhesiveMemory& memory) const noexcept;
-    /// The law by which the contact grows.
-    [[nodiscard]] const ContactModel& growing() const noexcept { return bonding_; }
+    [[nodiscard]] double force(double base, ContactMemory& memory) const noexcept;
+    /// The law with which the contact grows.
+    [[nodiscard]] ContactModel growing() const noexcept { return contact_.growing(); }
     /// Base position of the snap-in [m]; none: the law has no adhesion.
     [[nodiscard]] std::optional<double> snapIn() const noexcept;
     /// Base position at which the contact breaks [m]; none: the law has no adhesion.
@@ -79,22 +73,21 @@ public:
     /// The strongest pull on the way out as a force, <= 0 [N].
     [[nodiscard]] double lowestForce() const noexcept;
     /// Transition parameter of the Maugis laws, 0 of others.
-    [[nodiscard]] double transitionParameter() const noexcept { return bonding_.lambda(); }
+    [[nodiscard]] double transitionParameter() const noexcept { return contact_.lambda(); }
 
     /// Memory of a tip that has been in contact with growing load.
-    [[nodiscard]] AdhesiveMemory bonded() const noexcept;
+    [[nodiscard]] ContactMemory bonded() const noexcept;
     /// As force(), but a contact beyond its end keeps its last force: smooth for fits.
-    [[nodiscard]] double bondedForce(double base, AdhesiveMemory& memory) const noexcept;
+    [[nodiscard]] double bondedForce(double base, ContactMemory& memory) const noexcept;
 
 private:
-    [[nodiscard]] const ContactModel& opening() const noexcept;
-    [[nodiscard]] ContactState next(double base, AdhesiveMemory& memory) const noexcept;
+    [[nodiscard]] ContactState next(double base, ContactMemory& memory) const noexcept;
 
     AdhesiveParameters parameters_;
-    double compliance_;     ///< of the true lever [m/N]
-    ContactModel bonding_;  ///< law on approach
-    std::optional<TwoWorkContact> two_;
-    double lastForce_ = 0.0;  ///< of the law at its end on this lever [N]
+    double compliance_;  ///< of the true lever [m/N]
+    ContactModel contact_;
+    std::optional<TwoWorkContact> two_;  ///< of `contact_`, made once
+    double lastForce_ = 0.0;             ///< of the law at its end on this lever [N]
 };
 
 /// Forces of a simulated cycle, a value a sample of the measured one [N].

@@ -81,7 +81,7 @@ void AdhesiveProblem::residuals(const AdhesiveParameters& parameters, Eigen::Vec
         return;
     }
     const AdhesiveCycle model(parameters);
-    AdhesiveMemory memory = model.bonded();
+    ContactMemory memory = model.bonded();
     Index at = 0;
     const auto follow = [&](const CycleBranch& samples, bool seen) {
         for (std::size_t i = 0; i < samples.size(); ++i) {

@@ -424,9 +424,7 @@ void identifyAdhesive(const CycleCase& given, CurveIdentification& result) {
             const AdhesiveParameters& found = run.fit.parameters;
             const double factor = 1.0 / found.lever.forceFactor();
             result.model = std::string(nameOf(found.law)) + ", " + run.key;
-            if (found.retractWork == found.approachWork) {
-                result.law = found.law;
-            }
+            result.law = found.law;
             result.parameters = result.variants.back().parameters;
             addResidualsOf(run.rms, result.residuals);
             addBranches(given, run.forces, factor, found.contactPoint, found.lever.trueStiffness(),

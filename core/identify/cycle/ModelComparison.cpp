@@ -159,7 +159,7 @@ SimulatedCycle Comparison::bondedForces(const AdhesiveCycle& model) const {
     SimulatedCycle forces{std::vector<double>(cycle_.approach.size(), 0.0),
                           {},
                           std::vector<double>(cycle_.retract.size(), 0.0)};
-    AdhesiveMemory memory = model.bonded();
+    ContactMemory memory = model.bonded();
     for (std::size_t i = events_.contactBegin; i < cycle_.approach.size(); ++i) {
         forces.approach[i] = model.bondedForce(cycle_.approach.base[i], memory);
     }

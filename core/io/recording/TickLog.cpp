@@ -115,6 +115,8 @@ void listModel(Memory& memory, const Cell& cell) {
         cell({closest, "_valid"}, kept.guess.valid);
         cell({closest, "_branch"}, kept.contact.branch);
         cell({closest, "_coordinate"}, kept.contact.coordinate);
+        cell({.front = closest, .axis = "_contact_radius_m", .later = true},
+             kept.contact.contactRadius);
         cell({closest, "_friction_n"}, kept.friction);
     }
     listVector(cell, "deflection_", memory.model.deflection, "_m");
