@@ -97,7 +97,8 @@ ARROWS = {
     "app/recording": "app/runs core/io/heightmap core/io/zip",
     "app/loading": "app/recording core/io/loading",
     "app/charts": "core/io vtkplugins/pictures",
-    "app/curves": "app/charts app/program core/identify/cycle core/io/scene core/io/tables",
+    "app/curves": "app/charts app/program core/identify/cycle core/io/curves core/io/heightmap/gwy"
+                  " core/io/scene core/io/tables",
     "app/reports": "app/charts app/runs core/io/fields core/studies core/studies/extremes ui/view",
     "app/reports/page": "app/charts",
     "app/reports/run": "app/reports app/reports/page",

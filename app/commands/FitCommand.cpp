@@ -4,6 +4,7 @@
 #include "app/commands/VirtualDisplay.h"
 #include "app/curves/FitBatch.h"
 #include "app/curves/FitFiles.h"
+#include "app/curves/FitMap.h"
 #include "app/curves/FitScene.h"
 #include "app/program/EndSignals.h"
 #include "app/runs/OutputFolder.h"
@@ -22,6 +23,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <iostream>
+#include <iterator>
 #include <memory>
 #include <string>
 #include <vector>
@@ -39,15 +41,16 @@ FolderContent fitFolder() {
 }
 
 FolderContent batchFolder() {
-    return {.marks = {"fits.csv"}, .own = {"fits.json"}, .guarded = {"fits.csv"}};
+    return {.marks = {"fits.csv"}, .own = {"fits.json", "maps.gwy"}, .guarded = {"fits.csv"}};
 }
 
-FittedCurve fitted(const std::string& path, const FitRequest& request) {
-    const FileBytes bytes(path);
-    const ForceCurveFile file(bytes, request.read.read);
-    const std::size_t index = request.read.index.value_or(0);
+/// Fits a curve of a file. @throw InputError where it is damaged
+FittedCurve fitted(const std::string& path, const ForceCurveFile& file, std::size_t index,
+                   const FitRequest& request) {
     CurveContents contents = file.contents(index);
-    FittedCurve curve{.file = path, .index = index, .sha256 = sha256Of(bytes)};
+    FittedCurve curve{.file = path, .index = index, .sha256 = {}};
+    curve.position = file.position(index);
+    curve.cell = file.cell(index);
     curve.heightChannel = std::move(contents.heightChannel);
     curve.notes = file.notes();
     curve.notes.insert(curve.notes.end(), contents.notes.begin(), contents.notes.end());
@@ -55,6 +58,14 @@ FittedCurve fitted(const std::string& path, const FitRequest& request) {
     if (request.fit.compares && curve.found.verdict != FitVerdict::Refused) {
         curve.comparison = compareCurve(contents.curve, request.fit);
     }
+    return curve;
+}
+
+FittedCurve fitted(const std::string& path, const FitRequest& request) {
+    const FileBytes bytes(path);
+    const ForceCurveFile file(bytes, request.read.read);
+    FittedCurve curve = fitted(path, file, request.read.index.value_or(0), request);
+    curve.sha256 = sha256Of(bytes);
     return curve;
 }
 
@@ -93,44 +104,109 @@ void fitOne(const FitRequest& request) {
               << '\n';
 }
 
-/// Returns the result for one file; one that cannot be read ends nothing.
-FittedCurve attempted(const std::string& file, const FitRequest& request) {
+/// Keeps what tables and maps need: a map would not have room for the samples of its curves.
+FittedCurve withoutSamples(FittedCurve curve) {
+    curve.found.approach = {};
+    curve.found.retract = {};
+    return curve;
+}
+
+/// Fits one curve of each file; one that cannot be read ends nothing.
+std::vector<FittedCurve> fittedFiles(const FitRequest& request) {
+    std::vector<FittedCurve> curves(request.curves.size());
+    ProgressLine line("fitting");
+    shareOut(static_cast<int>(curves.size()), &line, [&](int index, const CancelCheck&) {
+        const auto i = static_cast<std::size_t>(index);
+        const std::string& path = request.curves[i];
+        try {
+            curves[i] = withoutSamples(fitted(path, request));
+        } catch (const FileError& error) {
+            curves[i] = {.file = path, .sha256 = {}, .error = error.what()};
+        }
+    });
+    return curves;
+}
+
+/// Fits all curves of a file; one that is damaged ends nothing.
+FitMap fittedMap(const std::string& path, const FitRequest& request) {
     try {
-        return fitted(file, request);
+        const FileBytes bytes(path);
+        const ForceCurveFile file(bytes, request.read.read);
+        const std::string sha256 = sha256Of(bytes);
+        FitMap map{.grid = file.grid(), .curves = std::vector<FittedCurve>(file.count())};
+        ProgressLine line("fitting");
+        shareOut(static_cast<int>(file.count()), &line, [&](int i, const CancelCheck&) {
+            const auto index = static_cast<std::size_t>(i);
+            FittedCurve& curve = map.curves[index];
+            try {
+                curve = withoutSamples(fitted(path, file, index, request));
+            } catch (const FileError& error) {
+                curve = {.file = path, .index = index, .sha256 = {}, .error = error.what()};
+            }
+            curve.sha256 = sha256;
+        });
+        return map;
     } catch (const FileError& error) {
-        return {.file = file, .sha256 = {}, .error = error.what()};
+        return {.grid = {}, .curves = {{.file = path, .sha256 = {}, .error = error.what()}}};
     }
+}
+
+void printVerdicts(const std::vector<FittedCurve>& curves) {
+    constexpr std::size_t kFew = 20;
+    for (std::size_t i = 0; i < std::min(curves.size(), kFew); ++i) {
+        const FittedCurve& curve = curves[i];
+        std::cout << printable(curve.error.empty()
+                                   ? curve.file + ", curve " + std::to_string(curve.index) + ": " +
+                                         nameOf(curve.found.verdict) + ", " +
+                                         curve.found.reasons.front()
+                                   : curve.error)
+                  << '\n';
+    }
+    if (curves.size() > kFew) {
+        std::cout << "... and " << curves.size() - kFew << " more, see fits.csv\n";
+    }
+}
+
+/// Writes the tables, and the images of a map where there is no reason against them.
+void writeBatch(const FitRequest& request, const FitMap& map, const std::string& noMap) {
+    OutputFolder out(request.out, batchFolder(), request.force);
+    out.collect([&](const std::filesystem::path& folder) {
+        writeFitTable(folder / "fits.csv", map.curves);
+        writeFitJson(folder / "fits.json", batchJson(map.curves));
+        if (noMap.empty()) {
+            writeFitMap(folder / "maps.gwy", map);
+        }
+    });
+    out.commit();
 }
 
 /// @throw Error where no curve could be fitted, after the table is written
 void fitMany(const FitRequest& request) {
     const CancelOnSignal cancel;
-    std::vector<FittedCurve> curves(request.curves.size());
-    ProgressLine line("fitting");
-    shareOut(static_cast<int>(curves.size()), &line, [&](int index, const CancelCheck&) {
-        const auto i = static_cast<std::size_t>(index);
-        curves[i] = attempted(request.curves[i], request);
-    });
-    OutputFolder out(request.out, batchFolder(), request.force);
-    out.collect([&](const std::filesystem::path& folder) {
-        writeFitTable(folder / "fits.csv", curves);
-        writeFitJson(folder / "fits.json", batchJson(curves));
-    });
-    out.commit();
-    for (const FittedCurve& curve : curves) {
-        std::cout << printable(curve.error.empty()
-                                   ? curve.file + ": " + nameOf(curve.found.verdict) + ", " +
-                                         curve.found.reasons.front()
-                                   : curve.error)
-                  << '\n';
+    FitMap map;
+    std::string noMap = "several files were asked for";
+    if (!request.all) {
+        map.curves = fittedFiles(request);
+    } else if (request.curves.size() == 1) {
+        map = fittedMap(request.curves.front(), request);
+        noMap = refusalOfMap(map);
+    } else {
+        for (const std::string& path : request.curves) {
+            std::ranges::move(fittedMap(path, request).curves, std::back_inserter(map.curves));
+        }
     }
-    const std::vector<BatchStatistic> statistics = batchStatistics(curves);
+    writeBatch(request, map, noMap);
+    printVerdicts(map.curves);
+    const std::vector<BatchStatistic> statistics = batchStatistics(map.curves);
     for (const BatchStatistic& row : statistics) {
         std::cout << "median " << row.key << ' ' << row.median << ' ' << row.unit << ", spread "
                   << row.spread << ", of " << row.count << " curves\n";
     }
+    if (request.all && !noMap.empty()) {
+        std::cout << "no maps.gwy: " << noMap << '\n';
+    }
     if (statistics.empty()) {
-        throw Error("none of the " + std::to_string(curves.size()) + " curves could be fitted");
+        throw Error("none of the " + std::to_string(map.curves.size()) + " curves could be fitted");
     }
 }
 
@@ -168,8 +244,8 @@ std::vector<AreaSample> areaOf(const std::string& file) {
 }
 
 void fit(FitRequest request) {
-    requireOutputFolder(request.out, request.curves.size() > 1 ? batchFolder() : fitFolder(),
-                        request.force);
+    const bool isBatch = request.all || request.curves.size() > 1;
+    requireOutputFolder(request.out, isBatch ? batchFolder() : fitFolder(), request.force);
     PreparationOptions& steps = request.fit.curve.preparation;
     if (!request.probe.empty()) {
         steps.stiffness = stiffnessBySader(request.probe);
@@ -182,7 +258,7 @@ void fit(FitRequest request) {
     if (!request.area.empty()) {
         request.fit.curve.tip->area = areaOf(request.area);
     }
-    request.curves.size() > 1 ? fitMany(request) : fitOne(request);
+    isBatch ? fitMany(request) : fitOne(request);
 }
 
 }  // namespace

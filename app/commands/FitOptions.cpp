@@ -245,6 +245,11 @@ void addFitOptions(CLI::App& command, FitRequest& request) {
                     "for fits.csv and fits.json");
     addForce(command, request.force);
     addCurveFileOptions(command, request.read);
+    command
+        .add_flag("--all", request.all,
+                  "fit all curves of each file, on all cores; of one file whose curves lie on a "
+                  "grid, maps.gwy has the results as images")
+        ->excludes(command.get_option("--index"));
     addModelOptions(command, request);
     addSampleOptions(command, request);
     addLeverOptions(command, request);

@@ -16,6 +16,7 @@ struct FitRequest {
     std::string out;
     bool force = false;
     CurveFileOptions read;
+    bool all = false;            ///< curves of each file, not one
     std::string probe;           ///< file of a probe, for Sader's method; empty: none
     std::string spectrum;        ///< file of a thermal spectrum; empty: none
     double temperature = 295.0;  ///< of the lever [K]

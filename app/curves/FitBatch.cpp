@@ -17,7 +17,8 @@ namespace {
 /// Values of the table, each with its deviations.
 constexpr std::array kBatchKeys{"youngs_modulus_pa",     "youngs_modulus_sqrt_radius_pa_m05",
                                 "work_of_adhesion_j_m2", "work_of_adhesion_radius_n",
-                                "contact_point_m",       "stiffness_n_m"};
+                                "pull_off_force_n",      "contact_point_m",
+                                "stiffness_n_m"};
 constexpr std::array kBatchResiduals{"rms_approach_contact", "rms_contact", "rms_forward_cycle"};
 
 /// The quantile of sorted values, linear between them.
@@ -94,8 +95,8 @@ void writeFitTable(const std::filesystem::path& path, const std::vector<FittedCu
                                      row.key.c_str(), row.median, row.spread, row.unit.c_str(),
                                      row.count));
     }
-    std::vector<std::string> columns{"file",  "index",         "verdict",
-                                     "model", "force_range_n", "noise_n"};
+    std::vector<std::string> columns{"file",    "index", "x_m",           "y_m",
+                                     "verdict", "model", "force_range_n", "noise_n"};
     for (const std::string key : kBatchKeys) {
         columns.insert(columns.end(), {key, key + "_std", key + "_std_calibration"});
     }
@@ -103,7 +104,10 @@ void writeFitTable(const std::filesystem::path& path, const std::vector<FittedCu
     columns.emplace_back("flags");
     CsvWriter csv(path, comments, columns);
     for (const FittedCurve& curve : curves) {
-        csv.add(curve.file).add(static_cast<double>(curve.index)).add(verdictOf(curve));
+        constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+        csv.add(curve.file).add(static_cast<double>(curve.index));
+        csv.add(curve.position ? curve.position->x : kUnknown);
+        csv.add(curve.position ? curve.position->y : kUnknown).add(verdictOf(curve));
         csv.add(curve.found.model).add(curve.found.forceRange).add(curve.found.noise);
         for (const char* key : kBatchKeys) {
             addValueCells(csv, curve.found, key);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/identify/cycle/CycleIdentification.h"
+#include "core/io/curves/StoredCurves.h"
 
 #include <cstddef>
 #include <filesystem>
@@ -13,10 +14,12 @@ namespace asperity {
 
 /// A curve of a file that was fitted.
 struct FittedCurve {
-    std::string file;                     ///< as the user gave it
-    std::size_t index = 0;                ///< in the file
-    std::string sha256;                   ///< of the file
-    std::string error = {};               ///< why it could not be read; empty: it was
+    std::string file;        ///< as the user gave it
+    std::size_t index = 0;   ///< in the file
+    std::string sha256;      ///< of the file
+    std::string error = {};  ///< why it could not be read; empty: it was
+    std::optional<CurvePosition> position = {};
+    std::optional<CurveCell> cell = {};   ///< in the grid of its file
     std::string heightChannel = {};       ///< that the base was read from
     std::vector<std::string> notes = {};  ///< of the reader
     CurveIdentification found = {};

@@ -57,8 +57,9 @@ std::vector<SceneField> materialFields(SceneGroup group, Access access) {
             [](auto& scene) -> auto& { return Access{}(scene).workOfAdhesion; }),
         at(
             group, "retract_work_of_adhesion_j_m2",
-            {"Work on retract", "Of adhesion, while a contact shrinks, under a law of JKR; 0: the same",
-             "mJ/m²", kMilli},
+            {"Work on retract",
+             "Of adhesion, while a contact shrinks, under a law of JKR; 0: the same", "mJ/m²",
+             kMilli},
             {0.0, 1e3, "lie between 0 and 1e3"},
             [](auto& scene) -> auto& { return Access{}(scene).retractWork; }),
         at(

@@ -478,27 +478,7 @@ CycleBranch withoutBaseline(const BranchSamples& branch, const CurveBaseline& li
     return result;
 }
 
-}  // namespace
-
-MeasuredCycle measuredCycle(const PreparedCurve& curve) {
-    const CurveBaseline& line = curve.baseline;
-    MeasuredCycle cycle;
-    cycle.approach = withoutBaseline(curve.approach, line, 0.0);
-    cycle.dwell = withoutBaseline(curve.dwell, line, 0.0);
-    cycle.retract = withoutBaseline(curve.retract, line, line.retractOffset);
-    cycle.stiffness = curve.stiffness;
-    cycle.noise = line.noise;
-    return cycle;
-}
-
-CurveIdentification identifyCurve(const MeasuredForceCurve& curve, const CycleFitOptions& options) {
-    if (options.isPlain()) {
-        CurveFitOptions elastic = options.curve;
-        elastic.fitsRetract = options.branch == FittedBranch::Retract;
-        elastic.judgesRetract = options.branch != FittedBranch::Approach;
-        return identifyElastic(curve, elastic);
-    }
-    requireTogether(options);
+CurveIdentification identifyCycle(const MeasuredForceCurve& curve, const CycleFitOptions& options) {
     CurveIdentification result;
     result.model = nameOf(options.law);
     result.tip = options.curve.tip;
@@ -516,6 +496,49 @@ CurveIdentification identifyCurve(const MeasuredForceCurve& curve, const CycleFi
         result.model = nameOf(options.law);
         result.reasons = {error.what()};
     }
+    return result;
+}
+
+/// Adds the strongest pull of the retract, as measured.
+void addPullOff(const CalibrationDeviations& off, CurveIdentification& result) {
+    const std::vector<double>& force = result.retract.corrected;
+    if (result.verdict == FitVerdict::Refused || force.empty()) {
+        return;
+    }
+    const double pull = std::max(0.0, -*std::min_element(force.begin(), force.end()));
+    result.parameters.push_back({.key = "pull_off_force_n",
+                                 .value = pull,
+                                 .std = result.noise,
+                                 .stdCalibration = pull * std::hypot(off.stiffness, off.invols),
+                                 .unit = "N",
+                                 .source = ValueSource::Measured});
+}
+
+}  // namespace
+
+MeasuredCycle measuredCycle(const PreparedCurve& curve) {
+    const CurveBaseline& line = curve.baseline;
+    MeasuredCycle cycle;
+    cycle.approach = withoutBaseline(curve.approach, line, 0.0);
+    cycle.dwell = withoutBaseline(curve.dwell, line, 0.0);
+    cycle.retract = withoutBaseline(curve.retract, line, line.retractOffset);
+    cycle.stiffness = curve.stiffness;
+    cycle.noise = line.noise;
+    return cycle;
+}
+
+CurveIdentification identifyCurve(const MeasuredForceCurve& curve, const CycleFitOptions& options) {
+    if (!options.isPlain()) {
+        requireTogether(options);
+        CurveIdentification result = identifyCycle(curve, options);
+        addPullOff(options.curve.deviations, result);
+        return result;
+    }
+    CurveFitOptions elastic = options.curve;
+    elastic.fitsRetract = options.branch == FittedBranch::Retract;
+    elastic.judgesRetract = options.branch != FittedBranch::Approach;
+    CurveIdentification result = identifyElastic(curve, elastic);
+    addPullOff(options.curve.deviations, result);
     return result;
 }
 

@@ -1,3 +1,4 @@
+#include "core/io/heightmap/ScanFile.h"
 #include "core/io/tables/CsvTable.h"
 #include "tests/app/ProgramRun.h"
 #include "tests/support/ReferenceTable.h"
@@ -11,8 +12,10 @@
 #include <fstream>
 #include <iomanip>
 #include <nlohmann/json.hpp>
+#include <span>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace asperity {
 namespace {
@@ -120,6 +123,28 @@ TEST_F(FitCommand, ItsSceneSnapsInAndPullsOffAsTheFit) {
         << material;
 }
 
+/// Two works of adhesion are felt, recorded and replayed.
+TEST_F(FitCommand, ASceneOfTwoWorksReplaysToTheBit) {
+    const std::string scene =
+        scratch
+            .write("scene.toml",
+                   "[sample]\nshape = \"plane\"\nyoungs_modulus_pa = 2e6\n"
+                   "work_of_adhesion_j_m2 = 0.04\nretract_work_of_adhesion_j_m2 = 0.06\n"
+                   "[tip]\nradius_m = 1e-6\n[physics]\nlaw = \"jkr_sphere\"\n"
+                   "[approach]\nsetpoint_n = 50e-9\n")
+            .string();
+    const std::string out = scratch.file("run").string();
+    const auto run = test::runProgram("explore " + scene + " --no-pictures --out " + out);
+    ASSERT_EQ(run.exitCode, 0) << run.output;
+    const std::vector<double> force =
+        readCsv(scratch.file("run") / "force_log.csv").numbers("model_fz_n");
+    EXPECT_LT(*std::min_element(force.begin(), force.end()), -0.2e-6)
+        << "the pull of the work on retract, 1.5 pi w R = 0.28 uN";
+    const auto again = test::runProgram("replay " + out + " --out " + scratch.file("2").string());
+    EXPECT_EQ(again.exitCode, 0) << again.output;
+    EXPECT_NE(again.output.find("bit-identical"), std::string::npos) << again.output;
+}
+
 TEST_F(FitCommand, SaysWhyThereIsNoScene) {
     for (const auto& [options, reason] :
          {std::pair{"--tip cone:20deg", "that of the fit is a cone"},
@@ -162,6 +187,36 @@ TEST_F(FitCommand, OfManyCurvesABadOneEndsNothing) {
     const auto statistics = json("fits.json")["statistics"]["youngs_modulus_pa"];
     EXPECT_EQ(statistics["count"], 2);
     EXPECT_EQ(fit("missing.csv other.csv --force").exitCode, 1);
+}
+
+TEST_F(FitCommand, FitsAllCurvesOfAMapIntoImages) {
+    const std::filesystem::path volume =
+        test::sharedData("curves/original/20200903_Egel2.0_00023.spm");
+    if (volume.empty()) {
+        GTEST_SKIP() << "../shared/data is not beside this checkout";
+    }
+    const auto run = fit(volume.string() + " --tip pyramid4:20deg --all");
+    ASSERT_EQ(run.exitCode, 0) << run.output;
+    const CsvTable table = readCsv(scratch.file("out") / "fits.csv");
+    ASSERT_EQ(table.rows(), 256U);
+    const std::filesystem::path path = scratch.file("out") / "maps.gwy";
+    const ScanFile maps(path);
+    const ScanChannel& modulus = channelNamed(maps.contents(), path, "Young's modulus");
+    ASSERT_EQ(modulus.map.columns, 16);
+    ASSERT_EQ(modulus.map.rows, 16);
+    maps.forEachRow(modulus, [&](int row, std::span<const double> values) {
+        for (std::size_t column = 0; column < values.size(); ++column) {
+            const std::size_t curve = (static_cast<std::size_t>(15 - row) * 16) + column;
+            EXPECT_EQ(std::isfinite(values[column]), table.text(curve, "verdict") != "refused");
+            if (std::isfinite(values[column])) {
+                EXPECT_EQ(values[column], table.number(curve, "youngs_modulus_pa")) << curve;
+            }
+        }
+    });
+    EXPECT_NE(test::runProgram("info " + (scratch.file("out") / "maps.gwy").string())
+                  .output.find("Adhesion force, deviation by noise"),
+              std::string::npos);
+    EXPECT_EQ(fit(volume.string() + " --all --index 3 --force").exitCode, 2);
 }
 
 TEST_F(FitCommand, TellsUsageFromFiles) {

@@ -108,6 +108,16 @@ TEST(TickAllocation, NorDoesAnyLawSolverOrControl) {
     expectNoAllocation(buildScene(description, test::hillyMap()));
 }
 
+TEST(TickAllocation, NorDoTwoWorksOfAdhesion) {
+    SceneDescription description = test::plainScene();
+    description.sample.material.retractWork = 1.5 * description.sample.material.workOfAdhesion;
+    description.truth.material = description.sample.material;
+    for (const ContactLaw law : {ContactLaw::Jkr, ContactLaw::SphereJkr}) {
+        description.choices.law = law;
+        expectNoAllocation(buildScene(description, test::hillyMap()));
+    }
+}
+
 TEST(TickAllocation, NorDoesACoupling) {
     SceneDescription description = test::plainScene();
     description.settings.coupling = {.stiffness = 400.0, .damping = 3.0, .proxyDamping = 3.0};

@@ -34,6 +34,56 @@ TEST(TipEquilibrium, BalancesLeverAndContactOnAFlatSample) {
     EXPECT_NEAR(state.contact.indentation, -state.tip.z(), 1e-15);
 }
 
+/// The contact opens by another work of adhesion than it closes by.
+Scene withTwoWorks(const HeightMap& map, double ratio) {
+    SceneDescription description = test::plainScene();
+    description.choices.law = ContactLaw::Jkr;
+    description.sample.material.friction = {};
+    description.sample.material.retractWork = ratio * description.sample.material.workOfAdhesion;
+    description.truth.material = description.sample.material;
+    return buildScene(description, map);
+}
+
+TEST(TipEquilibrium, AReversalHoldsTheContactAndNoCycleGivesEnergy) {
+    const Scene scene = withTwoWorks(test::flatMap(), 1.5);
+    EquilibriumMemory memory;
+    double work = 0.0;  // of the base on the tip
+    double z = 20.0_nm;
+    double force = 0.0;
+    double lowest = 0.0;
+    const auto go = [&](double target) {
+        constexpr int kSteps = 500;
+        const double from = z;
+        for (int i = 1; i <= kSteps; ++i) {
+            const double next = from + ((target - from) * i / kSteps);
+            const TipState state = tipEquilibrium(scene.surface, scene.belief,
+                                                  {.position = {64.0_nm, 64.0_nm, next}}, memory);
+            ASSERT_TRUE(state.converged) << next;
+            work -= 0.5 * (state.force.z() + force) * (next - z);
+            z = next;
+            force = state.force.z();
+            lowest = std::min(lowest, force);
+        }
+    };
+    go(-3.0_nm);
+    const double radius = memory.points[0].contact.contactRadius;
+    EXPECT_GT(radius, 0.0);
+    const double pressed = force;
+    const double spent = work;
+    go(-2.99_nm);
+    EXPECT_EQ(memory.points[0].contact.contactRadius, radius);
+    go(-3.0_nm);
+    EXPECT_NEAR(force, pressed, 1e-9 * pressed);
+    EXPECT_NEAR(work, spent, 1e-6 * spent) << "a small motion lost energy";
+    for (const double target : {0.5_nm, -1.0_nm, 1.0_nm, -2.0_nm, 20.0_nm}) {
+        go(target);
+    }
+    EXPECT_EQ(force, 0.0);
+    EXPECT_GT(work, 0.0);
+    const ContactModel one = scene.belief.contact.shrinking();
+    EXPECT_NEAR(lowest / one.lastBonded(kMaxCompliance).force, 1.0, 0.02);
+}
+
 TEST(TipEquilibrium, ForceIsAlongTheNormalOfASlopeWithoutFriction) {
     const Scene scene = frictionless(test::slopedMap(0.5));
     EquilibriumMemory memory;

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <optional>
 #include <string>
 
 namespace asperity {
@@ -53,6 +54,32 @@ TEST(TermChecks, WhatTheSampleHasNotIsRefused) {
     scene.sample.material.workOfAdhesion = 0.0;
     EXPECT_EQ(refusalOf(scene),
               "[fidelity]: adhesion cannot be on: the sample's work_of_adhesion_j_m2 is 0");
+}
+
+TEST(TermChecks, TwoWorksOfAdhesionNeedALawOfJkrAndMoreOnRetract) {
+    const auto refusal = [](std::optional<ContactLaw> law, double retractWork, bool isTruth) {
+        SceneDescription scene = test::plainScene();
+        scene.choices.law = law;
+        SampleMaterial& material = isTruth ? scene.truth.material : scene.sample.material;
+        material.retractWork = retractWork;
+        try {
+            checkScene(scene);
+        } catch (const Error& error) {
+            return std::string(error.what());
+        }
+        return std::string();
+    };
+    const double work = test::plainScene().sample.material.workOfAdhesion;
+    EXPECT_EQ(refusal(ContactLaw::SphereJkr, 1.2 * work, false), "");
+    EXPECT_EQ(refusal(ContactLaw::Jkr, work, true), "");
+    EXPECT_NE(refusal(ContactLaw::Jkr, 0.9 * work, false).find("at least work_of_adhesion_j_m2"),
+              std::string::npos);
+    for (const std::optional<ContactLaw> law :
+         {std::optional<ContactLaw>(), std::optional(ContactLaw::Split)}) {
+        EXPECT_EQ(refusal(law, 1.2 * work, true),
+                  "[truth]: retract_work_of_adhesion_j_m2 needs [physics] law jkr or jkr_sphere, "
+                  "whose contacts have an edge");
+    }
 }
 
 TEST(TermChecks, ALawAndItsTermsAreNotBothSaid) {
