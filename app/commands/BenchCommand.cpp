@@ -34,6 +34,7 @@ constexpr Measurement kMeasurements[] = {{"closest-point", "asperity_surface_ben
                                          {"fit", "asperity_fit_bench"},
                                          {"contact", "asperity_contact_bench"},
                                          {"load", "asperity_load_bench"},
+                                         {"curves", "asperity_curve_bench"},
                                          {"needs", "asperity_needs_bench"},
                                          {"feedback", "asperity_feedback_bench"},
                                          {"view", "asperity_view_bench"},
