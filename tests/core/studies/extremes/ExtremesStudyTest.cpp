@@ -283,7 +283,9 @@ TEST(ShareOut, EndsWhatOtherThreadsDoWhenItIsCanceled) {
     } progress;
     std::atomic<int> running = 0;
     const auto untilCanceled = [&](int /*index*/, const CancelCheck& check) {
-        progress.canceled = ++running > 1 || std::thread::hardware_concurrency() == 1;
+        if (++running > 1 || std::thread::hardware_concurrency() == 1) {
+            progress.canceled = true;  // never false again: the other thread may come here later
+        }
         for (;;) {
             check();
             std::this_thread::sleep_for(std::chrono::milliseconds(1));
