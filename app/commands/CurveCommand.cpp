@@ -14,6 +14,8 @@
 #include "core/haptics/cycle/CurveBranch.h"
 #include "core/io/scene/SceneFile.h"
 #include "core/io/tables/CsvWriter.h"
+#include "core/probe/TimedCurve.h"
+#include "core/scene/BelievedModel.h"
 #include "core/scene/SampleMaterials.h"
 #include "core/scene/SceneDescription.h"
 #include "core/scene/TipValidity.h"
@@ -55,6 +57,7 @@ struct CurveCase {
     ContactModel model;
     double compliance = 0.0;  ///< along the normal [m/N]
     std::string why;          ///< why this law
+    TimeTerms time;           ///< of sample and liquid
 };
 
 constexpr double kMinStiffness = 1e-6;       // [N/m]
@@ -102,8 +105,8 @@ CurveCase caseOf(const SceneDescription& scene, ContactLaw law, const std::strin
                  double compliance) {
     const SampleMaterial& material = scene.sample.material;
     const ContactPair pair = contactPair(scene, material);
-    return {scene, material, ContactModel(law, pair, contactOptions(scene, material)), compliance,
-            why};
+    return {scene,      material, ContactModel(law, pair, contactOptions(scene, material)),
+            compliance, why,      timeTerms(scene, material)};
 }
 
 /// The case of the scene's material, and another for comparison where the law is not the usual one.
@@ -113,9 +116,7 @@ void addCases(const SceneDescription& scene, double compliance, std::vector<Curv
         throw Error("a curve is of one material, and this sample has maps of several: give a "
                     "--material, or take one pixel by `asperity map --region`");
     }
-    const LawChoice choice =
-        chooseLaw(scene.choices.law, contactPair(scene, scene.sample.material),
-                  scene.sample.material.filmThickness, scene.tip.coneHalfAngle);
+    const LawChoice choice = lawFor(scene, scene.sample.material);
     cases.push_back(caseOf(scene, choice.law, whyOf(choice), compliance));
     if (!scene.choices.law && choice.law == ContactLaw::SphereSplit) {
         cases.push_back(caseOf(scene, ContactLaw::Split,
@@ -211,6 +212,7 @@ struct CurveOptions {
     int points = 500;
     std::optional<BaseRange> base;   ///< none: as the curve needs
     std::optional<double> setpoint;  ///< that ends the approach [N]; none: as the curve needs
+    std::optional<double> speed;     ///< of the base [m/s]; none: slow
     std::string out;
     std::string figure;
 };
@@ -219,7 +221,8 @@ struct CurveOptions {
 struct CurveResult {
     CurveCase asked;
     ForceCurve curve;
-    LandmarkBudgets budgets;
+    LandmarkBudgets budgets;  ///< of a slow curve
+    double speed = 0.0;       ///< of the base [m/s]; 0: slow
 };
 
 /// "-20nm:5nm", from far to deep; none where it is not that.
@@ -246,6 +249,23 @@ void addBaseOption(CLI::App& command, std::optional<BaseRange>& base) {
                                                   text + "'";
             },
             "FROM:TO"));
+}
+
+void addSpeedOption(CLI::App& command, std::optional<double>& speed) {
+    const auto parsed = [](const std::string& text) {
+        const std::optional<double> value = parseQuantity(text, "m/s");
+        return value && *value > 0.0 ? value : std::nullopt;
+    };
+    command
+        .add_option_function<std::string>(
+            "--speed", [&speed, parsed](const std::string& text) { speed = parsed(text); },
+            "speed of the base, such as 5um/s, for a sample that relaxes or a liquid that drags")
+        ->check(CLI::Validator(
+            [parsed](const std::string& text) {
+                return parsed(text) ? std::string()
+                                    : "expected a speed such as 5um/s, not '" + text + "'";
+            },
+            "SPEED"));
 }
 
 CLI::Validator pngName() {
@@ -321,7 +341,7 @@ std::string coneText(const ContactModel& model) {
 /// "adhesion force 17.9 nN ± 2 (tip radius, adhesion)", a line for each number that the curve
 /// has.
 void addBudgets(const CurveResult& result, std::vector<std::string>& lines) {
-    if (!result.asked.scene.uncertainty.enabled) {
+    if (!result.asked.scene.uncertainty.enabled || result.speed > 0.0) {
         return;
     }
     for (const LandmarkRow& row : kEnumTable<Landmark>) {
@@ -348,6 +368,9 @@ std::vector<std::string> summary(const CurveResult& result) {
     if (hardnessOf(asked.material).source == HardnessSource::Estimated) {
         lines.push_back("  hardness " + hardnessText(asked.material));
     }
+    if (result.speed > 0.0) {
+        lines.push_back("  the base moves at " + formatSi(result.speed, "m/s"));
+    }
     addBudgets(result, lines);
     addFlagged(result, lines);
     return lines;
@@ -366,11 +389,12 @@ void writeBranch(CsvWriter& csv, const CurveResult& result, CurveBranch branch,
 }
 
 void writeCurves(std::ostream& out, const std::vector<CurveResult>& results, Progress* progress) {
-    std::vector<std::string> comments{std::string("Asperity ") + kVersion +
-                                          ": quasi-static approach and retract curves",
-                                      "base position > 0 towards the sample, 0 where tip and "
-                                      "sample would first touch; both sides "
-                                      "of a snap-in or pull-off have the same base position"};
+    std::vector<std::string> comments{
+        std::string("Asperity ") + kVersion +
+            ": approach and retract curves, slow unless they say how fast the base moves",
+        "base position > 0 towards the sample, 0 where tip and "
+        "sample would first touch; both sides "
+        "of a snap-in or pull-off have the same base position"};
     for (const CurveResult& result : results) {
         const std::vector<std::string> lines = summary(result);
         comments.insert(comments.end(), lines.begin(), lines.end());
@@ -439,6 +463,29 @@ ForceCurvePlan planFor(const CurveCase& asked, const CurveOptions& options) {
     return plan;
 }
 
+/// @throw Error where the forces depend on a speed that is not given
+CurveResult curveOf(const CurveCase& asked, const CurveOptions& options) {
+    constexpr double kFarFromTheWall = 20.0;  // offsets of the drag: a twentieth of it is left
+    ForceCurvePlan plan = planFor(asked, options);
+    if (asked.time.drags() && !options.base) {
+        plan.farthest = std::min(plan.farthest, -kFarFromTheWall * asked.time.dragOffset);
+    }
+    if (!asked.time.any()) {
+        return {
+            asked, forceCurve(asked.model, asked.compliance, plan),
+            budgetsOf(asked.scene, asked.model, asked.compliance, options.setpoint.value_or(0.0))};
+    }
+    if (!options.speed) {
+        throw Error("the sample relaxes or a liquid drags the tip, so the curve depends on how "
+                    "fast the base moves: give --speed");
+    }
+    return {asked,
+            timedCurve(asked.model, asked.time, asked.compliance,
+                       {.way = plan, .speed = *options.speed, .setpoint = options.setpoint}),
+            {},
+            *options.speed};
+}
+
 void curve(const CurveOptions& options) {
     std::vector<std::string> inputs = options.request.materials;
     inputs.push_back(options.request.scene);
@@ -448,10 +495,7 @@ void curve(const CurveOptions& options) {
     }
     std::vector<CurveResult> results;
     for (const CurveCase& asked : curveCases(options.request)) {
-        const ForceCurvePlan plan = planFor(asked, options);
-        results.push_back({asked, forceCurve(asked.model, asked.compliance, plan),
-                           budgetsOf(asked.scene, asked.model, asked.compliance,
-                                     options.setpoint.value_or(0.0))});
+        results.push_back(curveOf(asked, options));
         if (const std::optional<ShapeDescription>& shape = asked.scene.sample.shape;
             shape && shape->kind != ShapeKind::Plane && results.size() == 1) {
             std::cerr << "note: the curve is that of a flat sample, not of the scene's "
@@ -484,6 +528,7 @@ void addCurveCommand(CLI::App& program) {
     command->get_option("--setpoint")
         ->description("force that ends the approach, such as 5nN; default: the strongest pull")
         ->excludes(command->get_option("--base"));
+    addSpeedOption(*command, options->speed);
     addTableFile(*command, options->out);
     command->add_option("--figure", options->figure, "picture to write (.png)")->check(pngName());
     command->callback([options] { curve(*options); });

@@ -100,14 +100,17 @@ void addComparison(const ModelComparison& comparison, std::vector<std::string>& 
     }
 }
 
-/// Calls write(branch key, branch) for each branch that the curve has.
+/// Calls write(branch key, whether it was fitted, branch) for each branch that the curve has.
 void forEachBranch(const CurveIdentification& found,
-                   const std::function<void(const char*, const ComparedBranch&)>& write) {
-    write("approach", found.approach);
+                   const std::function<void(const char*, bool, const ComparedBranch&)>& write) {
+    write("approach", found.fitsApproach, found.approach);
     if (!found.retract.corrected.empty()) {
-        write("retract", found.retract);
+        write("retract", found.fitsRetract, found.retract);
     }
 }
+
+/// Of a branch: it was fitted, or follows from a fit to the other one.
+const char* roleOf(bool isFitted) { return isFitted ? "fitted" : "predicted"; }
 
 double valueOf(const CurveIdentification& found, const std::string& key) {
     const IdentifiedValue* const value = found.find(key);
@@ -214,15 +217,16 @@ void writeMeasuredCurve(const std::filesystem::path& path, const FittedCurve& cu
     CsvWriter csv(path, headerOf(curve, "measured curve"),
                   {"branch", "time_s", "base_m", "deflection_m", "force_n", "corrected_force_n",
                    "separation_m"});
-    forEachBranch(curve.found, [&](const char* key, const ComparedBranch& branch) {
-        const BranchSamples& measured = branch.measured;
-        for (std::size_t i = 0; i < measured.size(); ++i) {
-            csv.add(key).add(measured.time.empty() ? std::numeric_limits<double>::quiet_NaN()
-                                                   : measured.time[i]);
-            csv.add(measured.base[i]).add(measured.force[i] / stiffness).add(measured.force[i]);
-            csv.add(branch.corrected[i]).add(branch.separation[i]).endRow();
-        }
-    });
+    forEachBranch(
+        curve.found, [&](const char* key, bool /*isFitted*/, const ComparedBranch& branch) {
+            const BranchSamples& measured = branch.measured;
+            for (std::size_t i = 0; i < measured.size(); ++i) {
+                csv.add(key).add(measured.time.empty() ? std::numeric_limits<double>::quiet_NaN()
+                                                       : measured.time[i]);
+                csv.add(measured.base[i]).add(measured.force[i] / stiffness).add(measured.force[i]);
+                csv.add(branch.corrected[i]).add(branch.separation[i]).endRow();
+            }
+        });
     csv.close();
 }
 
@@ -230,11 +234,12 @@ void writeSimulatedCurve(const std::filesystem::path& path, const FittedCurve& c
     CsvWriter csv(path,
                   headerOf(curve, "force_n and separation_m simulated from the motion of the base "
                                   "alone, fitted_force_n at the measured indentation"),
-                  {"branch", "base_m", "force_n", "separation_m", "fitted_force_n"});
-    forEachBranch(curve.found, [&](const char* key, const ComparedBranch& branch) {
+                  {"branch", "role", "base_m", "force_n", "separation_m", "fitted_force_n"});
+    forEachBranch(curve.found, [&](const char* key, bool isFitted, const ComparedBranch& branch) {
         const std::vector<double> separation = simulatedSeparation(curve.found, branch);
         for (std::size_t i = 0; i < branch.forward.size(); ++i) {
-            csv.add(key).add(branch.measured.base[i]).add(branch.forward[i]);
+            csv.add(key).add(roleOf(isFitted));
+            csv.add(branch.measured.base[i]).add(branch.forward[i]);
             csv.add(separation[i]).add(branch.fitted[i]).endRow();
         }
     });
@@ -254,16 +259,16 @@ void writeFitFigure(const std::filesystem::path& path, const FittedCurve& curve)
     overBase.xRange.reset();
     overBase.title.clear();
     overBase.xLabel = "base position towards the sample";
-    forEachBranch(curve.found, [&](const char* key, const ComparedBranch& branch) {
+    forEachBranch(curve.found, [&](const char* key, bool isFitted, const ComparedBranch& branch) {
         const std::string name = std::string(", ") + key;
+        const std::string simulated = "simulated" + name + ", " + roleOf(isFitted);
         overSeparation.curves.push_back(
             lineOf("measured" + name, branch.separation, branch.corrected, true));
         overBase.curves.push_back(
             lineOf("measured" + name, branch.measured.base, branch.corrected, true));
-        overSeparation.curves.push_back(lineOf(
-            "simulated" + name, simulatedSeparation(curve.found, branch), branch.forward, false));
-        overBase.curves.push_back(
-            lineOf("simulated" + name, branch.measured.base, branch.forward, false));
+        overSeparation.curves.push_back(
+            lineOf(simulated, simulatedSeparation(curve.found, branch), branch.forward, false));
+        overBase.curves.push_back(lineOf(simulated, branch.measured.base, branch.forward, false));
     });
     const std::array charts{overSeparation, overBase};
     writePng(path, layOut(charts, {.width = 1600.0, .height = 700.0, .columns = 2}));

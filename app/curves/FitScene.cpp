@@ -43,14 +43,19 @@ std::string sourceText(const FittedCurve& curve) {
 }
 
 SampleMaterial materialOf(const FittedCurve& curve) {
+    const double modulus = numberOf(curve, "youngs_modulus_pa", 0.0);
     const double work = numberOf(curve, "work_of_adhesion_j_m2", 0.0);
     const bool hasTwoWorks = curve.found.find("work_of_adhesion_approach_j_m2") != nullptr;
     return {.name = printable(std::filesystem::path(curve.file).stem().string()),
             .source = sourceText(curve),
-            .elastic = {.youngsModulus = numberOf(curve, "youngs_modulus_pa", 0.0),
+            .elastic = {.youngsModulus = numberOf(curve, "long_term_modulus_pa", modulus),
                         .poissonRatio = numberOf(curve, "poisson_ratio", 0.5)},
             .workOfAdhesion = numberOf(curve, "work_of_adhesion_approach_j_m2", work),
             .retractWork = hasTwoWorks ? work : 0.0,
+            .relaxingModulus = numberOf(curve, "relaxing_modulus_pa", 0.0),
+            .relaxationTime = numberOf(curve, "relaxation_time_s", 0.0),
+            .drag = numberOf(curve, "drag_n_s", 0.0),
+            .dragOffset = numberOf(curve, "drag_offset_m", 0.0),
             .friction = {.coefficient = 0.0, .shearStrength = 0.0},
             .filmThickness = numberOf(curve, "film_thickness_m", 0.0)};
 }
@@ -80,9 +85,10 @@ toml::table uncertaintyTable(const FittedCurve& curve) {
         const char* parameter;
         UncertaintyInput input;
     };
-    constexpr std::array<Row, 5> kRows{{{"stiffness_n_m", UncertaintyInput::Stiffness},
+    constexpr std::array<Row, 6> kRows{{{"stiffness_n_m", UncertaintyInput::Stiffness},
                                         {"tip_radius_m", UncertaintyInput::TipRadius},
                                         {"youngs_modulus_pa", UncertaintyInput::Modulus},
+                                        {"long_term_modulus_pa", UncertaintyInput::Modulus},
                                         {"work_of_adhesion_j_m2", UncertaintyInput::WorkOfAdhesion},
                                         {"cohesive_range_m", UncertaintyInput::CohesiveRange}}};
     toml::table table;

@@ -159,6 +159,7 @@ struct ContactState {
     double contactRadius = 0.0;   ///< [m]
     double cohesiveRadius = 0.0;  ///< outer radius of the cohesive zone [m]
     double stiffness = 0.0;       ///< d(force)/d(indentation) [N/m]
+    double drag = 0.0;            ///< part of the force: of a liquid on the moving tip [N]
     double energyLost = 0.0;      ///< dissipated by a jump that led into this state [J]
     double coordinate = 0.0;      ///< on the law's curve, for ContactMemory
     ContactBranch branch = ContactBranch::Far;

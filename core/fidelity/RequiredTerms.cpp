@@ -106,7 +106,9 @@ public:
             if (!isOfSurface(need.term)) {
                 weigh(need);
             }
-            const bool isBound = need.term == ModelTerm::GlobalSearch && !tipFits;
+            // No sampled run is as fast as a hand may be.
+            const bool isBound = (need.term == ModelTerm::GlobalSearch && !tipFits) ||
+                                 need.term == ModelTerm::Relaxation || need.term == ModelTerm::Drag;
             // What matters alone stays, also where other errors would make up for it.
             if (!isOfSurface(need.term) && has(needs_.full, need.term) && !need.overruled &&
                 !isBound && need.effect <= needs_.tolerance) {
@@ -396,6 +398,13 @@ TermFact factOf(ModelTerm term, const Scene& scene, const ModelRun& run) {
     case ModelTerm::BodyAttraction:
         return {largestOf(
             run, [](const TipState& s) { return std::abs(s.body.at(s.contact.indentation)); })};
+    case ModelTerm::RetractWork:
+        return {material.retractWork / material.workOfAdhesion};
+    case ModelTerm::Relaxation:
+        return {1.0 + (material.relaxingModulus / material.elastic.youngsModulus),
+                material.relaxationTime};
+    case ModelTerm::Drag:
+        return {material.drag / material.dragOffset};
     case ModelTerm::Friction:
         return {material.friction.coefficient, material.friction.shearStrength};
     case ModelTerm::Torsion: {

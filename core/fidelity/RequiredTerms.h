@@ -104,7 +104,8 @@ inline constexpr double kLongestTick = 1e-3;  ///< of scenes whose model is fitt
 /// On sampled runs and cycles (SampledRuns) it leaves out one term after another, the least effect
 /// first, as long as each alone and all together stay within the tolerance in every quantity. Terms
 /// that the description settles stay as they are. The search for other closest points stays
-/// wherever the scan has a hollow that the tip does not fit, whatever the runs meet. The error is
+/// wherever the scan has a hollow that the tip does not fit, whatever the runs meet; relaxation and
+/// drag stay where the sample has them, whose effect depends on how fast a hand is. The error is
 /// that of the model against the whole model (wholeModel(), under the law that leaves out least),
 /// and that of the whole by each term that its law has no room for, weighed by the same pairs of
 /// models as in TickStudy and added as squares. Decisions are reproducible, times
@@ -121,6 +122,9 @@ RequiredTerms fitModel(Scene& scene, double longestTick = kLongestTick,
 /// - curvature of the sample, global search: the largest of sample and of hollows over the tip's;
 ///   infinite for the search on a shape, which may come near at several positions;
 /// - body attraction: the largest force of it [N];
+/// - work on retract: over that on approach;
+/// - relaxation: how much stiffer the sample is at once, and its time [s];
+/// - drag: in contact [N s/m];
 /// - friction: coefficient and shear strength [Pa];
 /// - torsion: how the tip yields across the lever, over its yielding along z;
 /// - tilt: of the mount [rad].

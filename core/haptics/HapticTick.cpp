@@ -167,7 +167,7 @@ bool holdsTip(const Scene& scene, const BaseMotion& tip, const Vector3& compensa
     EquilibriumMemory tried = memory;
     const TipState state =
         tipEquilibrium(scene.believedSurface(), scene.belief,
-                       {tip.position - compensation, tip.velocity}, tried, tracker);
+                       {tip.position - compensation, tip.velocity, tip.elapsed}, tried, tracker);
     return state.converged && !state.contact.jumped && !state.locked &&
            (state.tip - tip.position).norm() <= kHeldWithin;
 }
@@ -268,7 +268,7 @@ BaseCommand commandBase(const Scene& scene, const TickInput& input, const TickMe
         command.guide = stepGuide(input, commandedPosition(memory), memory.guide);
         command.proxy = moveProxy(input, command.device.motion, command.guide, memory.proxy);
         const Vector3 step = settings.positionGain * command.proxy.coupling.motion;
-        command.base = {memory.base + step, step / input.timeStep};
+        command.base = {memory.base + step, step / input.timeStep, input.timeStep};
     }
     if (!tipControl) {
         return command;
@@ -277,7 +277,7 @@ BaseCommand commandBase(const Scene& scene, const TickInput& input, const TickMe
     command.compensation = controlled ? memory.compensation : memory.model.deflection;
     const BaseMotion tip{memory.started ? Vector3(command.base.position + command.compensation)
                                         : command.base.position,
-                         command.base.velocity};
+                         command.base.velocity, command.base.elapsed};
     const TipState held =
         heldTip(scene.believedSurface(), scene.belief, tip, memory.model, tracker);
     const Vector3 deflection = scene.belief.cantilever.compliance() * held.force;

@@ -450,6 +450,8 @@ CurveIdentification identifyElastic(const MeasuredForceCurve& curve,
     result.model += options.tip ? keyOf(options.tip->kind) : "tip not named";
     result.tip = options.tip;
     result.law = sceneLaw(options);
+    result.fitsApproach = !options.fitsRetract;
+    result.fitsRetract = options.fitsRetract;
     try {
         const ElasticCase elastic = caseOf(curve, options);
         result.steps = elastic.curve.steps;

@@ -97,6 +97,8 @@ struct CurveIdentification {
     double forceRange = 0.0;     ///< of the cycle [N]
     double noise = 0.0;          ///< of the force [N]
     std::optional<TipForm> tip;  ///< that was named
+    bool fitsApproach = true;    ///< false: it is predicted
+    bool fitsRetract = false;    ///< same
     ComparedBranch approach;
     ComparedBranch retract;
 

@@ -238,6 +238,14 @@ MapPlan planMap(const Scene& scene, const MapRequest& request) {
                        .quantities = quantitiesOf(request),
                        .truth = request.truth};
     requireDeviations(scene, plan);
+    const SceneDescription& description = scene.description;
+    const SampleMaterial& material =
+        plan.truth ? description.truth.material : description.sample.material;
+    if (material.dependsOnTime()) {
+        throw Error(
+            "a map is of slow cycles, and this sample relaxes or drags the tip in a liquid: "
+            "its forces depend on the speed. `asperity curve --speed` has one cycle");
+    }
     return plan;
 }
 

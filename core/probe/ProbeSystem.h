@@ -5,6 +5,7 @@
 #include "core/probe/CantileverModes.h"
 #include "core/probe/DetectorCalibration.h"
 #include "core/probe/MaterialMaps.h"
+#include "core/probe/TimedContact.h"
 
 #include <memory>
 
@@ -42,6 +43,7 @@ struct ProbeSystem {
     ContactModel contact;
     Cantilever cantilever;
     Friction friction;
+    TimeTerms time = {};    ///< of sample and liquid
     bool curvature = true;  ///< whether the sample's curvature at the closest point counts
     /// The sample that attracts the tip beside its contacts, see bodyForce(); null: none does.
     std::shared_ptr<const HeightMoments> beside = nullptr;

@@ -50,7 +50,8 @@ constexpr double kSoftest = 0.1;     // of a lever's stiffness that attraction b
 
 bool TipContactPoint::followSample(const ProbeSystem& system) noexcept {
     radius = radiusAt(foot, system);
-    const ContactPair pair = system.pairAt(foot.point, radius.radius);
+    ContactPair pair = system.pairAt(foot.point, radius.radius);
+    pair.reducedModulus *= timed.stiffening();
     const Friction now = system.frictionAt(foot.point);
     if (!needsNewSolution(pair, model.pair()) &&
         !needsNewSolution(now.coefficient, friction.coefficient)) {
@@ -64,7 +65,8 @@ bool TipContactPoint::followSample(const ProbeSystem& system) noexcept {
 void TipContactPoint::hold(double tipRadius, const Vector3& velocity) noexcept {
     constexpr double kHeld = 0.0;  // compliance [m/N]
     slip = slidingOf(foot.normal, velocity).slip();
-    contact = model.equilibrium(tipRadius - foot.distance, kHeld, memory.contact);
+    contact = timed.equilibrium(model, tipRadius - foot.distance, kHeld, memory.contact,
+                                tipRadius - foot.distance);
     force = contact.force * foot.normal + memory.friction * slip;
 }
 
@@ -89,7 +91,7 @@ double TipContactPoint::area() const noexcept {
 
 double TipContactPoint::frictionForce() const noexcept {
     const double touching = area();
-    return touching > 0.0 ? std::max(0.0, friction.coefficient * contact.force +
+    return touching > 0.0 ? std::max(0.0, friction.coefficient * (contact.force - contact.drag) +
                                               friction.shearStrength * touching)
                           : 0.0;
 }

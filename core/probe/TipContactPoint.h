@@ -15,6 +15,7 @@ namespace asperity {
 struct TipContactPoint {
     ClosestPoint foot;  ///< closest point of the surface
     ClosestPointMemory memory;
+    TimedContact timed;
     ContactModel model;
     Friction friction;
     EffectiveRadius radius;

@@ -231,12 +231,17 @@ private:
         } else if (points_.size() == kMaxContactPoints) {
             state_.proof = SearchProof::TooManyPoints;
         } else {
+            TimeTerms terms = system_.time;
+            if (!points_.empty()) {
+                terms.drag = 0.0;  // the liquid flows out of one gap
+            }
             points_.push_back({.foot = foot,
                                .memory = known,
+                               .timed = {terms, known.time, base_.elapsed},
                                .model = system_.contact,
                                .friction = system_.friction,
                                .radius = {},
-                               .contact = {}});
+                               .contact = {.indentation = known.time.indentation}});
         }
     }
 
@@ -333,8 +338,9 @@ private:
         const double approach = system_.tipRadius() - closest.foot.distance +
                                 normal.dot(deflection_ - lever.offset) -
                                 across * (closest.memory.friction - ofLoad);
-        closest.contact = closest.model.equilibrium(approach, slides ? withFriction : along,
-                                                    closest.memory.contact);
+        closest.contact =
+            closest.timed.equilibrium(closest.model, approach, slides ? withFriction : along,
+                                      closest.memory.contact, closest.contact.indentation);
         closest.memory.contact.coordinate = closest.contact.coordinate;
         closest.memory.friction = closest.frictionForce();
         closest.force = closest.contact.force * normal + closest.memory.friction * closest.slip;
@@ -446,9 +452,11 @@ private:
             if (memory.pointCount > 0 && isFar) {
                 continue;
             }
-            memory.points[memory.pointCount++] = {.guess = closest.foot.guess(),
-                                                  .contact = closest.contact.memory(),
-                                                  .friction = closest.memory.friction};
+            memory.points[memory.pointCount++] = {
+                .guess = closest.foot.guess(),
+                .contact = closest.contact.memory(),
+                .time = closest.timed.after(closest.model, closest.contact),
+                .friction = closest.memory.friction};
         }
     }
 

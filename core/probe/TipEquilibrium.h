@@ -3,10 +3,12 @@
 #include "core/Vector.h"
 #include "core/contact/ContactState.h"
 #include "core/contact/laws/ContactModel.h"
+#include "core/probe/TimedContact.h"
 #include "core/surface/closest/ClosestPointTracker.h"
 
 #include <array>
 #include <cstddef>
+#include <limits>
 
 namespace asperity {
 
@@ -18,12 +20,15 @@ struct ProbeSystem;
 struct BaseMotion {
     Vector3 position = Vector3::Zero();  ///< [m]
     Vector3 velocity = Vector3::Zero();  ///< [m/s]
+    /// Since the state of before [s]; infinite: as long as everything takes to come to rest.
+    double elapsed = std::numeric_limits<double>::infinity();
 };
 
 /// Memory of one closest point of the tip.
 struct ClosestPointMemory {
     SearchGuess guess;
     ContactMemory contact;
+    TimeMemory time;
     double friction = 0.0;  ///< tangential force [N]
 };
 

@@ -20,10 +20,29 @@ Cantilever believedLever(CantileverGeometry geometry, const ForceModelOptions& m
 
 }  // namespace
 
+LawChoice lawFor(const SceneDescription& scene, const SampleMaterial& material) {
+    const LawChoice choice = chooseLaw(scene.choices.law, contactPair(scene, material),
+                                       material.filmThickness, scene.tip.coneHalfAngle);
+    if (scene.choices.law || !material.hasTwoWorks()) {
+        return choice;
+    }
+    return {isSphere(choice.law) ? ContactLaw::SphereJkr : ContactLaw::Jkr, LawReason::TwoWorks};
+}
+
+TimeTerms timeTerms(const SceneDescription& scene, const SampleMaterial& material) {
+    Elastic atOnce = material.elastic;
+    atOnce.youngsModulus += material.relaxingModulus;
+    return {.relaxingShare = (reducedModulus(atOnce, scene.tip.elastic) /
+                              reducedModulus(material.elastic, scene.tip.elastic)) -
+                             1.0,
+            .relaxationTime = material.relaxationTime > 0.0 ? material.relaxationTime : 1.0,
+            .drag = material.drag,
+            .dragOffset = material.dragOffset > 0.0 ? material.dragOffset : 1.0};
+}
+
 LawChoice usualLaw(const SceneDescription& scene) {
     const ModelChoices& choices = scene.choices;
-    LawChoice law = chooseLaw(choices.law, contactPair(scene, scene.sample.material),
-                              scene.sample.material.filmThickness, scene.tip.coneHalfAngle);
+    LawChoice law = lawFor(scene, scene.sample.material);
     if (choices.law) {
         return law;
     }
@@ -41,6 +60,10 @@ LawChoice usualLaw(const SceneDescription& scene) {
 ForceModelOptions usualModel(const SceneDescription& scene) {
     ForceModelOptions model = optionsOf(scene.choices);
     model.law = usualLaw(scene).law;
+    for (const ModelTerm term : kMaterialTerms) {
+        model.*traitsOf(term).option =
+            choiceOf(term, scene.choices).value_or(isPossible(term, scene));
+    }
     return model;
 }
 
@@ -63,9 +86,20 @@ ProbeSystem believedSystem(const SceneDescription& scene, const ForceModelOption
     const SampleMaterial& material = scene.sample.material;
     ContactOptions options = contactOptions(scene, material);
     options.solver = model.solver;
+    if (!has(model, ModelTerm::RetractWork)) {
+        options.adhesionRatio = 1.0;
+    }
+    TimeTerms time = timeTerms(scene, material);
+    if (!has(model, ModelTerm::Relaxation)) {
+        time.relaxingShare = 0.0;
+    }
+    if (!has(model, ModelTerm::Drag)) {
+        time.drag = 0.0;
+    }
     return {.contact = ContactModel(model.law, contactPair(scene, material), options),
             .cantilever = believedLever(scene.probe, model),
             .friction = model.friction ? material.friction : Friction{},
+            .time = time,
             .curvature = model.curvature};
 }
 
@@ -74,12 +108,12 @@ ProbeSystem trueSystem(const SceneDescription& description) {
     CantileverGeometry probe = description.probe;
     probe.thickness = thicknessForStiffness(probe, truth.stiffness);
     const SampleMaterial& material = truth.material;
-    const ContactPair pair = contactPair(description, material);
-    const LawChoice choice = chooseLaw(description.choices.law, pair, material.filmThickness,
-                                       description.tip.coneHalfAngle);
-    return {.contact = ContactModel(choice.law, pair, contactOptions(description, material)),
+    return {.contact =
+                ContactModel(lawFor(description, material).law, contactPair(description, material),
+                             contactOptions(description, material)),
             .cantilever = Cantilever(probe),
-            .friction = material.friction};
+            .friction = material.friction,
+            .time = timeTerms(description, material)};
 }
 
 InstrumentTruth truthOf(const Scene& scene) {

@@ -8,6 +8,13 @@
 
 namespace asperity {
 
+/// The contact law for a material of a scene: as chooseLaw(), and a law of JKR where the material
+/// has two works of adhesion. @throw Error as chooseLaw()
+[[nodiscard]] LawChoice lawFor(const SceneDescription& scene, const SampleMaterial& material);
+
+/// Terms of a material of a scene that depend on time, all of them.
+[[nodiscard]] TimeTerms timeTerms(const SceneDescription& scene, const SampleMaterial& material);
+
 /// The contact law of a scene's model before it is fitted, as the scene says or as its materials
 /// require, and why. @throw Error as chooseLaw()
 [[nodiscard]] LawChoice usualLaw(const SceneDescription& scene);

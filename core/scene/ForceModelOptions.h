@@ -21,6 +21,9 @@ struct ForceModelOptions {
     bool mountTilt = true;        ///< of the lever against the scan's plane
     bool curvature = true;        ///< of the sample at the closest point: effective radius
     bool bodyAttraction = false;  ///< of the tip by the sample beside the contact
+    bool retractWork = false;     ///< of adhesion, another one than that on approach
+    bool relaxation = false;      ///< of the sample
+    bool drag = false;            ///< of the liquid on the tip
 
     bool operator==(const ForceModelOptions&) const = default;
 };

@@ -27,6 +27,9 @@ struct ModelChoices {
     std::optional<bool> mountTilt = {};
     std::optional<bool> curvature = {};
     std::optional<bool> bodyAttraction = {};
+    std::optional<bool> retractWork = {};
+    std::optional<bool> relaxation = {};
+    std::optional<bool> drag = {};
 
     bool operator==(const ModelChoices&) const = default;
 };

@@ -38,6 +38,12 @@ ForceModelOptions switched(ForceModelOptions model, ModelTerm term, bool on) {
         if (on && term == ModelTerm::BodyAttraction && !hasTail(model.law)) {
             model.law = switched(model.law, ModelTerm::VanDerWaalsTail, true);
         }
+        if (on && term == ModelTerm::RetractWork && !isJkr(model.law)) {
+            model.law = isSphere(model.law) ? ContactLaw::SphereJkr : ContactLaw::Jkr;
+        }
+        if (on && term == ModelTerm::Relaxation && isAdhesive(model.law)) {
+            model.law = switched(model.law, ModelTerm::Adhesion, false);
+        }
         model.*option = on;
     } else if (isOfLaw(term)) {
         model.law = switched(model.law, term, on);
@@ -58,6 +64,8 @@ bool exclude(ModelTerm a, ModelTerm b) noexcept {
         return (a == one && b == other) || (a == other && b == one);
     };
     return are(ModelTerm::SphereCorrection, ModelTerm::SampleCurvature) ||
+           are(ModelTerm::RetractWork, ModelTerm::VanDerWaalsTail) ||
+           are(ModelTerm::Relaxation, ModelTerm::Adhesion) ||
            (a != b && isOfLaw(a) && isOfLaw(b) &&
             (a == ModelTerm::FilmBase || b == ModelTerm::FilmBase));
 }
@@ -72,6 +80,12 @@ bool isPossible(ModelTerm term, const SceneDescription& scene) noexcept {
         return material.workOfAdhesion >= kMinAdhesion && !scene.sample.shape;
     case ModelTerm::FilmBase:
         return material.filmThickness > 0.0;
+    case ModelTerm::RetractWork:
+        return material.hasTwoWorks();
+    case ModelTerm::Relaxation:
+        return material.relaxingModulus > 0.0;
+    case ModelTerm::Drag:
+        return material.drag > 0.0;
     default:
         return true;
     }
@@ -91,6 +105,10 @@ bool has(const ForceModelOptions& model, ModelTerm term) noexcept {
         return model.curvature && !isSphere(model.law);
     case ModelTerm::BodyAttraction:
         return model.bodyAttraction && hasTail(model.law);
+    case ModelTerm::RetractWork:
+        return model.retractWork && isJkr(model.law);
+    case ModelTerm::Relaxation:
+        return model.relaxation && !isAdhesive(model.law);
     case ModelTerm::GlobalSearch:
         return model.closestPointSearch != SearchEffort::Local;
     case ModelTerm::OutsideDisplacement:

@@ -20,6 +20,9 @@ enum class ModelTerm : std::uint8_t {
     FilmBase,             ///< rigid, under a film: the film stiffens
     SampleCurvature,      ///< effective radius at the closest point
     BodyAttraction,       ///< of the tip by the sample beside the contact
+    RetractWork,          ///< of adhesion: a contact costs more to open than its closing gave
+    Relaxation,           ///< of the sample under load
+    Drag,                 ///< of the liquid between tip and sample
     Friction,             ///< of the tip on the sample
     Torsion,              ///< of the lever, under a force across it
     MountTilt,            ///< of the lever against the scan
@@ -52,6 +55,11 @@ inline constexpr auto kEnumTable<ModelTerm> = std::to_array<ModelTermTraits>(
       &ForceModelOptions::curvature},
      {ModelTerm::BodyAttraction, "body_attraction", "body attraction",
       &ModelChoices::bodyAttraction, &ForceModelOptions::bodyAttraction, false},
+     {ModelTerm::RetractWork, "retract_work", "work on retract", &ModelChoices::retractWork,
+      &ForceModelOptions::retractWork, false},
+     {ModelTerm::Relaxation, "relaxation", "relaxation", &ModelChoices::relaxation,
+      &ForceModelOptions::relaxation, false},
+     {ModelTerm::Drag, "drag", "drag", &ModelChoices::drag, &ForceModelOptions::drag, false},
      {ModelTerm::Friction, "friction", "friction", &ModelChoices::friction,
       &ForceModelOptions::friction},
      {ModelTerm::Torsion, "torsion", "lever torsion", &ModelChoices::torsion,
@@ -65,9 +73,14 @@ inline constexpr auto kEnumTable<ModelTerm> = std::to_array<ModelTermTraits>(
 inline constexpr auto kModelTerms = kValues<ModelTerm>;
 
 /// Terms that a model simply has or has not, whatever its law.
-inline constexpr std::array kSwitchedTerms{ModelTerm::Friction, ModelTerm::Torsion,
-                                           ModelTerm::MountTilt, ModelTerm::SampleCurvature,
-                                           ModelTerm::BodyAttraction};
+inline constexpr std::array kSwitchedTerms{ModelTerm::Friction,       ModelTerm::Torsion,
+                                           ModelTerm::MountTilt,      ModelTerm::SampleCurvature,
+                                           ModelTerm::BodyAttraction, ModelTerm::RetractWork,
+                                           ModelTerm::Relaxation,     ModelTerm::Drag};
+
+/// Those of them that a model has where the sample has something to put in.
+inline constexpr std::array kMaterialTerms{ModelTerm::RetractWork, ModelTerm::Relaxation,
+                                           ModelTerm::Drag};
 
 [[nodiscard]] constexpr const ModelTermTraits& traitsOf(ModelTerm term) noexcept {
     return *rowOf(term);
@@ -84,7 +97,8 @@ inline constexpr std::array kSwitchedTerms{ModelTerm::Friction, ModelTerm::Torsi
 }
 
 /// Returns whether no contact law has both: that of the exact sphere treats the sample as flat; the
-/// film's has no adhesion and no exact sphere.
+/// film's has no adhesion and no exact sphere; two works of adhesion need an edge, which no law
+/// with a tail has; a sample that relaxes has no adhesion.
 [[nodiscard]] bool exclude(ModelTerm a, ModelTerm b) noexcept;
 
 /// Returns whether the sample has what the term is about: adhesion, a film, a topography around the

@@ -53,9 +53,21 @@ void checkRetractWork(const SceneDescription& scene, const SampleMaterial& mater
     require(material.retractWork >= material.workOfAdhesion,
             key + "must be 0 or at least work_of_adhesion_j_m2: a contact that opened more easily "
                   "than it closed would give energy");
-    require(scene.choices.law && isJkr(*scene.choices.law),
-            key + "needs [physics] law jkr or jkr_sphere, whose contacts have an edge");
+    require(!scene.choices.law || isJkr(*scene.choices.law),
+            key + "needs [physics] law jkr, jkr_sphere or auto, whose contacts have an edge");
     require(!scene.meniscus.present(), key + "does not go with a meniscus");
+}
+
+/// The values of a term come together.
+void checkTime(const SampleMaterial& material, const std::string& where) {
+    require((material.relaxingModulus > 0.0) == (material.relaxationTime > 0.0),
+            where + ": a sample that relaxes needs both relaxing_modulus_pa and relaxation_time_s");
+    require((material.drag > 0.0) == (material.dragOffset > 0.0),
+            where + ": drag needs both drag_n_s and drag_offset_m");
+    require(!(material.relaxingModulus > 0.0) || material.workOfAdhesion < kMinAdhesion,
+            where +
+                ": a sample with relaxing_modulus_pa must have work_of_adhesion_j_m2 = 0: how a "
+                "contact relaxes is known without adhesion only");
 }
 
 void checkLeveling(const SampleDescription& sample) {
@@ -114,10 +126,15 @@ double widestWindow(const ShapeDescription& shape) {
 
 void checkOn(const SceneDescription& scene, ModelTerm term) {
     if (!isPossible(term, scene)) {
-        refuse(term, term == ModelTerm::FilmBase ? "the sample's film_thickness_m is 0"
-                     : scene.sample.shape && term == ModelTerm::BodyAttraction
-                         ? "the sample is a shape, which has nothing beside the contact"
-                         : "the sample's work_of_adhesion_j_m2 is 0");
+        refuse(term,
+               term == ModelTerm::FilmBase ? "the sample's film_thickness_m is 0"
+               : term == ModelTerm::RetractWork
+                   ? "the sample's retract_work_of_adhesion_j_m2 is not above that on approach"
+               : term == ModelTerm::Relaxation ? "the sample's relaxing_modulus_pa is 0"
+               : term == ModelTerm::Drag       ? "the sample's drag_n_s is 0"
+               : scene.sample.shape && term == ModelTerm::BodyAttraction
+                   ? "the sample is a shape, which has nothing beside the contact"
+                   : "the sample's work_of_adhesion_j_m2 is 0");
     }
     for (const ModelTerm other : kModelTerms) {
         if (exclude(term, other) && choiceOf(other, scene.choices) == true) {
@@ -178,13 +195,13 @@ ContactPair contactPair(const SceneDescription& scene, const SampleMaterial& mat
 }
 
 ContactOptions contactOptions(const SceneDescription& scene, const SampleMaterial& material) {
-    const bool hasTwoWorks = material.retractWork > 0.0 && material.workOfAdhesion > 0.0;
     return {.cohesiveStress = material.workOfAdhesion / scene.cohesiveRange,
             .filmThickness = material.filmThickness,
             .film = {.poissonRatio = material.elastic.poissonRatio,
                      .share = sampleShare(material.elastic, scene.tip.elastic)},
             .coneHalfAngle = scene.tip.coneHalfAngle,
-            .adhesionRatio = hasTwoWorks ? material.retractWork / material.workOfAdhesion : 1.0,
+            .adhesionRatio =
+                material.hasTwoWorks() ? material.retractWork / material.workOfAdhesion : 1.0,
             .meniscus = scene.meniscus,
             .solver = scene.choices.solver};
 }
@@ -198,6 +215,8 @@ void checkScene(const SceneDescription& scene) {
     check(scene.truth.material, "[truth]");
     checkRetractWork(scene, scene.sample.material, "[sample]");
     checkRetractWork(scene, scene.truth.material, "[truth]");
+    checkTime(scene.sample.material, "[sample]");
+    checkTime(scene.truth.material, "[truth]");
     check(scene.sample);
     if (scene.tip.shape().hasCone()) {
         checkLawHasCone(scene);

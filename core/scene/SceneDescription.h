@@ -40,6 +40,11 @@ struct SampleMaterial {
     double workOfAdhesion = 0.066;  ///< w of the pair tip-sample [J/m^2]
     /// The same while a contact shrinks, of the laws of JKR [J/m^2]; 0: the same.
     double retractWork = 0.0;
+    /// What the modulus has more at once than after a long time, E_1 [Pa]; 0: it does not relax.
+    double relaxingModulus = 0.0;
+    double relaxationTime = 0.0;  ///< of that part [s]; 0: it does not relax
+    double drag = 0.0;            ///< C = 6 pi eta R^2 of tip and liquid [N s]; 0: none
+    double dragOffset = 0.0;      ///< h_off: gap that the liquid keeps in contact [m]
     Friction friction{.coefficient = 0.3, .shearStrength = 0.0};
     /// Mean pressure under a plastic indent [Pa]; 0: not known, see hardnessOf().
     double hardness = 0.0;
@@ -50,6 +55,14 @@ struct SampleMaterial {
     MaterialSources maps;
 
     bool operator==(const SampleMaterial&) const = default;
+
+    [[nodiscard]] bool hasTwoWorks() const noexcept {
+        return workOfAdhesion > 0.0 && retractWork > workOfAdhesion;
+    }
+    /// Returns whether forces depend on how fast the tip moves.
+    [[nodiscard]] bool dependsOnTime() const noexcept {
+        return relaxingModulus > 0.0 || drag > 0.0;
+    }
 };
 
 /// Shapes that a sample can have without error, instead of a height map.

@@ -34,6 +34,59 @@ constexpr Limits kStiffness{1e-9, 1e9, "lie between 1e-9 and 1e9"};
 constexpr Limits kBeamLength{1e-9, 1.0, "lie between 1e-9 and 1"};
 constexpr Limits kPressure{0.0, 1e15, "lie between 0 and 1e15"};
 
+/// Makes a field of a material one that files and panels name only where it, or that of [sample],
+/// is not as in a new material.
+template <auto Member, class Access>
+void stateWhere(std::vector<SceneField>& fields, std::string_view key, Access /*access*/) {
+    const auto field = std::ranges::find(fields, key, &SceneField::key);
+    field->isStated = [](const SceneDescription& scene) {
+        const SampleMaterial usual;
+        return Access{}(scene).*Member != usual.*Member ||
+               scene.sample.material.*Member != usual.*Member;
+    };
+}
+
+/// @param access of a SampleMaterial in a scene
+template <class Access>
+std::vector<SceneField> timeFields(SceneGroup group, Access /*access*/) {
+    return {
+        at(
+            group, "relaxing_modulus_pa",
+            {"Relaxing modulus",
+             "That Young's modulus has more at once than after a long time; 0: it does not relax",
+             "kPa", kKilo},
+            {0.1, 1e30, "be 0 or lie between 0.1 and 1e30", true},
+            [](auto& scene) -> auto& { return Access{}(scene).relaxingModulus; }),
+        at(
+            group, "relaxation_time_s",
+            {"Relaxation time", "Of the relaxing modulus", "ms", kMilli},
+            {1e-9, 1e9, "be 0 or lie between 1e-9 and 1e9", true},
+            [](auto& scene) -> auto& { return Access{}(scene).relaxationTime; }),
+        at(
+            group, "drag_n_s",
+            {"Drag", "C of the force C × speed / (gap + offset) of a liquid; 0: none", "pN s",
+             1e-12},
+            {1e-30, 1.0, "be 0 or lie between 1e-30 and 1", true},
+            [](auto& scene) -> auto& { return Access{}(scene).drag; }),
+        at(
+            group, "drag_offset_m",
+            {"Drag offset", "Gap that the liquid keeps in contact", "nm", kNano},
+            {1e-12, 1.0, "be 0 or lie between 1e-12 and 1", true},
+            [](auto& scene) -> auto& { return Access{}(scene).dragOffset; }),
+    };
+}
+
+/// The truth's are those of [sample] where it states none.
+template <class Access>
+void stateWhatIsSet(std::vector<SceneField>& fields, Access access) {
+    stateWhere<&SampleMaterial::source>(fields, "source", access);
+    stateWhere<&SampleMaterial::retractWork>(fields, "retract_work_of_adhesion_j_m2", access);
+    stateWhere<&SampleMaterial::relaxingModulus>(fields, "relaxing_modulus_pa", access);
+    stateWhere<&SampleMaterial::relaxationTime>(fields, "relaxation_time_s", access);
+    stateWhere<&SampleMaterial::drag>(fields, "drag_n_s", access);
+    stateWhere<&SampleMaterial::dragOffset>(fields, "drag_offset_m", access);
+}
+
 /// @param access of a SampleMaterial in a scene
 template <class Access>
 std::vector<SceneField> materialFields(SceneGroup group, Access access) {
@@ -88,13 +141,8 @@ std::vector<SceneField> materialFields(SceneGroup group, Access access) {
             {1e-12, 1.0, "be 0 or lie between 1e-12 and 1", true},
             [](auto& scene) -> auto& { return Access{}(scene).filmThickness; }),
     };
-    // The truth's are those of [sample] where it states none.
-    fields[1].isStated = [](const SceneDescription& scene) {
-        return !Access{}(scene).source.empty() || !scene.sample.material.source.empty();
-    };
-    fields[5].isStated = [](const SceneDescription& scene) {
-        return Access{}(scene).retractWork > 0.0 || scene.sample.material.retractWork > 0.0;
-    };
+    std::ranges::move(timeFields(group, access), std::back_inserter(fields));
+    stateWhatIsSet(fields, access);
     std::ranges::move(materialMapFields(group, access), std::back_inserter(fields));
     return fields;
 }
@@ -215,6 +263,9 @@ std::vector<SceneField> fidelityFields() {
         term<&ModelChoices::filmBase>("film_base", "Film's base"),
         term<&ModelChoices::curvature>("curvature", "Sample curvature"),
         term<&ModelChoices::bodyAttraction>("body_attraction", "Body attraction"),
+        term<&ModelChoices::retractWork>("retract_work", "Work on retract"),
+        term<&ModelChoices::relaxation>("relaxation", "Relaxation"),
+        term<&ModelChoices::drag>("drag", "Drag"),
         term<&ModelChoices::friction>("friction", "Friction"),
         term<&ModelChoices::torsion>("torsion", "Lever torsion"),
         term<&ModelChoices::mountTilt>("mount_tilt", "Mount tilt"),

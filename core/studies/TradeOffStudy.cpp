@@ -343,10 +343,14 @@ std::vector<ForceModelOptions> tickModels(const Scene& scene) {
             }
             for (const SearchEffort effort :
                  {SearchEffort::Local, SearchEffort::Global, SearchEffort::Certified}) {
-                all.push_back(ofForce({.law = law,
-                                       .solver = solver,
-                                       .closestPointSearch = effort,
-                                       .bodyAttraction = attracts}));
+                ForceModelOptions model{.law = law,
+                                        .solver = solver,
+                                        .closestPointSearch = effort,
+                                        .bodyAttraction = attracts};
+                for (const ModelTerm term : kMaterialTerms) {
+                    model.*traitsOf(term).option = isInScene(term, scene);
+                }
+                all.push_back(ofForce(model));
             }
         }
     }

@@ -21,6 +21,7 @@ constexpr std::array kLawReasons{
     "set by the scene's terms",
     "auto: no adhesion",
     "auto: a film, no adhesion",
+    "auto: two works of adhesion",
     "auto: no adhesion, a tip with a cone",
     "below 0.3: Maugis-Dugdale, exact from DMT to JKR, with its van der Waals tail before contact",
     "above 0.3: paraboloid not valid, exact sphere used"};
@@ -41,6 +42,13 @@ std::string factText(ModelTerm term, const TermFact& fact) {
         return formatted("sample curvature up to %.2g of the tip's curvature", amount);
     case ModelTerm::BodyAttraction:
         return formatted("the sample beside contacts pulls with up to %.3g nN", 1e9 * amount);
+    case ModelTerm::RetractWork:
+        return formatted("the work on retract is %.3g times that on approach", amount);
+    case ModelTerm::Relaxation:
+        return formatted("the modulus is %.3g times as high at once as after %.3g s", amount,
+                         other);
+    case ModelTerm::Drag:
+        return formatted("drag of %.3g nN s/m in contact", 1e9 * amount);
     case ModelTerm::Friction:
         return formatted("friction coefficient %.2g, shear strength %.2g MPa", amount,
                          1e-6 * other);
@@ -101,6 +109,12 @@ const char* whyImpossible(ModelTerm term) noexcept {
         return "the sample is no film";
     case ModelTerm::BodyAttraction:
         return "the tip is nowhere blunt on the scan, or nothing adheres";
+    case ModelTerm::RetractWork:
+        return "the sample has no other work of adhesion on retract";
+    case ModelTerm::Relaxation:
+        return "the sample does not relax";
+    case ModelTerm::Drag:
+        return "no liquid drags the tip";
     default:
         return "the materials do not adhere";
     }

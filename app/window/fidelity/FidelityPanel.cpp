@@ -172,6 +172,10 @@ void TermTable::show(const RequiredTerms& needs, const ModelChoices& choices) {
         showNeed(row, isKnown ? *need : TermNeed{}, why);
         showChoice(row, choices);
         setPossible(row, !isKnown || need->possible);
+        // Few samples have them: elsewhere they would be so many lines that say nothing.
+        setRowHidden(row,
+                     isKnown && !need->possible &&
+                         std::ranges::find(kMaterialTerms, need->term) != kMaterialTerms.end());
     }
     resizeColumnToContents(Choice);
     fitHeight();

@@ -189,6 +189,7 @@ enum class LawReason : std::uint8_t {
     TermsOfScene,  ///< of the force, on which the scene decides one by one
     NoAdhesion,
     FilmWithoutAdhesion,
+    TwoWorks,        ///< of adhesion, which need a contact with an edge
     NoAdhesionCone,  ///< and a tip whose cone the load may press in
     NarrowContact,   ///< without load: the paraboloid holds
     WideContact,     ///< without load: only the exact sphere does

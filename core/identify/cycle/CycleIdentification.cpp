@@ -451,6 +451,7 @@ void identifyRelaxing(const CycleCase& given, CurveIdentification& result) {
     const RelaxationFit fit = relaxationFit(given.cycle, options);
     result.model = std::string("elastic") + (options.relaxation ? ", relaxation" : "") +
                    (options.drag ? ", wall drag" : "");
+    result.law = options.sphere ? ContactLaw::Sneddon : ContactLaw::Hertz;
     result.parameters = fit.bounded.identified();
     addCalibration(
         given,
@@ -532,6 +533,8 @@ CurveIdentification identifyCurve(const MeasuredForceCurve& curve, const CycleFi
         requireTogether(options);
         CurveIdentification result = identifyCycle(curve, options);
         addPullOff(options.curve.deviations, result);
+        result.fitsApproach = options.branch != FittedBranch::Retract;
+        result.fitsRetract = options.branch != FittedBranch::Approach;
         return result;
     }
     CurveFitOptions elastic = options.curve;

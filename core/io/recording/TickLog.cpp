@@ -118,6 +118,10 @@ void listModel(Memory& memory, const Cell& cell) {
         cell({.front = closest, .axis = "_contact_radius_m", .later = true},
              kept.contact.contactRadius);
         cell({closest, "_friction_n"}, kept.friction);
+        cell({.front = closest, .axis = "_moved", .later = true}, kept.time.known);
+        cell({.front = closest, .axis = "_indentation_m", .later = true}, kept.time.indentation);
+        cell({.front = closest, .axis = "_load_m2", .later = true}, kept.time.load);
+        cell({.front = closest, .axis = "_relaxing_load_m2", .later = true}, kept.time.relaxing);
     }
     listVector(cell, "deflection_", memory.model.deflection, "_m");
 }

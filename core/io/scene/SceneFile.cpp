@@ -99,7 +99,9 @@ void readFidelity(const TomlSection& section, SceneDescription& scene) {
     readGroup(section, SceneGroup::Fidelity, scene);
     ModelChoices& model = scene.choices;
     const auto isStated = [&model](ModelTerm term) {
-        return term == ModelTerm::BodyAttraction || (model.*traitsOf(term).choice).has_value();
+        const bool isYounger = std::ranges::find(kMaterialTerms, term) != kMaterialTerms.end();
+        return term == ModelTerm::BodyAttraction || isYounger ||
+               (model.*traitsOf(term).choice).has_value();
     };
     if (!section.has(keyOf(ModelTerm::BodyAttraction)) &&
         std::ranges::all_of(kSwitchedTerms, isStated)) {

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <array>
+#include <numbers>
 
 namespace asperity {
 
@@ -41,12 +42,23 @@ struct TickSetting {
     double depth = 0.0;           ///< of the base below first touch, over the tip radius
 };
 
+/// What relaxes is in water, whose drag depends on the tip.
+SampleMaterial materialUnder(double tipRadius, SampleMaterial material) {
+    constexpr double kWater = 1e-3;   // viscosity [Pa s]
+    constexpr double kOffset = 0.05;  // of the drag, in tip radii
+    if (material.relaxingModulus > 0.0) {
+        material.drag = 6.0 * std::numbers::pi * kWater * tipRadius * tipRadius;
+        material.dragOffset = kOffset * tipRadius;
+    }
+    return material;
+}
+
 SceneDescription sceneOf(const RoughSample& sample, const TickSetting& setting) {
     SceneDescription scene = defaultScene();
-    scene.sample.material = setting.material;
+    scene.sample.material = materialUnder(sample.tipRadius, setting.material);
     scene.sample.smoothingPixels = 0.0;
     scene.sample.leveling = {};
-    scene.truth.material = setting.material;
+    scene.truth.material = scene.sample.material;
     scene.truth.stiffness = setting.leverStiffness;
     scene.probe.thickness = thicknessForStiffness(scene.probe, setting.leverStiffness);
     scene.tip.radius = sample.tipRadius;
@@ -311,7 +323,16 @@ std::vector<SampleMaterial> tickMaterials() {
             {.name = "silicon oxide",
              .elastic = {.youngsModulus = 70.0_GPa, .poissonRatio = 0.27},
              .workOfAdhesion = 0.2,
-             .hardness = 9.0_GPa}};
+             .hardness = 9.0_GPa},
+            {.name = "silicone rubber, two works of adhesion",
+             .elastic = {.youngsModulus = 1.0_MPa, .poissonRatio = 0.5},
+             .workOfAdhesion = 0.022,
+             .retractWork = 0.066},
+            {.name = "gel in water",
+             .elastic = {.youngsModulus = 10e3, .poissonRatio = 0.5},
+             .workOfAdhesion = 0.0,
+             .relaxingModulus = 20e3,
+             .relaxationTime = 0.05}};
 }
 
 ExtremesFindings tickExtremes(const TickGrid& grid, const RoughSample& sample,
@@ -332,6 +353,9 @@ ExtremesFindings tickExtremes(const TickGrid& grid, const RoughSample& sample,
 std::vector<SampleMaterial> holdMaterials() {
     std::vector<SampleMaterial> materials;
     for (SampleMaterial& material : tickMaterials()) {
+        if (material.hasTwoWorks() || material.dependsOnTime()) {
+            continue;  // no stiffer than the others
+        }
         materials.push_back(material);
         material.workOfAdhesion = 0.0;
         materials.push_back(material);

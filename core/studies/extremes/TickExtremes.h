@@ -7,7 +7,8 @@
 namespace asperity {
 
 /// The materials of the tick's runs: soft and wide, adhesive, stiff; silicone rubber, polystyrene,
-/// silicon oxide. Source: Vogl, Ma, Sitti (2005), table 1.
+/// silicon oxide. Source: Vogl, Ma, Sitti (2005), table 1. Then the rubber with two works of
+/// adhesion, and a gel that relaxes.
 [[nodiscard]] std::vector<SampleMaterial> tickMaterials();
 
 /// A tip on a random rough surface.
@@ -24,7 +25,7 @@ struct RoughSample {
 [[nodiscard]] ExtremesFindings tickExtremes(const TickGrid& grid, const RoughSample& sample,
                                             const CancelCheck& check);
 
-/// The materials of tickMaterials(), each with and without its adhesion.
+/// The first three of tickMaterials(), each with and without its adhesion.
 [[nodiscard]] std::vector<SampleMaterial> holdMaterials();
 
 /// A sample under a lever, asked at one rate.

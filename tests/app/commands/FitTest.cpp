@@ -145,6 +145,34 @@ TEST_F(FitCommand, ASceneOfTwoWorksReplaysToTheBit) {
     EXPECT_NE(again.output.find("bit-identical"), std::string::npos) << again.output;
 }
 
+/// A sample that relaxes in a liquid: its scene is run and replayed, and its curve needs a speed.
+TEST_F(FitCommand, ASceneOfRelaxationAndDragReplaysToTheBit) {
+    const std::filesystem::path measured =
+        test::sharedData("curves/original/fmt-jpk-fd_map-data-reference-points.jpk-force-map");
+    if (measured.empty()) {
+        GTEST_SKIP() << "../shared/data is not beside this checkout";
+    }
+    const auto fitted = fit(measured.string() + " --tip sphere:18.64um --relaxation on --drag on");
+    ASSERT_EQ(fitted.exitCode, 0) << fitted.output;
+    const std::string scene = (scratch.file("out") / "scene.toml").string();
+    const auto slow = test::runProgram("curve " + scene);
+    EXPECT_EQ(slow.exitCode, 1) << slow.output;
+    EXPECT_NE(slow.output.find("give --speed"), std::string::npos) << slow.output;
+    const std::string table = scratch.file("curve.csv").string();
+    const auto curve = test::runProgram("curve " + scene + " --speed 25um/s --out " + table);
+    ASSERT_EQ(curve.exitCode, 0) << curve.output;
+    const std::vector<double> pull = readCsv(table).numbers("force_n");
+    EXPECT_LT(*std::min_element(pull.begin(), pull.end()), -0.4e-9) << "of the drag alone";
+    const auto map = test::runProgram("map " + scene + " --out " + scratch.file("m.gwy").string());
+    EXPECT_EQ(map.exitCode, 1) << map.output;
+    const std::string out = scratch.file("run").string();
+    const auto run = test::runProgram("explore " + scene + " --no-pictures --out " + out);
+    ASSERT_EQ(run.exitCode, 0) << run.output;
+    const auto again = test::runProgram("replay " + out + " --out " + scratch.file("2").string());
+    EXPECT_EQ(again.exitCode, 0) << again.output;
+    EXPECT_NE(again.output.find("bit-identical"), std::string::npos) << again.output;
+}
+
 TEST_F(FitCommand, SaysWhyThereIsNoScene) {
     for (const auto& [options, reason] :
          {std::pair{"--tip cone:20deg", "that of the fit is a cone"},

@@ -118,6 +118,18 @@ TEST(TickAllocation, NorDoTwoWorksOfAdhesion) {
     }
 }
 
+TEST(TickAllocation, NorDoRelaxationAndDrag) {
+    SceneDescription description = test::plainScene();
+    SampleMaterial& material = description.sample.material;
+    material.workOfAdhesion = 0.0;
+    material.relaxingModulus = material.elastic.youngsModulus;
+    material.relaxationTime = 0.05;
+    material.drag = 1e-15;
+    material.dragOffset = 1e-8;
+    description.truth.material = material;
+    expectNoAllocation(buildScene(description, test::hillyMap()));
+}
+
 TEST(TickAllocation, NorDoesACoupling) {
     SceneDescription description = test::plainScene();
     description.settings.coupling = {.stiffness = 400.0, .damping = 3.0, .proxyDamping = 3.0};

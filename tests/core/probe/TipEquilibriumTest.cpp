@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace asperity {
@@ -82,6 +83,41 @@ TEST(TipEquilibrium, AReversalHoldsTheContactAndNoCycleGivesEnergy) {
     EXPECT_GT(work, 0.0);
     const ContactModel one = scene.belief.contact.shrinking();
     EXPECT_NEAR(lowest / one.lastBonded(kMaxCompliance).force, 1.0, 0.02);
+}
+
+/// A lever over a slope feels the sample relax, and a wall drag it.
+TEST(TipEquilibrium, ASampleThatRelaxesIsStiffAtOnce) {
+    SceneDescription description = test::plainScene();
+    SampleMaterial& material = description.sample.material;
+    material.workOfAdhesion = 0.0;
+    material.friction = {};
+    material.relaxingModulus = 2.0 * material.elastic.youngsModulus;
+    material.relaxationTime = 0.1;
+    material.drag = 1e-12;
+    material.dragOffset = 5.0_nm;
+    description.truth.material = material;
+    const Scene scene = buildScene(description, test::slopedMap(0.5));
+    EquilibriumMemory memory;
+    const auto at = [&](double z, double elapsed) {
+        const TipState state = tipEquilibrium(
+            scene.surface, scene.belief,
+            {.position = {64.0_nm, 64.0_nm, z}, .velocity = {}, .elapsed = elapsed}, memory);
+        EXPECT_TRUE(state.converged) << z;
+        return state;
+    };
+    at(60.0_nm, 1e-3);
+    const TipState nearing = at(59.0_nm, 1e-3);
+    EXPECT_GT(nearing.force.z(), 0.0) << "drag";
+    EXPECT_EQ(nearing.contact.contactRadius, 0.0);
+    at(31.0_nm, 1e-3);
+    const double pressed = at(30.0_nm, 1e-6).contact.indentation;
+    const TipState relaxed = at(30.0_nm, std::numeric_limits<double>::infinity());
+    EXPECT_GT(relaxed.contact.indentation, 1.2 * pressed);
+    EquilibriumMemory fresh;
+    const TipState slow = tipEquilibrium(scene.surface, scene.belief,
+                                         {.position = {64.0_nm, 64.0_nm, 30.0_nm}}, fresh);
+    EXPECT_NEAR(relaxed.force.norm() / slow.force.norm(), 1.0, 1e-12);
+    EXPECT_LT(at(50.0_nm, 1e-3).force.z(), 0.0) << "drag holds the tip back";
 }
 
 TEST(TipEquilibrium, ForceIsAlongTheNormalOfASlopeWithoutFriction) {

@@ -1,5 +1,6 @@
 #include "core/Error.h"
 #include "core/Units.h"
+#include "core/scene/BelievedModel.h"
 #include "core/scene/ModelTerm.h"
 #include "core/scene/SceneDescription.h"
 #include "tests/support/TestScenes.h"
@@ -74,12 +75,49 @@ TEST(TermChecks, TwoWorksOfAdhesionNeedALawOfJkrAndMoreOnRetract) {
     EXPECT_EQ(refusal(ContactLaw::Jkr, work, true), "");
     EXPECT_NE(refusal(ContactLaw::Jkr, 0.9 * work, false).find("at least work_of_adhesion_j_m2"),
               std::string::npos);
-    for (const std::optional<ContactLaw> law :
-         {std::optional<ContactLaw>(), std::optional(ContactLaw::Split)}) {
-        EXPECT_EQ(refusal(law, 1.2 * work, true),
-                  "[truth]: retract_work_of_adhesion_j_m2 needs [physics] law jkr or jkr_sphere, "
-                  "whose contacts have an edge");
-    }
+    EXPECT_EQ(refusal(std::nullopt, 1.2 * work, true), "");
+    EXPECT_EQ(refusal(ContactLaw::Split, 1.2 * work, true),
+              "[truth]: retract_work_of_adhesion_j_m2 needs [physics] law jkr, jkr_sphere or auto, "
+              "whose contacts have an edge");
+}
+
+/// The law that has the two works is taken where none is asked for.
+TEST(TermChecks, TwoWorksOfAdhesionChooseALawWithAnEdge) {
+    SceneDescription scene = test::plainScene();
+    scene.sample.material.retractWork = 1.2 * scene.sample.material.workOfAdhesion;
+    EXPECT_EQ(usualModel(scene).law, ContactLaw::Jkr);
+    EXPECT_TRUE(usualModel(scene).retractWork);
+    EXPECT_EQ(believedSystem(scene, usualModel(scene)).contact.adhesionRatio(), 1.2);
+    scene.choices.retractWork = false;
+    EXPECT_EQ(believedSystem(scene, usualModel(scene)).contact.adhesionRatio(), 1.0);
+}
+
+TEST(TermChecks, RelaxationAndDragNeedAllTheirValues) {
+    const auto refusal = [](const auto& change) {
+        SceneDescription scene = test::plainScene();
+        scene.sample.material.workOfAdhesion = 0.0;
+        change(scene.sample.material);
+        try {
+            checkScene(scene);
+        } catch (const Error& error) {
+            return std::string(error.what());
+        }
+        return std::string();
+    };
+    const auto relax = [](SampleMaterial& material) {
+        material.relaxingModulus = 1e3;
+        material.relaxationTime = 0.1;
+    };
+    EXPECT_EQ(refusal(relax), "");
+    EXPECT_NE(refusal([](SampleMaterial& m) { m.relaxingModulus = 1e3; }).find("relaxation_time_s"),
+              std::string::npos);
+    EXPECT_NE(refusal([](SampleMaterial& m) { m.drag = 1e-11; }).find("drag_offset_m"),
+              std::string::npos);
+    EXPECT_NE(refusal([&](SampleMaterial& m) {
+                  relax(m);
+                  m.workOfAdhesion = 0.05;
+              }).find("work_of_adhesion_j_m2 = 0"),
+              std::string::npos);
 }
 
 TEST(TermChecks, ALawAndItsTermsAreNotBothSaid) {

@@ -28,19 +28,28 @@ TradeOff study() {
     return study;
 }
 
+int rowOf(ModelTerm term) {
+    return static_cast<int>(std::ranges::find(kModelTerms, term) - kModelTerms.begin());
+}
+
 RequiredTerms needs() {
     RequiredTerms needs;
     for (const ModelTerm term : kModelTerms) {
         needs.terms.push_back({.term = term});
     }
-    needs.terms[6] = {.term = ModelTerm::Friction,
-                      .on = false,
-                      .fact = TermFact{0.3, 2e6},
-                      .effect = 0.0123,
-                      .quantity = JudgedQuantity::PullOffForce,
-                      .time = 0.52_us};
-    needs.terms[10].effect = 0.25;
-    needs.terms[10].time = 1.5_ms;
+    const auto need = [&needs](ModelTerm term) -> TermNeed& {
+        return needs.terms[static_cast<std::size_t>(rowOf(term))];
+    };
+    need(ModelTerm::Friction) = {.term = ModelTerm::Friction,
+                                 .on = false,
+                                 .fact = TermFact{0.3, 2e6},
+                                 .effect = 0.0123,
+                                 .quantity = JudgedQuantity::PullOffForce,
+                                 .time = 0.52_us};
+    // What relaxes has no adhesion, and so no two works of it.
+    need(ModelTerm::RetractWork).possible = false;
+    need(ModelTerm::OutsideDisplacement).effect = 0.25;
+    need(ModelTerm::OutsideDisplacement).time = 1.5_ms;
     needs.tolerance = 0.05;
     return needs;
 }
@@ -72,14 +81,29 @@ protected:
     FidelityPanel panel;
 };
 
+TEST_F(FidelityPanelTest, LeavesOutTermsThatFewSamplesHave) {
+    const TermTable& table = *panel.findChild<TermTable*>();
+    EXPECT_FALSE(table.isRowHidden(rowOf(ModelTerm::Relaxation)));
+    RequiredTerms rigid = needsUnder(ContactLaw::Maugis);
+    for (TermNeed& need : rigid.terms) {
+        need.possible = need.term != ModelTerm::Relaxation && need.term != ModelTerm::FilmBase;
+    }
+    panel.showModel(rigid, {}, 1e-3);
+    EXPECT_TRUE(table.isRowHidden(rowOf(ModelTerm::Relaxation)));
+    EXPECT_FALSE(table.isRowHidden(rowOf(ModelTerm::FilmBase)));
+    EXPECT_FALSE(table.isRowHidden(rowOf(ModelTerm::Drag)));
+}
+
 TEST_F(FidelityPanelTest, ShowsWhatEachTermIsWorth) {
-    EXPECT_EQ(cell(6, 0), QStringLiteral("friction"));
-    EXPECT_EQ(cell(6, 2), QStringLiteral("off"));
-    EXPECT_EQ(cell(6, 3), QStringLiteral("1.2 %, pull-off force"));
-    EXPECT_EQ(cell(6, 4), QStringLiteral("0.52 µs a tick"));
-    EXPECT_EQ(cell(6, 5), QStringLiteral("friction coefficient 0.3, shear strength 2 MPa"));
-    EXPECT_EQ(cell(10, 3), QStringLiteral("25 % of the indentation"));
-    EXPECT_EQ(cell(10, 4), QStringLiteral("1.50 ms a patch"));
+    EXPECT_EQ(cell(rowOf(ModelTerm::Friction), 0), QStringLiteral("friction"));
+    EXPECT_EQ(cell(rowOf(ModelTerm::Friction), 2), QStringLiteral("off"));
+    EXPECT_EQ(cell(rowOf(ModelTerm::Friction), 3), QStringLiteral("1.2 %, pull-off force"));
+    EXPECT_EQ(cell(rowOf(ModelTerm::Friction), 4), QStringLiteral("0.52 µs a tick"));
+    EXPECT_EQ(cell(rowOf(ModelTerm::Friction), 5),
+              QStringLiteral("friction coefficient 0.3, shear strength 2 MPa"));
+    EXPECT_EQ(cell(rowOf(ModelTerm::OutsideDisplacement), 3),
+              QStringLiteral("25 % of the indentation"));
+    EXPECT_EQ(cell(rowOf(ModelTerm::OutsideDisplacement), 4), QStringLiteral("1.50 ms a patch"));
     EXPECT_EQ(cell(0, 3), QStringLiteral("–")) << "not measured";
 }
 
@@ -124,7 +148,8 @@ TEST_F(FidelityPanelTest, EveryTermIsInSight) {
     panel.grab();
     EXPECT_LE(panel.height(), 760);
     const auto* table = panel.findChild<TermTable*>();
-    EXPECT_LE(table->visualItemRect(table->item(10, 0)).bottom(), table->viewport()->height());
+    EXPECT_LE(table->visualItemRect(table->item(rowOf(ModelTerm::OutsideDisplacement), 0)).bottom(),
+              table->viewport()->height());
     for (int row = 0; row < table->rowCount(); ++row) {
         for (int column = 2; column < 5; ++column) {
             EXPECT_LE(table->fontMetrics().horizontalAdvance(cell(row, column)),

