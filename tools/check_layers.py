@@ -97,7 +97,7 @@ ARROWS = {
     "app/recording": "app/runs core/io/heightmap core/io/zip",
     "app/loading": "app/recording core/io/loading",
     "app/charts": "core/io vtkplugins/pictures",
-    "app/curves": "app/charts app/program core/identify/cycle core/io/curves core/io/heightmap/gwy"
+    "app/curves": "app/charts app/runs core/identify/cycle core/io/curves core/io/heightmap/gwy"
                   " core/io/scene core/io/tables",
     "app/reports": "app/charts app/runs core/io/fields core/studies core/studies/extremes ui/view",
     "app/reports/page": "app/charts",
@@ -108,7 +108,7 @@ ARROWS = {
     "app/window/live": "ui/shell",
     "app/window": "app/exports app/window/live",
     "app/window/*": "app/window",
-    "app/window/curve": "app/window core/io/curves",
+    "app/window/curve": "app/curves app/window",
     "app/window/device": "app/window hardware",
     "app/window/map": "app/maps app/window",
     "app/window/study": "app/experiment app/window hardware/driver",
@@ -123,7 +123,7 @@ ARROWS = {
     "cmake": "",  # sources that CMake adds to programs
 }
 # folders that include whatever they measure or test; beside them each folder of the product has its tests
-FREE = re.compile(r"bench(/(contact|fidelity|haptics|io|map|probe|program|scaling|surface))?"
+FREE = re.compile(r"bench(/(contact|curves|fidelity|haptics|io|map|probe|program|scaling|surface))?"
                   r"|tests/(bench(/scaling)?|fuzz|support|vtkplugins)")
 
 # headers of others that belong to some places only

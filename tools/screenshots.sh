@@ -2,7 +2,8 @@
 # Makes the pictures of docs/pictures again: of the live window, from the scene that comes with the
 # program, or from the scan named, in both window sizes of docs/window.md, of its fidelity panel and
 # with the simulated device; of the first window, measuring, dark, and on a large screen; of cycles;
-# and of deformed surfaces, docs/deformation.md, on samples made up for them.
+# of deformed surfaces, docs/deformation.md, on samples made up for them; and, where ../shared/data is beside the
+# checkout, of the measured force curves of docs/measured.md.
 # Usage: tools/screenshots.sh [FILE or SCENE.toml [OUT_FOLDER]]
 set -euo pipefail
 top=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
@@ -66,3 +67,52 @@ done
 state section granular_film 1280 800 1 window_dark dark
 state section granular_film 1920 1080 2 window_4k dark
 "$top/build/release/bin/asperity_deformation_pictures" "$out"
+
+# Measured curves with their fits, in sheets.
+curves=$top/../shared/data/curves/original
+[ -d "$curves" ] || exit 0
+mkdir "$moments/fits"
+fit() {  # NAME FILE OPTION ...; files are drawn in the order of their names
+    "$top/build/release/bin/asperity" fit "$curves/$2" "${@:3}" --out "$moments/fit_$1" >/dev/null
+    convert "$moments/fit_$1/fit.png" -resize 800x -set label "$1: ${2#fmt-*_} ${*:3}" "$moments/fits/$1.png"
+}
+sheet() {  # NAME: of all fits since the last one
+    montage "$moments"/fits/*.png -tile 2x -geometry +4+4 -font DejaVu-Sans -pointsize 14 "$out/measured_$1.png"
+    pngquant --force --ext .png --speed 1 --quality 70-95 "$out/measured_$1.png"
+    rm -r "$moments"/fit_* "$moments"/fits/*.png
+}
+bead=(--tip paraboloid:18.64um)
+moving=(--relaxation on --drag on)
+map=fmt-jpk-fd_map-data-reference-points.jpk-force-map
+fit a "$map" --tip sphere:18.64um
+fit b "$map" "${bead[@]}" --law jkr
+fit c "$map" "${bead[@]}" "${moving[@]}"
+fit d "$map" --index 1 --tip sphere:18.64um
+fit e "$map" --index 1 "${bead[@]}" "${moving[@]}"
+flipped=fmt-jpk-fd_flipsign_2015.05.22-15.31.49.352.jpk-force
+fit f "$flipped" --tip sphere:10um
+fit g "$flipped" "${bead[@]}" "${moving[@]}"
+gel=fmt-jpk-cc_pr14-polymergel-2021.06.30.jpk-force
+fit h "$gel" --tip sphere:18.64um
+fit i "$gel" --tip sphere:18.64um --law jkr --adhesion two
+tissue=fmt-chiaro-txt_AEBP1_Indentation_002.zip
+fit j "$tissue" --tip sphere:27.5um
+fit k "$tissue" --tip paraboloid:27.5um "${moving[@]}"
+sheet beads
+fit a fmt-jpk-fd_spot3-0192.jpk-force --tip cone:30deg
+fit b fmt-jpk-fd_qi-data-2021.04.13.jpk-qi-series --tip cone:20deg
+fit c 20200904_Egel4-Z1.0_00025.spm --tip pyramid4:20deg
+fit d 20200903_Egel2.0_00023.spm --tip pyramid4:20deg
+fit e 20200903_Egel2.0_00023.spm --index 100 --tip pyramid4:20deg
+fit f fmt-igor-fd_U3_3_p10004.ibw --law jkr
+nitride=(fmt-igor-fd_SiN_FD_plot.ibw --tip paraboloid:10nm --nu 0.27 --law md)
+fit g "${nitride[@]}"
+fit h "${nitride[@]}" --lever thermal
+fit i "${nitride[@]}" --lever thermal --branch retract
+sheet tips
+letters=(a b c d e f g h)
+for number in 0140 0141 0142 0147 0148 0150 0151 0152; do
+    fit "${letters[0]}" "X60_3_x4_$number.ibw"
+    letters=("${letters[@]:1}")
+done
+sheet map

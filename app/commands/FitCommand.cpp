@@ -2,6 +2,7 @@
 #include "app/commands/FitOptions.h"
 #include "app/commands/ProgressLine.h"
 #include "app/commands/VirtualDisplay.h"
+#include "app/curves/CurveFit.h"
 #include "app/curves/FitBatch.h"
 #include "app/curves/FitFiles.h"
 #include "app/curves/FitMap.h"
@@ -32,41 +33,8 @@ namespace asperity {
 
 namespace {
 
-/// Files of one curve. A refused one leaves no tables.
-FolderContent fitFolder() {
-    return {.marks = {"fit.json"},
-            .own = {"curve.csv", "simulated.csv", "fit.png", "material.toml", "probe.toml",
-                    "scene.toml"},
-            .guarded = {"fit.json"}};
-}
-
 FolderContent batchFolder() {
     return {.marks = {"fits.csv"}, .own = {"fits.json", "maps.gwy"}, .guarded = {"fits.csv"}};
-}
-
-/// Fits a curve of a file. @throw InputError where it is damaged
-FittedCurve fitted(const std::string& path, const ForceCurveFile& file, std::size_t index,
-                   const FitRequest& request) {
-    CurveContents contents = file.contents(index);
-    FittedCurve curve{.file = path, .index = index, .sha256 = {}};
-    curve.position = file.position(index);
-    curve.cell = file.cell(index);
-    curve.heightChannel = std::move(contents.heightChannel);
-    curve.notes = file.notes();
-    curve.notes.insert(curve.notes.end(), contents.notes.begin(), contents.notes.end());
-    curve.found = identifyCurve(contents.curve, request.fit);
-    if (request.fit.compares && curve.found.verdict != FitVerdict::Refused) {
-        curve.comparison = compareCurve(contents.curve, request.fit);
-    }
-    return curve;
-}
-
-FittedCurve fitted(const std::string& path, const FitRequest& request) {
-    const FileBytes bytes(path);
-    const ForceCurveFile file(bytes, request.read.read);
-    FittedCurve curve = fitted(path, file, request.read.index.value_or(0), request);
-    curve.sha256 = sha256Of(bytes);
-    return curve;
 }
 
 void printSummary(const FittedCurve& curve) {
@@ -77,21 +45,14 @@ void printSummary(const FittedCurve& curve) {
 
 /// @throw Error where the curve was refused, after its files are written
 void fitOne(const FitRequest& request) {
-    const FittedCurve curve = fitted(request.curves.front(), request);
+    const FittedCurve curve = fittedCurve(request.curves.front(), request.read.index.value_or(0),
+                                          request.read.read, request.fit);
     const bool refused = curve.found.verdict == FitVerdict::Refused;
     const std::string noScene = refusalOfScene(curve);
     OutputFolder out(request.out, fitFolder(), request.force);
     out.collect([&](const std::filesystem::path& folder) {
-        writeFitJson(folder / "fit.json", fitJson(curve));
-        if (!refused) {
-            const OffscreenApplication qt;  // the figure needs its fonts
-            writeMeasuredCurve(folder / "curve.csv", curve);
-            writeSimulatedCurve(folder / "simulated.csv", curve);
-            writeFitFigure(folder / "fit.png", curve);
-        }
-        if (noScene.empty()) {
-            writeFitScene(folder, curve);
-        }
+        const OffscreenApplication qt;  // the figure needs its fonts
+        writeFitFiles(folder, curve);
     });
     out.commit();
     if (refused) {
@@ -119,7 +80,8 @@ std::vector<FittedCurve> fittedFiles(const FitRequest& request) {
         const auto i = static_cast<std::size_t>(index);
         const std::string& path = request.curves[i];
         try {
-            curves[i] = withoutSamples(fitted(path, request));
+            curves[i] = withoutSamples(
+                fittedCurve(path, request.read.index.value_or(0), request.read.read, request.fit));
         } catch (const FileError& error) {
             curves[i] = {.file = path, .sha256 = {}, .error = error.what()};
         }
@@ -139,7 +101,7 @@ FitMap fittedMap(const std::string& path, const FitRequest& request) {
             const auto index = static_cast<std::size_t>(i);
             FittedCurve& curve = map.curves[index];
             try {
-                curve = withoutSamples(fitted(path, file, index, request));
+                curve = withoutSamples(fittedCurve(path, file, index, request.fit));
             } catch (const FileError& error) {
                 curve = {.file = path, .index = index, .sha256 = {}, .error = error.what()};
             }

@@ -1,12 +1,16 @@
 /// Opens the live window on a scan, brings it into one of the states of docs/window.md as a user
 /// does, saves what the screen shows then, and prints the frames a second of each view.
 /// Usage: asperity_window_picture start|profile|profiles|roughness|spectrum|touches|map|path|
-///        section|replay|scene|haptics SCENE_OR_SCAN WIDTH HEIGHT OUT.png [dark]
+///        section|replay|scene|haptics|curves SCENE_OR_SCAN WIDTH HEIGHT OUT.png [dark]
+/// curves: the room of measured curves with the file SCENE_OR_SCAN, under a sphere of 5 um.
 
 #include "app/commands/VirtualDisplay.h"
 #include "app/loading/SceneLoader.h"
+#include "app/program/DataFolder.h"
 #include "app/window/Stage.h"
 #include "app/window/ViewControl.h"
+#include "app/window/curve/CurveFitControl.h"
+#include "app/window/curve/CurveFitPage.h"
 #include "app/window/lab/LiveWindow.h"
 #include "app/window/live/ControlBar.h"
 #include "app/window/live/LivePanels.h"
@@ -181,6 +185,19 @@ void showReplay(User& user) {
     live(kMoment);
 }
 
+void showCurves(User& user, const char* file) {
+    auto& control = user.stage().get<CurveFitControl>();
+    auto* const page = user.window().findChild<CurveFitPage*>();
+    user.window().menus().entry("fitCurve").trigger();
+    page->findChild<QComboBox*>(QStringLiteral("fitTip"))->setCurrentIndex(1);
+    bool isShown = false;
+    QObject::connect(&control, &CurveFitControl::shown, page, [&isShown] { isShown = true; });
+    control.open(file);
+    waitFor("a fit", [&isShown] { return isShown; });
+    page->resize(user.window().size());
+    live(kMoment);
+}
+
 int run(char** argv) {
     const VirtualDisplay display;
     LiveWindow live_;
@@ -198,7 +215,8 @@ int run(char** argv) {
         {"section", [&] { showSection(user); }},
         {"replay", [&] { showReplay(user); }},
         {"scene", [&] { user.showPage(1); }},
-        {"haptics", [&] { user.showPage(2); }}};
+        {"haptics", [&] { user.showPage(2); }},
+        {"curves", [&] { showCurves(user, argv[2]); }}};
     const auto show = states.find(state);
     if (show == states.end()) {
         throw Error("no such state: " + state);
@@ -208,7 +226,8 @@ int run(char** argv) {
     }
     user.window().setGeometry(0, 0, std::stoi(argv[3]), std::stoi(argv[4]));
     user.window().show();
-    user.stage().runs().use(loadScene(argv[2], {}));
+    const bool isOfCurves = state == "curves";
+    user.stage().runs().use(loadScene(isOfCurves ? defaultSceneFile().string() : argv[2], {}));
     live(kMoment);
     show->second();
     user.window().statusBar()->clearMessage();
@@ -216,7 +235,9 @@ int run(char** argv) {
     for (const ViewRate& rate : user.stage().get<ViewControl>().rates()) {
         std::cout << rate.view << ' ' << rate.framesPerSecond << " frames/s\n";
     }
-    const bool saved = user.window().grab().save(QString::fromUtf8(argv[5]));
+    QWidget& shown = isOfCurves ? static_cast<QWidget&>(*user.window().findChild<CurveFitPage*>())
+                                : user.window();
+    const bool saved = shown.grab().save(QString::fromUtf8(argv[5]));
     if (!saved) {
         throw Error(std::string(argv[5]) + ": the picture cannot be written");
     }
@@ -231,6 +252,6 @@ int main(int argc, char** argv) {
     return asperity::runPictureTool(
         {argv, static_cast<std::size_t>(argc)}, argc == 7 ? 6 : 5,
         "asperity_window_picture start|profile|profiles|roughness|spectrum|touches|map|path|"
-        "section|replay|scene|haptics SCENE_OR_SCAN WIDTH HEIGHT OUT.png [dark]",
+        "section|replay|scene|haptics|curves SCENE_OR_SCAN WIDTH HEIGHT OUT.png [dark]",
         asperity::run);
 }

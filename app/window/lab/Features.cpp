@@ -4,6 +4,7 @@
 #include "app/program/ProgramParts.h"
 #include "app/window/Stage.h"
 #include "app/window/ViewControl.h"
+#include "app/window/curve/CurveFitControl.h"
 #include "app/window/curve/MeasuredCurveControl.h"
 #include "app/window/device/DemonstrationControl.h"
 #include "app/window/device/DeviceControl.h"
@@ -125,6 +126,7 @@ void addFeatures(Stage& stage) {
            ForceCycleControl,     //
            ForceMapControl,       //
            MeasuredCurveControl,  //
+           CurveFitControl,       //
            PlaybackControl,       //
            ComparisonControl,     //
            ReportControl,         //
